@@ -1,4 +1,4 @@
-"""Scene files: what is written is read again, and nothing damaged is."""
+"""Scene files: they are read back as written, and damaged files are refused."""
 
 import dataclasses
 import zlib
@@ -19,7 +19,7 @@ from tmap.scene_file.scene_file import Material, Object, Scene, Texture
 
 
 def assert_equal(a: Scene, b: Scene):
-    """Field by field."""
+    """Compares two scenes field by field."""
     __tracebackhide__ = True
     for field in dataclasses.fields(Scene):
         one, other = getattr(a, field.name), getattr(b, field.name)
@@ -29,7 +29,7 @@ def assert_equal(a: Scene, b: Scene):
 
 @pytest.mark.parametrize("textures", [0, 1, 3])
 def test_round_trip(textures):
-    """The same scene, and the same bytes once more."""
+    """The scene is the same, and writing it again gives the same bytes."""
     scene = example(textures=textures)
     data = scene_file.write(scene)
     again = scene_file.read(data, "x")
@@ -67,7 +67,7 @@ def test_round_trip_of_every_layout(kind, width, height):
 
 
 def test_round_trip_of_16_bits():
-    """In columns, whose bytes are looked at."""
+    """In columns; checks the bytes of the texels."""
     texels = np.random.default_rng(1).integers(0, 65536, (16, 32)).astype(np.uint16)
     scene = dataclasses.replace(
         example(), format="rgb565", background=65535, textures=[Texture(texels, "columns")],
@@ -100,7 +100,7 @@ def test_formats_are_the_headers():
 
 
 def test_round_trip_of_a_light_table():
-    """Beside the texture that it lights."""
+    """The light table follows the texture that it lights."""
     scene = example()
     scene.textures.append(LIGHT)
     scene.materials = [Material("lit", gradients="scanline", texture=0, light=1),
@@ -129,7 +129,7 @@ def test_mesh_columns_are_the_headers():
 
 
 def test_names_are_the_headers():
-    """The names of settings and layouts stand at the numbers of their enumerators."""
+    """Names of settings and layouts have the numbers of their enumerators."""
     constants = layout.load().constants
     for kind, names in (scene_file.SETTINGS | {"map": scene_file.LAYOUTS}).items():
         numbers = [constants[f"{kind}_{name}".upper()] for name in names]
@@ -140,7 +140,7 @@ def test_names_are_the_headers():
 
 
 def test_orders_are_the_headers():
-    """Where texel (u, v) lies, by the formulas in c/texture/map.h."""
+    """Texel (u, v) is where the formulas in c/texture/map.h put it."""
     array = np.arange(65536).reshape(256, 256)
     tiled, columns = maps.to_tiled(array), maps.to_columns(array[:32])
     for u, v in ((0, 0), (7, 0), (8, 0), (255, 31), (100, 17), (13, 5)):
@@ -149,7 +149,7 @@ def test_orders_are_the_headers():
 
 
 def test_565():
-    """All numbers there and back, some by hand."""
+    """All numbers in both directions, some computed by hand."""
     numbers = np.arange(65536, dtype=np.uint16)
     assert (maps.to_rgb565(maps.from_rgb565(numbers)) == numbers).all()
     assert maps.from_rgb565(numbers[[0, 65535, 0xf800, 0x07e0, 0x8410]]).tolist() == [
@@ -164,7 +164,7 @@ def test_empty_tables():
 
 
 def test_bytes_are_the_headers():
-    """Spot checks of the format that do not go through the layout."""
+    """Spot checks of the format that do not use the layout."""
     scene = example()
     data = scene_file.write(scene)
     assert data[:8] == b"TMAP\0\0\0\x0b"
@@ -175,7 +175,8 @@ def test_bytes_are_the_headers():
 
 
 def test_vertices_at_rounds_every_product_down():
-    """Each of both products of x and of y by itself; nothing is there before and after."""
+    """Both products of x and of y are rounded separately; the object is absent before and after its
+    frames."""
     scene = example()
     one, s, t = 65536, 5, 6
     scene.vertices[:3] = [[1, 1, s, t, 8, 9], [-1, 1, s, t, 8, 9], [3, -1, s, t, 8, 9]]
@@ -190,7 +191,7 @@ def test_vertices_at_rounds_every_product_down():
 @settings(deadline=None)
 @given(st.sampled_from([WRITTEN, TEXTURED]), st.data(), st.integers(1, 255))
 def test_any_flipped_byte_is_refused(data, draw, flip):
-    """Anywhere, whatever it becomes."""
+    """Anywhere, whatever the byte becomes."""
     at = draw.draw(st.integers(0, len(data) - 1))
     damaged = bytearray(data)
     damaged[at] ^= flip
@@ -199,7 +200,7 @@ def test_any_flipped_byte_is_refused(data, draw, flip):
 
 
 def test_every_byte_counts():
-    """A bit of each."""
+    """One bit of each byte."""
     for at in range(len(WRITTEN)):
         damaged = WRITTEN[:at] + bytes([WRITTEN[at] ^ 1 << at % 8]) + WRITTEN[at + 1:]
         with pytest.raises(UserError, match="^x: "):
@@ -209,7 +210,7 @@ def test_every_byte_counts():
 @settings(deadline=None)
 @given(st.binary(max_size=200), st.integers(0, len(WRITTEN) - 1))
 def test_cut_and_foreign_files_are_refused(rubbish, cut):
-    """Rubbish, a file's beginning, the same with rubbish behind it, a byte too many."""
+    """Noise, the beginning of a file, the same with noise after it, one byte too many."""
     for data in (rubbish, WRITTEN[:cut], WRITTEN[:cut] + rubbish[:len(WRITTEN) - cut - 1],
                  WRITTEN + b"\0"):
         with pytest.raises(UserError, match="^x: "):

@@ -1,4 +1,4 @@
-"""Scene files and scenes in which one field cannot be: it is named."""
+"""Scene files and scenes with one invalid field: the error names it."""
 
 import dataclasses
 import zlib
@@ -15,7 +15,7 @@ from tmap.scene_file.scene_file import Material, Object, Texture
 
 
 def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = TEXTURED) -> bytes:
-    """The file with one field replaced, and a checksum that fits."""
+    """The file with one field replaced, and the right checksum."""
     built = layout.load()
     header = built.struct("scene_header")
     where = {kind: f"{table}_at" for table, kind in scene_file.TABLES.items()}
@@ -96,7 +96,7 @@ def patched(struct: str, field: str, value: int, index: int = 0, data: bytes = T
     ("scene_object", "planar", 16, "objects[0].planar: 16 is not from 0 to 15"),
 ])
 def test_wrong_field_is_named(struct, field, value, message):
-    """With its place in the file, its value and what it could be."""
+    """The error has its place in the file, its value and the valid range."""
     with pytest.raises(UserError) as caught:
         scene_file.read(patched(struct, field, value), "show.scene")
     assert str(caught.value).startswith("show.scene: " + message)
@@ -128,7 +128,7 @@ MESHES = scene_file.write(mesh_cases.boxes(1))
     ("scene_instance", "flags", 4, "instances[0].flags: 4 is not from 0 to 3"),
 ])
 def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
-    """Of points, faces, views and instances."""
+    """Fields of points, faces, views and instances."""
     with pytest.raises(UserError) as caught:
         scene_file.read(patched(struct, field, value, data=MESHES), "show.scene")
     assert str(caught.value).startswith("show.scene: " + message)
@@ -180,6 +180,6 @@ def test_wrong_field_of_a_mesh_is_named(struct, field, value, message):
     ({"poses": np.full((4, 6), -2**31 - 1)}, "scene_pose.xx does not fit 32 bits"),
 ])
 def test_bad_scenes_are_not_written(change, message):
-    """Whoever made them is told before there is a file."""
+    """The error is raised before a file is written."""
     with pytest.raises(UserError, match=message):
         scene_file.write(dataclasses.replace(example(), **change))

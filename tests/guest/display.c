@@ -43,7 +43,7 @@ static void print_numbers(const uint32 *from, int32 count)
     text_print();
 }
 
-/* Saves the screen's memory; prints its addresses. Returns 0 on failure. */
+/* Saves the screen's memory to a file; prints its address and places. Returns 0 on failure. */
 static int32 dump(const char *name, int32 number)
 {
     char file[64];
@@ -127,8 +127,8 @@ static int32 again(void)
     return RETURN_OK;
 }
 
-/* Prints how many fields late a list is shown; the same for one whose field is already over, counted
-   from its posting; and whether display_age counts lines from the list's first one on. */
+/* Prints whether a posted list waits and how many fields late it is shown; how many fields after
+   its posting one is shown whose field is over; and whether display_age counts from its first line. */
 static int32 post(void)
 {
     const uint32 due = screen_fields(&screen) + 5;

@@ -109,7 +109,7 @@ def picture(region: Region, memory: bytes, address: int) -> Picture:
     left, right = start & 255 | (high >> 5 & 1) << 8, stop & 255 | (high >> 13 & 1) << 8
     unit = 32 >> shift  # colour clocks from one fetch of a plane to the next
     assert (r[DDFSTRT] - FIRST_DOT[1]) % unit == 0
-    assert (r[DDFSTOP] - r[DDFSTRT]) % unit == 0  # otherwise the display fetches up to the next multiple
+    assert (r[DDFSTOP] - r[DDFSTRT]) % unit == 0  # else it fetches up to the next multiple
     row_bytes = 8 * ((r[DDFSTOP] - r[DDFSTRT]) // unit + 1)
     delay = r[BPLCON1] & 15 | (r[BPLCON1] >> 10 & 3) << 4
     first = FIRST_DOT[0] + 2 * (r[DDFSTRT] - FIRST_DOT[1]) + delay

@@ -18,7 +18,7 @@ from tmap.run.governor import Governor
 
 FRAMES = 40
 MOST = 50  # most pictures of a form in the race's frames
-WHOLE = 2  # frames, one for each set of planes, in which panes are redrawn completely after a step's change
+WHOLE = 2  # frames, one for each set of planes, until panes are whole after a step's change
 FIELDS = 2  # a frame, for 25 a second
 FORMS = ("addx", "swap")  # of the race
 #: How far the ratio of both forms' times in the race may be from render's; interrupts slow both
