@@ -314,7 +314,7 @@ def test_numbers_and_rules(answers) -> None:
 
 def test_trilinear_filtering(answers) -> None:
     """Both orders of the units: local + (other - local) (m + 1) / 256, where the odd level's weight
-    is the LOD's fraction, or one minus it if the nearer level is odd."""
+    is the LOD's fraction, or one minus it if the finer level is odd."""
     _, chain, found = answers
     for lod, even_first, *places in chain.trilinear:
         local, other, blended = (channels(found[place]) for place in places)

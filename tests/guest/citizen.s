@@ -4,7 +4,7 @@
 ;       citizen LOG HOW DRAWER PROGRAM ARGUMENTS
 ;
 ; The program's output goes to LOG. HOW is 0, or the number of fields until a Ctrl-C, -1 at once;
-; -2 is a double click with DRAWER, after which Ctrl-\ is pressed in the window titled
+; -2 is a double click on the program in DRAWER, then Ctrl-\ is pressed in the window titled
 ; tmap020; -3 is 0 with DRAWER as the current directory, -4 is 0 with Kickstart 1.3's version of dos;
 ; with -5 the keys of key_table are pressed, one each KEY_FIELDS.
 

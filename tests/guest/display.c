@@ -128,7 +128,7 @@ static int32 again(void)
 }
 
 /* Prints whether a posted list waits and how many fields late it is shown; how many fields after
-   its posting one is shown whose field is over; and whether display_age counts from its first line. */
+   its posting one is shown whose field is over; and whether display_age counts from its start. */
 static int32 post(void)
 {
     const uint32 due = screen_fields(&screen) + 5;

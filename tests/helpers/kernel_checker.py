@@ -246,8 +246,8 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
     """Calls all trials in a few boots; returns the results in their order.
 
     A crash ends a boot. The trial that caused it is then searched among the trials of the routine
-    in which the crash was, and by halves. Its result is the crash report, and the other trials of
-    that kernel are not called again (None).
+    in which the crash was, and by halves. Its result is the crash report, and no further trial of
+    that kernel is called (None).
     """
     results: list[kernels.Result | str | None] = [None] * len(trials)
     crashed: set[str] = set()

@@ -334,10 +334,10 @@ def pieces(case: Case) -> list[str]:
 def monotone(case: Case, part) -> list[str]:
     """A polygon made of some of a convex polygon's vertices lights only pixels of the larger one.
 
-    With rounded edges there is one exception: a pixel near an edge that the larger polygon does not
-    have, with another upper vertex, may be lit if both edges' slacks reach it. Edges from one
-    vertex have the order of their exact slopes in their first x and in their slopes: rounding to
-    the nearest never reverses two numbers, so these edges never cross.
+    With rounded edges a pixel may be lit if an edge of each polygon, with different upper vertices,
+    is as near to it as the larger of both slacks. Edges from one vertex have the order of their
+    exact slopes in their first x and in their slopes: rounding to the nearest never reverses two
+    numbers, so these edges never cross.
     """
     inner = replace(case, vertices=tuple(part))
     for i, y in sorted(lit(rows(inner.drawn())) - lit(rows(case.drawn()))):

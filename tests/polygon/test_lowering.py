@@ -77,9 +77,9 @@ def calls_for_less(rng: random.Random, each: fuzz_polygons.Fuzzed) -> fuzz_polyg
         vertices[:, 4] = rng.choice((0, 3 * ONE, 100 * ONE + 5, 252 * ONE, 256 * ONE - 1))
     if rng.random() < 0.5:
         vertices[:, 5] = rng.choice((ONE, 5 * ONE + 3))
-    column, along = rng.choice(((2, 1), (3, 1), (2, 0)))  # s or t is constant along lines or
+    column, along = rng.choice(((2, 1), (3, 1), (2, 0)))  # s = y, t = y or s = x, plus a constant
     if rng.random() < 0.5 and abs(vertices[:, along]).max() < fuzz_polygons.FAR // 2:
-        vertices[:, column] = vertices[:, along] + rng.randrange(256 * ONE)  # steps by 1
+        vertices[:, column] = vertices[:, along] + rng.randrange(256 * ONE)
         if column == 2 and along == 0:
             vertices[:, 3] = vertices[:, 1]
     if each.settings.mapper == "arbitrary":  # stays inside its map
