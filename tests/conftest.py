@@ -1,5 +1,5 @@
-"""Which tests come first: ``make test`` gives whole files to two processes in this order. And what
-each failure says at last: how to see it again."""
+"""Sets the order of the test files: ``make test`` hands whole files to two processes in this order.
+Adds to each failure the command that runs it again."""
 
 import shlex
 from pathlib import Path
@@ -23,12 +23,12 @@ TESTS = Path(__file__).parent
 
 
 def place(item) -> str:
-    """A test's file below tests/, without its ending."""
+    """The path of a test's file below tests/, without its suffix."""
     return item.path.relative_to(TESTS).with_suffix("").as_posix()
 
 
 def pytest_collection_modifyitems(items: list) -> None:
-    """Sorts the tests by their files' ranks; all others stay as they are, behind them."""
+    """Sorts the tests by their files' ranks; unlisted ones keep their order at the end."""
     items.sort(key=lambda item: RANKS.get(place(item).replace("test_", ""), len(RANKS)))
 
 

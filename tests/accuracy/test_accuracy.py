@@ -1,4 +1,4 @@
-"""The accuracy report: what it promises, and its own arithmetic."""
+"""The accuracy report: its promises, and its arithmetic."""
 
 import json
 
@@ -33,20 +33,20 @@ def row(rows: list[dict], settings: model.Settings) -> dict:
 
 @pytest.mark.parametrize("name", polygon_sets.SHAPES)
 def test_best_setting_is_exact_to_a_128th_texel(name: str) -> None:
-    """No coverage error at all, u and v within 1/128 texel at every pixel."""
+    """No coverage error at all; u and v are within 1/128 texel at every pixel."""
     found = accuracy.errors(name, BEST)
     assert found.coverage == 0 and found.pixels == found.ideal_pixels > 0
     assert found.worst <= 1 / 128, f"{name}: {found.worst} texels"
 
 
 def test_best_setting_costs_little(medium: list[dict]) -> None:
-    """At most 3 % over the cheapest setting of the affine mapper, by the edges' carry."""
+    """At most 3 % more than the cheapest setting of the affine mapper, for the edges' carry."""
     affine = [r["cycles_per_polygon"] for r in medium if r["mapper"] == "affine"]
     assert row(medium, BEST)["cycles_per_polygon"] <= 1.03 * min(affine)
 
 
 def test_no_row_left_the_baseline(medium: list[dict]) -> None:
-    """Errors are the committed ones; cycles stay within 1 %."""
+    """Errors equal the committed ones; cycles are within 1 % of them."""
     depth = accuracy.measure(["depth"], ["a1200-fast"], accuracy.depth_combinations())
     kept = [r for r in json.loads(ACCURACY_BASELINE.read_text())["rows"]
             if r["machine"] == "a1200-fast"]
@@ -60,8 +60,8 @@ def test_no_row_left_the_baseline(medium: list[dict]) -> None:
 
 
 def test_every_combination_has_a_row(medium: list[dict]) -> None:
-    """18 combinations of the affine mapper, 3 of each other one (2 where a truncated start is not
-    to be had), and a frontier."""
+    """18 combinations of the affine mapper, 3 of each other mapper (2 if it has no truncated
+    start), and a frontier."""
     assert len(medium) == 18 + 3 * 7 + 2 * 2
     assert {r["mapper"] for r in medium} == {"affine", "flat", "gouraud", "arbitrary", "tiled",
                                              "columns", "generated", "lit", "lit_gouraud",
@@ -72,7 +72,7 @@ def test_every_combination_has_a_row(medium: list[dict]) -> None:
 
 
 def test_gouraud_keeps_the_range_of_its_vertices() -> None:
-    """No pixel has a shade outside the vertices', in any set."""
+    """No pixel has a shade outside the vertices' range, in any set."""
     settings, pixels = model.Settings("subpixel", "plane", "subtexel", mapper="gouraud"), 0
     for name in polygon_sets.SHAPES:
         for vertices in polygon_sets.polygons(name):
@@ -88,8 +88,8 @@ def test_gouraud_keeps_the_range_of_its_vertices() -> None:
 
 
 def test_errors_are_the_exact_ones() -> None:
-    """Of lines whose errors are known: half a texel in u at each pixel; then three quarters, in which
-    no texel is wrong, and a quarter on the other side of a border, in which all are."""
+    """Lines with known errors: half a texel in u at each pixel; then three quarters, with no wrong
+    texel; then a quarter across a border, with every texel wrong."""
     vertices = [(0, 0, 0, 0), (64 << 16, 0, 64 << 16, 0), (0, 64 << 16, 0, 64 << 16)]
     plane = ideal.Picture(vertices, 320, 256).planes[0]
     columns = np.arange(10, 20)
@@ -106,8 +106,8 @@ def test_errors_are_the_exact_ones() -> None:
 
 @pytest.mark.parametrize("name", polygon_sets.DEPTHS)
 def test_sets_with_depth_are_what_they_say(name: str) -> None:
-    """Medium triangles, one corner half to all of the stated times as deep as another; their texture
-    is as dense as the others' on the whole, and the format takes them."""
+    """Medium triangles with one corner half to all of the stated ratio deeper than another. On
+    average their texture is as dense as in the other sets, and the format can store them."""
     most = polygon_sets.DEPTHS[name]
     made = polygon_sets.polygons(name)
     assert len(made) == polygon_sets.COUNT and made == polygon_sets.polygons(name)
@@ -127,8 +127,8 @@ def test_sets_with_depth_are_what_they_say(name: str) -> None:
 
 
 def hand_made(name: str, values) -> Errors:
-    """The errors on a set of a renderer: ``values`` are u or v of pixels, 16.16, from a curve, its
-    first and last pixel and the line."""
+    """The errors of a renderer on a set. ``values`` computes u or v of pixels, 16.16, from a curve,
+    the first and last pixel and the line."""
     total = Errors()
     for vertices in polygon_sets.polygons(name):
         picture = perspective.Picture([(*v[:4], v[5]) for v in vertices], 320, 256)
@@ -143,12 +143,12 @@ def hand_made(name: str, values) -> Errors:
 
 
 def rounded(curve, first: int, last: int, y: int) -> list[int]:
-    """Each pixel divided, cut to a unit."""
+    """Divides at each pixel, rounded down to a unit."""
     return [n // q for n, q in (curve.terms(i << 16, y << 16) for i in range(first, last + 1))]
 
 
 def in_pieces(n: int):
-    """Affine pieces of n pixels; what is left ends at the line's last pixel."""
+    """Affine pieces of n pixels; the remainder ends at the line's last pixel."""
     def values(curve, first: int, last: int, y: int) -> list[int]:
         found = []
         for start in range(first, last + 1, n):
@@ -163,8 +163,8 @@ def in_pieces(n: int):
 
 @pytest.mark.parametrize("name", polygon_sets.DEPTHS)
 def test_errors_of_hand_made_renderers(name: str) -> None:
-    """Exact division is off by a unit at most, and shows no wrong texel; affine pieces by their chords'
-    errors; and the shorter the better, down to the affine renderer's."""
+    """Exact division is off by a unit at most and shows no wrong texel. Affine pieces are off by
+    their chord errors; shorter pieces are better, and all are better than the affine renderer."""
     exact = hand_made(name, rounded)
     assert 0 < exact.worst < 1 / 65536 + 2**-33 and exact.wrong == 0
     pieces = {n: hand_made(name, in_pieces(n)) for n in (4, 16, 320)}
@@ -180,7 +180,8 @@ def test_errors_of_hand_made_renderers(name: str) -> None:
 
 
 def test_every_mapper_is_shown() -> None:
-    """By a polygon in the picture of mappers; those with texture by a mark in the plot."""
+    """Each mapper has a polygon in the picture of mappers; those with texture have a mark in the
+    plot."""
     shown = scene.compile_scene(SCENES / "mappers.toml")
     assert {shown.materials[obj.material].mapper for obj in shown.objects} == set(scene_file.MAPPERS[1])
     assert {mapper for mapper, kept in scene_file.MAPPER_LAYOUT.items() if kept} <= set(
@@ -188,7 +189,7 @@ def test_every_mapper_is_shown() -> None:
 
 
 def test_unknown_set_is_refused(tmp_path) -> None:
-    """One line that names the sets there are."""
+    """The error is one line that names the known sets."""
     with pytest.raises(UserError, match="no set is called huge; there are small, medium"):
         accuracy.command(tmp_path / "out", ["huge"], None, False)
     assert not (tmp_path / "out").exists()

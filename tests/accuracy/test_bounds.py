@@ -1,4 +1,5 @@
-"""The derived bounds: nothing exceeds them, much comes near, and wrong renderers do exceed them."""
+"""The derived bounds: nothing exceeds them, errors come near them, and wrong renderers exceed
+them."""
 
 import itertools
 import random
@@ -22,13 +23,13 @@ ALL = [Settings(edges, gradients, start) for edges, gradients, start in itertool
 
 
 def triangles(count: int) -> list[list[tuple]]:
-    """Of every named set, and random ones all over the frame."""
+    """Triangles of every named set, and random ones all over the frame."""
     sets = [p for name in polygon_sets.SHAPES for p in polygon_sets.polygons(name)[::4]]
     return sets + polygon_sets.random_triangles(count, seed=4)
 
 
 def worst(settings: Settings, polygons) -> bounds.Verdict:
-    """Of some polygons under one setting."""
+    """The combined verdict on polygons under one setting."""
     total = bounds.Verdict()
     for vertices in polygons:
         total.merge(bounds.judge(vertices, settings, WIDTH, HEIGHT))
@@ -37,7 +38,8 @@ def worst(settings: Settings, polygons) -> bounds.Verdict:
 
 @pytest.mark.parametrize("settings", ALL, ids=lambda s: f"{s.edges}-{s.gradients}-{s.start}")
 def test_every_setting_keeps_its_bound(settings: Settings) -> None:
-    """And nearly reaches it: a bound that is never met says nothing."""
+    """Errors stay within the bound and come near it: a bound that is never approached proves
+    nothing."""
     found = worst(settings, triangles(40))
     assert not found.complaint
     assert 0.3 < found.texel_ratio <= bounds.FLOAT, found
@@ -47,7 +49,8 @@ def test_every_setting_keeps_its_bound(settings: Settings) -> None:
 
 @pytest.mark.parametrize("mapper", ["gouraud", "tiled", "columns", "generated"])
 def test_every_mapper_keeps_its_bound(mapper: str) -> None:
-    """What it cuts off is in its bound, and no more: under some setting it is nearly reached."""
+    """The bound includes the bits that the mapper cuts off, and no more: under some setting it is
+    nearly reached."""
     ratios = []
     for settings in ALL:
         found = worst(replace(settings, mapper=mapper), triangles(8))
@@ -57,13 +60,13 @@ def test_every_mapper_keeps_its_bound(mapper: str) -> None:
 
 
 def cut(bits: int):
-    """A quotient that keeps so many fraction bits of a 32.32 gradient."""
+    """Returns a quotient that keeps only ``bits`` fraction bits of a 32.32 gradient."""
     def quotient(n: int, d: int) -> int:
         return (n << 32) // d >> 32 - bits << 32 - bits
     return quotient
 
 
-#: What is patched, by what: (module or class, name, replacement).
+#: Defects: (module or class, name, replacement).
 WRONG = {
     "ceil off by one": (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1 + (y & 1)),
     "a pixel centre belongs to its left edge's outside":
@@ -94,7 +97,8 @@ def test_a_wrong_renderer_is_caught(wrong: str, monkeypatch) -> None:
 
 
 def carried(right):
-    """Addresses by addition alone: where u leaves its row inside a line, the texel is in the next."""
+    """Addresses by addition alone: if u leaves its row within a line, the texel is from the next
+    row."""
     def fetched(line, mapper, size, stepped):
         columns, rows = right(line, mapper, size, stepped)
         seams = np.cumsum(np.abs(np.diff(columns, prepend=columns[:1])) > size[0] / 2)
@@ -103,7 +107,7 @@ def carried(right):
 
 
 def beside_once(right):
-    """The column beside, at one pixel in the middle of each line."""
+    """Shows the adjacent column at one pixel in the middle of each line."""
     def fetched(*given):
         columns, rows = right(*given)
         return columns + (np.arange(len(columns)) == len(columns) // 2), rows
@@ -114,7 +118,8 @@ def beside_once(right):
     *((mapper, carried) for mapper in ("affine", "tiled", "columns", "lit", "lit_gouraud", "dithered")),
     *((mapper, beside_once) for mapper in textures.MAPPERS[1] if mapper != "flat")])
 def test_a_wrong_texel_is_caught(mapper: str, wrong, monkeypatch) -> None:
-    """Though u and v are right: a row too far behind a seam, or one pixel's column."""
+    """u and v are right, but the texel is a row too far behind a seam, or one pixel's column is
+    wrong."""
     settings, inside = Settings(mapper=mapper), 256.0 if mapper == "arbitrary" else None
     polygons = [p for name in ("medium", "large") for p in polygon_sets.polygons(name, inside)[::4]]
     assert not worst(settings, polygons).complaint
@@ -124,7 +129,7 @@ def test_a_wrong_texel_is_caught(mapper: str, wrong, monkeypatch) -> None:
 
 @pytest.mark.parametrize("perspective", ["every16", "pixel"])
 def test_a_wrong_texel_in_perspective_is_caught(perspective: str, monkeypatch) -> None:
-    """Of polygons with depth, and of those drawn affine though w differs."""
+    """For polygons with depth, and for those drawn affine although w differs."""
     settings = Settings(perspective=perspective)
     deep = polygon_sets.polygons("depth")[::4]
     flat = [[(*v[:5], 65536 + (v[5] > p[0][5])) for v in p] for p in deep]
@@ -140,7 +145,8 @@ def test_a_wrong_texel_in_perspective_is_caught(perspective: str, monkeypatch) -
 
 @pytest.mark.parametrize("first, last", [(0, 500), (0, 2040), (500, 0), (-700, -200), (-30, -800)])
 def test_generated_code_beyond_its_row_is_caught(first: int, last: int, monkeypatch) -> None:
-    """Drawn by code, polygons whose u repeats show other rows; so affine spans draw them, exactly."""
+    """If generated code drew polygons whose u repeats, it would show other rows; the affine spans
+    that draw them are exact."""
     settings = Settings("exact", mapper="generated")
     vertices = [tuple(c << 16 for c in corner) for corner in (
         (0, 0, first, 20, 0, 1), (256, 0, last, 37, 0, 1), (256, 200, last, 220, 0, 1))]
@@ -154,7 +160,7 @@ def test_generated_code_beyond_its_row_is_caught(first: int, last: int, monkeypa
 
 
 def test_coverage_is_judged_on_the_edge_alone() -> None:
-    """A pixel on an edge's wrong side is a complaint in exact, and counted."""
+    """With exact edges a pixel on the wrong side of an edge is a complaint, and is counted."""
     vertices = [(x << 16, y << 16, 0, 0, 0, 65536) for x, y in ((0, 0), (8, 0), (0, 8))]
     good = bounds.judge(vertices, Settings("exact", mapper="flat"), 16, 16)
     assert (good.pixels, good.coverage_errors, good.complaint) == (36, 0, "")
@@ -166,20 +172,20 @@ def test_coverage_is_judged_on_the_edge_alone() -> None:
 
 
 def test_ideal_is_defined_for_convex_polygons_only() -> None:
-    """What integer edges dent, or what goes round twice, has none."""
+    """A polygon made concave by integer edges, or one that winds round twice, has no ideal."""
     square = [(0, 0, 0, 0), (ceil16(9 << 16) << 16, 0, 0, 0), (9 << 16, 9 << 16, 0, 0), (0, 9 << 16, 0, 0)]
     star = [square[0], square[2], square[1], square[3]]
     assert bounds.has_ideal(square) and not bounds.has_ideal(star)
     twice = square * 2
     assert not bounds.has_ideal(twice)
     dented = [square[0], square[0], square[1], square[1], (1, 1, 0, 0), square[3]]
-    assert not bounds.has_ideal(dented)  # repeated vertices hide no corner
+    assert not bounds.has_ideal(dented)  # repeated vertices do not hide the concave corner
     assert not bounds.has_ideal([(1 << 30, 0, 0, 0), *square[1:3]])
 
 
 def test_random_polygons_have_all_that_is_promised() -> None:
-    """Every setting and mapper but units, planes for what is judged, some of everything that is
-    hard."""
+    """Every setting and mapper except units, planes for polygons that are judged, some of every
+    difficulty."""
     some = [fuzz_polygons.polygon(9, k) for k in range(3000)]
     for kind, names in fuzz_polygons.SETTINGS.items():
         assert {getattr(p.settings, kind) for p in some} == set(names) - {"n64", "glide"}

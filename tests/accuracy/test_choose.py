@@ -1,4 +1,4 @@
-"""``tmap choose``: what it picks is checked against every row by plain comparison."""
+"""``tmap choose``: its choice is compared with a plain search of all rows."""
 
 import itertools
 import json
@@ -17,7 +17,7 @@ ROWS = json.loads(ACCURACY_BASELINE.read_text())["rows"]
 
 @pytest.fixture
 def tmap(capsys):
-    """Runs the command: its status, what it prints and what it complains of."""
+    """Runs the command; returns its status, its output and its error output."""
     def run(*arguments) -> tuple[int, str, str]:
         status = main(["choose", *map(str, arguments)])
         return status, *capsys.readouterr()
@@ -27,7 +27,7 @@ def tmap(capsys):
 @pytest.mark.parametrize("machine, depth, measure, wrong", list(itertools.product(
     ("a1200", "a1200-fast"), (False, True), (LARGEST, RMS), (None, 0))))
 def test_choice_is_the_cheapest_that_is_good_enough(machine, depth, measure, wrong) -> None:
-    """For errors between those of all rows: no row that is good enough is cheaper."""
+    """For error limits between the errors of all rows: no row that is good enough is cheaper."""
     for error in sorted({r[measure] for r in ROWS} | {0.0, 1e9}):
         wish = Wish(error, machine, depth, wrong, None, measure)
         rows = choose.candidates(ROWS, wish)
@@ -47,7 +47,8 @@ def test_choice_is_the_cheapest_that_is_good_enough(machine, depth, measure, wro
 
 
 def test_neighbours_are_the_nearest() -> None:
-    """Of made-up rows: the dearest cheaper one that is not beaten, the cheapest more exact one."""
+    """Made-up rows: the neighbours are the most expensive cheaper row that no other beats, and the
+    cheapest more exact row."""
     def row(cost: float, error: float, wrong: float = 0) -> dict:
         return {COST: cost, LARGEST: error, WRONG: wrong}
 
@@ -62,7 +63,8 @@ def test_neighbours_are_the_nearest() -> None:
 
 @pytest.mark.parametrize("mapper", [None, "lit", "gouraud", "flat", "arbitrary"])
 def test_pasted_lines_are_a_material(mapper) -> None:
-    """The lines of the output are TOML that the scene compiler takes, and say the choice."""
+    """The lines of the output are TOML that the scene compiler accepts, with the settings of the
+    choice."""
     wish = Wish(1e9, "a1200", mapper=mapper)
     best = choose.choose(choose.candidates(ROWS, wish), wish)[1]
     material = tomllib.loads(choose.pasted(best))["materials"]["my_material"]
@@ -75,7 +77,8 @@ def test_pasted_lines_are_a_material(mapper) -> None:
 
 
 def test_output_names_choice_price_and_source(tmap) -> None:
-    """A table, the prices of both steps, the lines to paste and where the figures are from."""
+    """The output has a table, the prices of both steps, the lines to paste and the source of the
+    figures."""
     status, said, complaint = tmap("--error", 1, "--machine", "a1200-fast", "--depth")
     assert (status, complaint) == (0, "")
     for words in ("choice", "cheaper", "more exact", "[materials]",
@@ -83,7 +86,7 @@ def test_output_names_choice_price_and_source(tmap) -> None:
         assert words in said, words
 
 
-#: Of made-up rows: cycles a pixel, largest and rms error, wrong pixels in a million.
+#: Made-up rows: cycles a pixel, largest and rms error, wrong pixels in a million.
 MADE_UP = (10, 9, 2, 5), (12.5, 2, 0.5, 5), (20, 1, 0.25, 0), (30, 0.125, 0.0625, 1)
 WORDS = {
     ("--error", 2): (
@@ -110,7 +113,7 @@ WORDS = {
 
 @pytest.mark.parametrize("arguments", WORDS)
 def test_prices_in_words(tmap, tmp_path, arguments) -> None:
-    """Each difference with its sign, its part and what else changes."""
+    """Each difference has its sign, its percentage and the other figures that change."""
     affine = {"name": "medium", "machine": "a1200", "mapper": "affine", "edges": "exact",
               "gradients": "plane", "start": "subtexel", "perspective": "none",
               "wrong_texels_percent": 0}
@@ -122,7 +125,7 @@ def test_prices_in_words(tmap, tmp_path, arguments) -> None:
 
 
 def test_nothing_is_good_enough(tmap) -> None:
-    """Status 1 and one line that says how near it gets."""
+    """Status 1, and one line that says how near the best row is."""
     status, said, complaint = tmap("--error", 0, "--machine", "a1200", "--depth")
     assert (status, said) == (1, "")
     assert complaint.count("\n") == 1 and "the most exact has 0.006" in complaint
@@ -148,7 +151,7 @@ def without_field() -> str:
     (["--error", "1", "--machine", "a1200"], '{"rows": []}', "no row of set medium"),
 ])
 def test_bad_arguments_are_one_line(tmap, arguments, content, words, tmp_path) -> None:
-    """Status 2, and a line that names what is wrong."""
+    """Status 2, and one line that names the error."""
     if content is not None:
         (tmp_path / "data.json").write_text(content)
         arguments = [*arguments, "--data", tmp_path / "data.json"]
@@ -158,6 +161,6 @@ def test_bad_arguments_are_one_line(tmap, arguments, content, words, tmp_path) -
 
 
 def test_missing_data_is_named(tmap) -> None:
-    """A file that is not there."""
+    """The error names the missing file."""
     status, _, complaint = tmap("--error", 1, "--machine", "a1200", "--data", "/nowhere/accuracy.json")
     assert status == 2 and "/nowhere/accuracy.json: No such file" in complaint

@@ -1,5 +1,5 @@
-"""The fuzzer: a fixed slice holds on the emulated 68020, and what does not hold is found, made
-smaller and explained."""
+"""The fuzzer: a fixed set of polygons passes on the emulated 68020; failures are found, reduced and
+explained."""
 
 import json
 import os
@@ -27,7 +27,7 @@ SEED, COUNT = 2026, 4000
 
 
 def test_a_fixed_slice_holds() -> None:
-    """Every frame is the model's, every polygon with an ideal within its bounds."""
+    """Every frame is the model's; every polygon with an ideal is within its bounds."""
     found = fuzz.run(SEED, 0, COUNT)
     assert not found.failed, {n: f.text for n, f in found.failed.items()}
     assert found.polygons == COUNT and found.drawn > COUNT / 2 and found.refused > COUNT / 100
@@ -36,7 +36,7 @@ def test_a_fixed_slice_holds() -> None:
 
 
 def test_digests_are_those_of_the_dumps(tmp_path) -> None:
-    """The guest's digest is that of the frame that it dumps when it is asked for no digest."""
+    """The guest's digest is that of the frame it dumps when run without DIGEST."""
     scene = fuzz_polygons.scene(SEED, 0, [fuzz_polygons.polygon(SEED, k) for k in range(5)])
     commands = ["render it.scene", "render it.scene DIGEST it.digest"]
     done = emulator.run_many(commands, {"it.scene": scene_file.write(scene)}, fuzz.MACHINE, tmp_path)
@@ -47,8 +47,8 @@ def test_digests_are_those_of_the_dumps(tmp_path) -> None:
 
 
 def test_digests_tell_frames_apart() -> None:
-    """By a bit and its place; by a pixel that is on another line, in whatever byte of a longword and
-    however many lines away; by lines that are shifted against each other."""
+    """The digest changes with one bit and its position; with a pixel's line, for every byte of a
+    longword and any distance; with lines shifted against each other."""
     moved = [np.eye(1, 64, k, dtype=np.uint8) for k in range(64)]
     moved += [np.left_shift(np.eye(1, 64, 9, dtype=np.uint8), bit) for bit in range(1, 8)]
     for width in (64, 128, 320):
@@ -66,13 +66,13 @@ def test_digests_tell_frames_apart() -> None:
 
 
 def wrong_ceil(edge, line: int) -> int:
-    """A pixel centre on the edge belongs to nobody."""
+    """Leaves out a pixel whose centre is on the edge."""
     return (edge.at(line) >> 16) + 1
 
 
 def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
-    """Here the model is the one that is wrong: the first difference is made small, printed with
-    all that is needed, and kept. A round of that takes a boot, as the polygons themselves do."""
+    """The model itself is made wrong here: the first difference is reduced, printed with all
+    details, and kept. Each round of reduction takes one boot, as drawing the polygons does."""
     boots, draw = [], guest_frames.draw
     monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
     monkeypatch.setattr(edges.Edge, "column", wrong_ceil)
@@ -96,7 +96,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
 
 
 def test_faults_of_each_kind_are_told_apart() -> None:
-    """Pixels, results and bounds."""
+    """Wrong pixels, wrong results and exceeded bounds are distinct faults."""
     each = fuzz_polygons.polygon(SEED, 3)
     checked = fuzz.check(each, SEED, 0)
     good = {"result": checked.result, **dict(zip(("sum", "hash"), guest_frames.digest_of(checked.frame)))}
@@ -127,7 +127,7 @@ def test_a_crash_is_sought_by_halves(monkeypatch) -> None:
 
 
 def test_shrinking_ends_at_the_simplest() -> None:
-    """Vertices, settings and numbers that do not matter go; what matters stays."""
+    """Vertices, settings and numbers that do not matter are removed; those that matter stay."""
     start = next(p for p in (fuzz_polygons.polygon(SEED, k) for k in range(500))
                  if len(p.vertices) > 4 and p.settings.edges == "subpixel"
                  and max(v[0] for v in p.vertices) > 40 << 16)
@@ -156,12 +156,12 @@ def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
 
 
 def test_an_interrupt_ends_all_at_once(tmp_path) -> None:
-    """Processes and emulators too, as Ctrl-C in a terminal reaches them: one line, status 130."""
+    """Ctrl-C reaches processes and emulators too, as from a terminal: one line, status 130."""
     with subprocess.Popen([paths.ROOT / "scripts/tmap", "fuzz", "--count", "40000"],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                           start_new_session=True, env=os.environ | {"TMPDIR": str(tmp_path)}) as process:
         silence = Silence(process.pid, 120)
-        while not list(tmp_path.glob("tmap-*/emulator.log")):  # one runs
+        while not list(tmp_path.glob("tmap-*/emulator.log")):  # until one runs
             assert process.poll() is None and not silence.end()
             time.sleep(0.1)
         os.killpg(process.pid, signal.SIGINT)

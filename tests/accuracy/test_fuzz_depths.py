@@ -1,4 +1,4 @@
-"""Random polygons with depth, with every perspective there is."""
+"""Random polygons with depth, with every perspective setting."""
 
 import random
 from collections import Counter
@@ -26,12 +26,13 @@ def some() -> list[polygons.Fuzzed]:
 
 
 def is_deep(each: polygons.Fuzzed) -> bool:
-    """Whether it is drawn with a perspective."""
+    """Returns whether the polygon is drawn in perspective."""
     return each.settings.perspective != "none"
 
 
 def test_a_share_has_depth(some) -> None:
-    """Some 8 % of all, each perspective alike; what it needs; the others have none of it."""
+    """About 8 % of all have depth, evenly over the perspectives, with the settings that perspective
+    needs."""
     found = Counter(p.settings.perspective for p in some)
     assert set(found) == set(SETTINGS["perspective"])
     assert all(0.01 * len(some) < found[name] < 0.03 * len(some) for name in found if name != "none")
@@ -46,12 +47,12 @@ def test_a_share_has_depth(some) -> None:
 
 
 def test_polygons_are_the_same_in_every_run(some) -> None:
-    """By seed and number alone, whatever was drawn before."""
+    """A polygon depends only on seed and number, not on those generated before."""
     assert [polygons.even(SEED, k) for k in range(900, 800, -1)] == some[900:800:-1]
 
 
 def test_all_kinds_of_depth_are_there(some) -> None:
-    """Constant, almost so, up to 4 times, 100 times and millions of times as deep."""
+    """Constant depths, nearly constant ones, and ratios up to 4, 100 and millions."""
     ratios = [perspective.depth_ratio([(*v[:4], v[5]) for v in p.vertices])
               for p in some if is_deep(p)]
     for low, high in ((1, 1), (1 + Fraction(1, 10**7), Fraction(101, 100)), (Fraction(6, 5), 4), (4, 101),
@@ -62,8 +63,8 @@ def test_all_kinds_of_depth_are_there(some) -> None:
 
 
 def test_more_than_three_vertices_are_flat_in_space(some) -> None:
-    """Up to rounding: s and t were rounded on the screen, and here; one map's texels are too coarse
-    to tell."""
+    """The polygons are flat up to rounding: s and t were rounded once on the screen and once more
+    here."""
     several = 0
     for each in some:
         if not is_deep(each) or len(each.vertices) == 3:
@@ -77,7 +78,7 @@ def test_more_than_three_vertices_are_flat_in_space(some) -> None:
 
 
 def test_most_have_an_ideal(some) -> None:
-    """They are in front of the viewer: a vertex behind is a matter of rounding w."""
+    """Most are in front of the viewer: only the rounding of w puts a vertex behind."""
     defined = [perspective.in_front(model.adapt(p.vertices, replace(p.settings, edges="exact"), 256))
                for p in some if is_deep(p)]
     assert sum(defined) > 0.9 * len(defined)
@@ -85,7 +86,7 @@ def test_most_have_an_ideal(some) -> None:
 
 @pytest.mark.parametrize("kind", fuzz_depths.KINDS)
 def test_depths_of_a_kind(kind: str) -> None:
-    """In the format's range after rounding, and as far apart as the kind says."""
+    """Depths are in the format's range after rounding, and their ratio is in the kind's range."""
     rng = random.Random(kind)
     for _ in range(200):
         points = [(rng.randint(-1 << 30, 1 << 30) >> rng.randrange(12), rng.randint(-1 << 22, 1 << 22))
@@ -102,7 +103,7 @@ def test_depths_of_a_kind(kind: str) -> None:
 
 
 def test_shrinking_leaves_depth_only_where_it_matters() -> None:
-    """w becomes 1, the perspective the plainest that fails; the range of w is kept."""
+    """w becomes 1 and the perspective the simplest that still fails; w stays in range."""
     start = next(p for p in (polygons.even(SEED, k) for k in range(2000))
                  if p.settings.perspective == "fine" and max(v[5] for v in p.vertices) > 100 * ONE)
 

@@ -1,4 +1,4 @@
-"""The hard depths: what their vertices promise, and how they are drawn."""
+"""The hard depths: the properties of their vertices, and how they are drawn."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -25,7 +25,7 @@ def adapted(case: hard_cases.Case) -> list[tuple]:
 
 
 def test_all_are_defined_and_most_show() -> None:
-    """In front of the viewer at every vertex, but for the one without an area."""
+    """Every vertex is in front of the viewer, except in the case without area."""
     shown = 0
     for case in CASES:
         vertices = adapted(case)
@@ -35,7 +35,8 @@ def test_all_are_defined_and_most_show() -> None:
 
 
 def test_all_vertices_are_on_the_surface_of_three() -> None:
-    """As near as tools/tmap/corpus/hard_depths.py derives, in exact fractions."""
+    """The vertices are as near to the surface as tools/tmap/corpus/hard_depths.py derives, in exact
+    fractions."""
     several = [case for case in CASES if len(case.vertices) > 3]
     for case in several:
         for what, off, allowed in off_surface(adapted(case), Fraction(1, 2)):
@@ -65,7 +66,7 @@ def test_depths_are_what_the_families_say() -> None:
 
 
 def test_vanishing_values_are_what_the_names_say() -> None:
-    """To the unit: all numbers of these corners can be had in 16.16."""
+    """The values are exact to the unit: all numbers of these corners are representable in 16.16."""
     for name, wanted in (("vanishing_at_0_right", 0), ("vanishing_at_128_left", 128 * ONE),
                          ("vanishing_at_16777215_units_left", 256 * ONE - 1),
                          ("vanishing_at_minus_1000_right", -1000 * ONE)):
@@ -75,7 +76,7 @@ def test_vanishing_values_are_what_the_names_say() -> None:
 
 
 def test_every_perspective_is_combined() -> None:
-    """With edges that have an ideal, cut or not; scenes of them can be written."""
+    """Combined with edges that have an ideal, clipped or not; scenes of them can be written."""
     perspectives = scene_file.SETTINGS["perspective"]
     case = BY_NAME["corridor_left"]
     made = list(hard_cases.combinations(case))
@@ -88,7 +89,8 @@ def test_every_perspective_is_combined() -> None:
 
 
 def test_pictures_have_the_perspective() -> None:
-    """The exact picture of a case: each texel is that of the curves; without perspective, of the plane."""
+    """In the exact picture of a case each texel is that of the curves; without perspective, of the
+    plane."""
     case, settings = BY_NAME["square_turned_half"], model.Settings("exact", perspective="fine")
     vertices, texels = adapted(case), np.arange(65536).reshape(256, 256) % 251
     planes = perspective.curves(vertices)
@@ -102,8 +104,9 @@ def test_pictures_have_the_perspective() -> None:
 
 
 def test_what_is_drawn_affine_for_want_of_precision() -> None:
-    """One triangle of a unit, whose only pixel is right but for what its plane is raised by, 2 (gx + gy)
-    way / 2^32 of 2^24 texels a pixel and a way of 2 pixels: it is judged against the curve."""
+    """One triangle of a unit. Its only pixel is right, apart from the amount by which its plane is
+    raised, 2 (gx + gy) way / 2^32 with gradients of 2^24 texels a pixel and a way of 2 pixels: it
+    is judged against the curve."""
     settings, unsure = model.Settings("exact", perspective="fine"), {}
     for case in CASES:
         if perspective.in_front(adapted(case)):
@@ -115,7 +118,7 @@ def test_what_is_drawn_affine_for_want_of_precision() -> None:
 
 
 def test_a_line_may_end_at_the_tables_last_entry() -> None:
-    """Its larger weight is 2^32 by the rounding of its steps: the bound counts the smaller one."""
+    """The larger weight becomes 2^32 by the rounding of steps: the bound uses the smaller one."""
     case, settings = BY_NAME["one_farther_at_the_top"], model.Settings(perspective="pixel")
     verdict = bounds.judge(case.vertices, settings, hard_cases.WIDTH, hard_cases.HEIGHT)
     assert verdict.texel_bound > 0 and not verdict.complaint, verdict.complaint

@@ -1,8 +1,8 @@
-"""The corpus of hard polygons: what it promises, and every case drawn by the 68020.
+"""The corpus of hard polygons: its properties, and every case drawn by the 68020.
 
-A case has up to 60 drawings: its mappers with their settings. ``make test`` draws a
-quarter of them, chosen by the case's name, so that each mapper of each case is there and
-all settings meet every family; HARD_CASES=all draws all.
+A case has up to 60 drawings: its mappers with their settings. ``make test`` draws a quarter of
+them, chosen by the case's name, so that each mapper of each case is included and all settings are
+combined with every family; HARD_CASES=all draws all.
 """
 
 import json
@@ -32,7 +32,7 @@ PART = 1 if os.environ.get("HARD_CASES") == "all" else 4
 
 
 def chosen(case: Case) -> list[hard_cases.Drawing]:
-    """The case's drawings that are run: of each mapper every PART-th."""
+    """The case's drawings to run: every PART-th of each mapper."""
     rng, drawings = random.Random(case.name), []
     for _, same in groupby(hard_cases.combinations(case), lambda settings: settings.mapper):
         ways = list(same)
@@ -44,8 +44,8 @@ DRAWINGS = [drawing for case in CASES for drawing in chosen(case)]
 
 
 def test_every_case_is_the_models_and_keeps_its_bound() -> None:
-    """No byte differs, none outside the frame is touched, no fault, no endless loop; what has an
-    exact ideal is as near to it as tools/tmap/ideal/bounds.py derives."""
+    """No byte differs, none outside the frame is written, no fault, no endless loop. A drawing with
+    an exact ideal is as near to it as tools/tmap/ideal/bounds.py derives."""
     rows = hard_report.measure(DRAWINGS, "a1200-fast")
     wrong = [f"{hard_report.called(*drawing)}: {row.complaint}"
              for drawing, row in zip(DRAWINGS, rows) if row.complaint]
@@ -56,12 +56,12 @@ def test_every_case_is_the_models_and_keeps_its_bound() -> None:
 
 
 def test_the_other_form_draws_the_same() -> None:
-    """Of the affine mapper alone: the others have one form."""
+    """Only the affine mapper: the others have one form."""
     hard_report.cycles([d for d in DRAWINGS if d[1].mapper == "affine"][::4], "a1200-fast", "swap")
 
 
 def test_page_shows_every_case(tmp_path, monkeypatch) -> None:
-    """A section, a picture and all its rows; an excess is marked."""
+    """The page has a section, a picture and all rows of every case; an excess is marked."""
     some, meshes = CASES[::60], hard_meshes.cases()[::25]
     monkeypatch.setattr(hard_cases, "cases", lambda: some)
     monkeypatch.setattr(hard_meshes, "cases", lambda: meshes)
@@ -82,7 +82,8 @@ def test_page_shows_every_case(tmp_path, monkeypatch) -> None:
 
 
 def check_borders(case: Case, part, settings: model.Settings, wrong: list[tuple]) -> int:
-    """How many pixels (y, x, expected, found) there are; each has a texel's border as near as its bound."""
+    """Asserts that each wrong pixel (y, x, expected, found) is as near to a texel's border as its
+    bound; returns their number."""
     vertices = model.adapt(part, settings, 256)
     polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
     t = polygon.texturing if polygon else None
@@ -107,8 +108,8 @@ def check_borders(case: Case, part, settings: model.Settings, wrong: list[tuple]
 
 
 def test_pictures_differ_at_texel_borders_alone() -> None:
-    """Ours has the ideal's outline; another texel it shows only where the exact u or v is as near to
-    a texel's border as its bound."""
+    """The drawn picture has the ideal's outline. It shows another texel only where the exact u or v
+    is as near to a texel's border as its bound."""
     shown, different = 0, 0
     for case in CASES[::3]:
         exact, ours = hard_report.both(case)
@@ -125,7 +126,7 @@ def test_pictures_differ_at_texel_borders_alone() -> None:
 
 
 def test_names_say_which_case_it_is() -> None:
-    """Unique names in snake_case, one sentence each."""
+    """Names are unique and in snake_case; each case has one sentence."""
     names = [case.name for case in CASES]
     assert len(set(names)) == len(names)
     for case in CASES:
@@ -134,7 +135,8 @@ def test_names_say_which_case_it_is() -> None:
 
 
 def test_every_family_is_there() -> None:
-    """Each kind of outline, texture and depth has its own, and together they concern every mapper."""
+    """Each kind of outline, texture and depth has a family, and together they cover every
+    mapper."""
     families = {family.__name__: len(list(family())) for family in hard_cases.FAMILIES}
     assert families.keys() == {
         "slivers", "needles", "without_area", "repeated_vertices", "inside_one_pixel",
@@ -149,7 +151,7 @@ def test_every_family_is_there() -> None:
 
 
 def test_vertices_are_what_the_format_takes() -> None:
-    """3 to 64, every coordinate and depth in range."""
+    """3 to 64 vertices, every coordinate and depth in range."""
     limits = layout.load().constants
     for case in CASES:
         assert 3 <= len(case.vertices) <= 64, case.name
@@ -159,10 +161,10 @@ def test_vertices_are_what_the_format_takes() -> None:
 
 
 def test_textures_are_planar() -> None:
-    """s, t and shade of every vertex lie on the plane of three, within 2 units: its own are rounded
-    by half a unit, and those of the three count as its barycentric coordinates do, whose sizes add
-    up to 3 at most where no vertex is higher, lower or farther from the first two than they are. Those
-    that shall not be planar are not."""
+    """s, t and shade of every vertex are on the plane of three vertices, within 2 units: the vertex
+    is rounded by half a unit, and the errors of the three count times its barycentric coordinates,
+    whose sizes add up to 3 at most if no vertex is higher, lower or farther from the first two than
+    they are. Cases that are not meant to be planar are not checked."""
     planar, uneven = 0, {case.name for family in hard_planes.FAMILIES for case in family()}
     for case in CASES:
         a, b, c = (case.vertices[k] for k in ideal.corners(case.vertices))
@@ -179,7 +181,8 @@ def test_textures_are_planar() -> None:
 
 
 def test_kept_case_joins_the_corpus(tmp_path, monkeypatch) -> None:
-    """Sorted by name, read back as it was; a name that exists is refused, and nothing written."""
+    """Cases are sorted by name and read back unchanged; a name that exists is refused, and nothing
+    is written."""
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "hard_cases.json")
     assert hard_cases.found_cases() == []
     later, earlier = (replace(CASES[0], name=name, mappers=("flat", "columns"), map_size=(8, 16),

@@ -1,4 +1,5 @@
-"""The exact ideal of polygons with depth: against plain rational arithmetic, and its properties."""
+"""The exact ideal of polygons with depth: compared with plain rational arithmetic, and its
+properties."""
 
 import random
 from fractions import Fraction
@@ -42,7 +43,8 @@ def lines(three) -> list[tuple[int, np.ndarray]]:
 
 
 def test_value_is_what_interpolated_shares_give() -> None:
-    """u w' / 1 w', each interpolated over the triangle by its corners' shares, exactly."""
+    """u is u/w divided by 1/w, each interpolated exactly over the triangle by the corners'
+    barycentric coordinates."""
     rng, seen = random.Random(1), 0
     for _ in range(COUNT):
         three = triangle(rng)
@@ -59,7 +61,8 @@ def test_value_is_what_interpolated_shares_give() -> None:
 
 
 def test_equal_depth_is_the_plane() -> None:
-    """Value by value, and the errors of a line to the last bit."""
+    """With equal depths the curve is the plane in every value, and the errors of a line are the
+    same to the last bit."""
     rng = random.Random(2)
     for _ in range(COUNT):
         three = [(*v[:4], W_MAX >> rng.randrange(20)) for v in triangle(rng)]
@@ -88,7 +91,8 @@ def test_corners_have_their_values() -> None:
 
 
 def test_lines_are_exact_to_the_stated_error() -> None:
-    """Whole lines in double precision against Fractions, depths four million to one included."""
+    """Whole lines in double precision compared with Fractions, including depths four million to
+    one."""
     rng, seen = random.Random(4), 0
     for _ in range(60):
         three = triangle(rng)
@@ -109,7 +113,7 @@ def test_lines_are_exact_to_the_stated_error() -> None:
 
 
 def test_chord_error_is_the_largest() -> None:
-    """The closed form bounds the distance at every pixel, and is met between them."""
+    """The closed form bounds the distance at every pixel, and is reached between pixels."""
     rng, seen = random.Random(5), 0
     for _ in range(COUNT):
         u = perspective.curves(triangle(rng, 12))[0]
@@ -124,13 +128,13 @@ def test_chord_error_is_the_largest() -> None:
         assert max(map(abs, found)) <= Fraction(most) * (1 + Fraction(1, 1 << 40))
         fine = max(abs(u.at((i << 16) + (k * n << 8), j << 16) - ends[0]
                        - (ends[1] - ends[0]) * Fraction(k, 256)) for k in range(257))
-        assert fine / ONE >= Fraction(most) * Fraction(98, 100)  # flat at its top
+        assert fine / ONE >= Fraction(most) * Fraction(98, 100)  # the curve is flat at its maximum
         seen += most > 0
     assert seen > COUNT / 2
 
 
 def test_vanishing_value_is_the_limit() -> None:
-    """u = K + C / Q: along a line, u less K times Q is the same everywhere."""
+    """u = K + C / Q: along a line, uQ - KQ is constant."""
     rng, seen = random.Random(6), 0
     for _ in range(COUNT):
         for curve in perspective.curves(triangle(rng)):
@@ -145,9 +149,10 @@ def test_vanishing_value_is_the_limit() -> None:
 
 
 def test_depth_ratios() -> None:
-    """Of a polygon by its vertices, of a line by its ends; slopes are those of the curve."""
+    """Depth ratios of a polygon by its vertices, of a line by its ends; slopes are those of the
+    curve."""
     u = Curve([(0, 0), (256 << 16, 0), (0, 64 << 16)], [0, 256 << 16, 0], [ONE, 4 * ONE, ONE])
-    assert u.ratio(0, 256, 0) == 4 == u.ratio(0, 256, 50)  # w is the same all the way down
+    assert u.ratio(0, 256, 0) == 4 == u.ratio(0, 256, 50)  # w is constant down each column
     assert u.ratio(0, 128, 0) == Fraction(8, 5) and u.vanishing() == -Fraction(256 << 16, 3)
     assert perspective.depth_ratio([(0, 0, 0, 0, w) for w in (W_MIN, ONE, W_MAX)]) == 1 << 22
     for i in (0, 100, 255):  # u = K + C / Q with Q = 1 - 3 x / 1024: the rise over a unit either way
@@ -157,7 +162,8 @@ def test_depth_ratios() -> None:
 
 
 def test_behind_the_viewer_nothing_is_defined() -> None:
-    """A fourth vertex beyond the horizon of the other three; vertices on a line."""
+    """A fourth vertex beyond the horizon of the other three, and vertices on a line, have no
+    ideal."""
     three = [(x << 16, y << 16, 0, 0, w) for x, y, w in ((0, 0, 9 * ONE), (60, 30, ONE), (0, 60, 9 * ONE))]
     for x, is_defined in ((-7, True), (-8, False)):  # the horizon is at -7.5
         assert perspective.in_front([*three, (x << 16, 30 << 16, 0, 0, ONE)]) == is_defined
@@ -165,7 +171,7 @@ def test_behind_the_viewer_nothing_is_defined() -> None:
 
 
 def test_curves_of_affine_pieces(tmp_path) -> None:
-    """Shorter pieces are nearer, each at its chord errors' largest; the plot is written."""
+    """Shorter pieces are nearer, each with its largest chord error; the plot is written."""
     worst = {n: float(abs(perspective_curves.piece_errors(n)).max()) for n in perspective_curves.PIECES}
     curve = perspective_curves.span()
     for n, found in worst.items():

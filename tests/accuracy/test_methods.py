@@ -1,4 +1,4 @@
-"""The turning face by the note's three methods: what they are off, drawn on the machine."""
+"""The turning face by the note's three methods: their errors, drawn on the machine."""
 
 from dataclasses import replace
 
@@ -12,9 +12,9 @@ from tmap.model.mesh import polygons_at
 
 
 def test_each_method_is_as_exact_as_it_says(monkeypatch, tmp_path) -> None:
-    """The frames are the model's; affine methods are off by tens of texels, pieces by their chords
-    and the derived bounds, each pixel by 1/16 texel (lines by tables are raised by the 1/32 that they may
-    fall short by) and 1/128 at most."""
+    """The frames are the model's. Affine methods are off by tens of texels, pieces by their chord
+    errors and the derived bounds, division at each pixel by 1/16 texel (lines by tables are raised
+    by the 1/32 that they may fall short by) and 1/128 at most."""
     whole = methods.scene_of
 
     def short(settings):

@@ -1,4 +1,5 @@
-"""Polygons a second: every filler is timed on the model's pixels alone, and as fast as promised."""
+"""Polygons a second: every filler is timed only if it draws the model's pixels, and is as fast as
+promised."""
 
 import numpy as np
 import pytest
@@ -9,13 +10,13 @@ from tmap.base.errors import UserError
 
 @pytest.fixture(scope="module")
 def rows() -> dict[str, dict]:
-    """The rows in fast RAM, by name, of fewer triangles than the baseline has."""
+    """The rows in fast RAM, by name, with fewer triangles than the baseline."""
     return {row["name"]: row for row in polys.measure("a1200-fast", count=200)}
 
 
 def test_every_filler_is_counted(rows) -> None:
-    """All five; seconds and cycles agree but for thousands of cycles that are rounded to hundredths,
-    polygons to tenths."""
+    """All five fillers. Seconds and cycles agree, except for rounding: thousands of cycles to
+    hundredths, polygons to tenths."""
     assert list(rows) == ["flat", "gouraud", "texture", "arbitrary", "tiled"]
     for name, row in rows.items():
         cycles = 1000 * row["kilocycles_per_polygon"]
@@ -24,7 +25,7 @@ def test_every_filler_is_counted(rows) -> None:
 
 
 def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:
-    """One pixel is enough."""
+    """One wrong pixel is enough."""
     right = polys.frames
 
     def wrong(row: str, count: int) -> list[np.ndarray]:
@@ -40,7 +41,7 @@ def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:
 
 @pytest.mark.parametrize("name", ["flat", "gouraud"])
 def test_fewer_cycles_than_the_pentium(rows, name: str) -> None:
-    """Clock for clock."""
+    """Measured in clock cycles."""
     assert rows[name]["kilocycles_per_polygon"] < rows[name]["pentium_kilocycles"]
 
 

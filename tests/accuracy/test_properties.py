@@ -1,4 +1,5 @@
-"""What tests/helpers/properties.py says holds for random polygons and meshes, by fixed seeds."""
+"""The properties in tests/helpers/properties.py hold for random polygons and meshes, with fixed
+seeds."""
 
 import random
 
@@ -16,7 +17,7 @@ from tmap.run import run
 from tmap.scene_file import scene_file
 from tmap.scene_file.scene_file import ONE
 
-#: Cases of each property; those that compare texels pixel by pixel take longer.
+#: Number of cases of each property; those that compare texels pixel by pixel take longer.
 COUNTS = dict.fromkeys(property_cases.CHECKS, 1000)
 COUNTS |= dict.fromkeys(("drift", "splitting", "clipping"), 400)
 EDGES = scene_file.SETTINGS["edges"]
@@ -24,7 +25,8 @@ EDGES = scene_file.SETTINGS["edges"]
 
 @pytest.mark.parametrize("name", COUNTS)
 def test_property(monkeypatch, name: str) -> None:
-    """It holds in every case; of the polygons that are set up more than a third have pixels."""
+    """The property holds in every case; of the polygons that are set up more than a third have
+    pixels."""
     pixels, set_up = [], model.set_up
 
     def counting(*given):
@@ -39,14 +41,14 @@ def test_property(monkeypatch, name: str) -> None:
 
 
 def some_meshes(seed: str, count: int) -> list[random_meshes.Mesh]:
-    """So many of each kind."""
+    """``count`` meshes of each kind."""
     return [random_meshes.mesh(random.Random(f"{seed} {kind} {k}"), WIDTH, HEIGHT, kind)
             for kind in random_meshes.KINDS for k in range(count)]
 
 
 def test_meshes_hold_what_they_promise() -> None:
-    """The triangles tile their outlines: areas add up, every side inside belongs to two of them; in
-    either winding."""
+    """The triangles tile their outlines: areas add up, and every inner side belongs to two
+    triangles, in either winding."""
     windings = set()
     for mesh in some_meshes("tiles", 100):
         areas = [random_meshes.twice_area(t) for t in mesh.triangles]
@@ -60,7 +62,7 @@ def test_meshes_hold_what_they_promise() -> None:
 
 
 def test_how_watertight_meshes_are() -> None:
-    """Exact edges cover what they should, once; the others less and less."""
+    """Exact edges cover each pixel once; subpixel and integer edges are worse, in this order."""
     wrong = {}
     for edges in EDGES:
         counts = dict.fromkeys(("pixels", "left out", "beside", "more than once"), 0)
@@ -79,13 +81,13 @@ def test_how_watertight_meshes_are() -> None:
 
 
 def empty_scene() -> scene_file.Scene:
-    """One to add to."""
+    """A scene without objects."""
     return scene_file.Scene(WIDTH, HEIGHT, 0, 0, np.zeros((256, 3), np.uint8), [], [], [],
                             np.zeros((0, 6), int), np.array([scene_file.IDENTITY]))
 
 
 def add(scene: scene_file.Scene, material: scene_file.Material, vertices) -> None:
-    """A polygon in the last frame of a scene."""
+    """Adds a polygon to the last frame of a scene."""
     if material not in scene.materials:
         scene.materials.append(material)
     scene.objects.append(scene_file.Object(
@@ -109,7 +111,7 @@ def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
 
 
 def test_meshes_are_the_models() -> None:
-    """A mesh a frame, each triangle in its own colour, under every setting of edges."""
+    """One mesh a frame, each triangle in a different colour, with every setting of edges."""
     scene, about = empty_scene(), []
     for k, mesh in enumerate(some_meshes("guest", 3)):
         clip = scene_file.SETTINGS["clip"][k % 2]
@@ -123,7 +125,7 @@ def test_meshes_are_the_models() -> None:
 
 
 def test_held_lines_are_the_models() -> None:
-    """What reaches the end of the map or of the shades, on a plane or not."""
+    """Lines that reach the end of the map or of the shades, planar or not."""
     scene, about, maps = empty_scene(), [], {}
     for k in range(200):
         case = property_cases.held_case(random.Random(f"guest {k}"), f"number {k}")
@@ -144,7 +146,8 @@ def test_held_lines_are_the_models() -> None:
 
 
 def test_rows_of_the_map_are_the_models() -> None:
-    """Lines that take a row of the map, or up to a texel more or less: by code or by affine spans."""
+    """Lines that cover one row of the map, or up to a texel more or less: drawn by generated code
+    or by affine spans."""
     scene, about, drawn = empty_scene(), [], set()
     noise = np.random.default_rng(1).integers(0, 256, (256, 256), dtype=np.uint8)
     scene.textures.append(scene_file.Texture(noise, "margins"))

@@ -1,4 +1,4 @@
-"""The scenes of depth and effects: drawn as the model does, and what their report says."""
+"""The scenes of depth and effects: they are the model's, and their report has the right figures."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ FRAMES = {"cube": 2, "floor": 2, "corridor": 2, "environment": 1, "rotator": 2, 
 
 @pytest.fixture(scope="module")
 def drawn() -> dict[str, tuple]:
-    """By name: a scene's first frames and their digests, all of one boot."""
+    """By name: a scene's first frames and their digests, all from one boot."""
     scenes = {name: compile_scene(SCENES / f"{name}.toml", FRAMES[name]) for name in showcase.NAMES}
     digests = guest_frames.draw([(scene, "addx") for scene in scenes.values()], "a1200-fast")
     return dict(zip(scenes, zip(scenes.values(), digests, strict=True), strict=True))
@@ -26,7 +26,7 @@ def drawn() -> dict[str, tuple]:
 
 @pytest.mark.parametrize("name", showcase.NAMES)
 def test_frames_are_the_models(name: str, drawn) -> None:
-    """The first frames of each scene, bit for bit."""
+    """The first frames of each scene are the model's, bit for bit."""
     scene, digests = drawn[name]
     assert len(digests) == FRAMES[name]
     for number, digest in enumerate(digests):
@@ -38,7 +38,7 @@ def test_frames_are_the_models(name: str, drawn) -> None:
 
 
 def test_report_shows_each_scene(tmp_path, monkeypatch) -> None:
-    """A table with figures, and an animation that moves."""
+    """The report has a table with figures, and an animation in which something moves."""
     monkeypatch.setattr(showcase, "compile_scene", lambda path: compile_scene(path, 3))
     text = showcase.write(tmp_path, "a1200-fast", names=("cube", "rotator"))
     assert len(text.splitlines()) == 4 and "rotator" in text
@@ -50,8 +50,8 @@ def test_report_shows_each_scene(tmp_path, monkeypatch) -> None:
 
 @pytest.mark.parametrize("name", showcase.NAMES)
 def test_errors_are_within_derived_bounds(name: str) -> None:
-    """Every polygon of a frame is held to the bounds of its settings; the report's figure is the largest
-    error that is found there."""
+    """Every polygon of a frame is within the bounds of its settings; the report's figure is the
+    largest error found."""
     scene, total = compile_scene(SCENES / f"{name}.toml", 1), bounds.Verdict()
     for which, vertices in polygons_at(scene, 0):
         material = scene.materials[which]
@@ -65,5 +65,5 @@ def test_errors_are_within_derived_bounds(name: str) -> None:
     assert not total.complaint and total.texel_ratio > 0.1
     found = showcase.errors_of(scene)
     assert found.pixels > 1000
-    if {m.gradients for m in scene.materials} == {"plane"}:  # the others' ideal is not the plane
+    if {m.gradients for m in scene.materials} == {"plane"}:  # otherwise the ideal is not the plane
         assert found.worst <= total.texel_error + 2**-24

@@ -1,4 +1,5 @@
-"""Polygons as people write them: what the fuzzers' share of them has, which noise has not."""
+"""Polygons as people write them: the properties of the fuzzers' share of such polygons, which noise
+lacks."""
 
 import random
 from collections import Counter
@@ -22,15 +23,16 @@ def drawn(seed: str, size: tuple[int, int]):
 
 
 def on_plane(values) -> bool:
-    """Whether a fourth corner's value is that of the plane of three, to half a unit of each: corners
-    of parallelograms are their neighbours' sum less the one across."""
+    """Returns whether a fourth corner's value is on the plane of the other three, to half a unit of
+    each: a parallelogram's corner is the sum of its neighbours minus the opposite one."""
     a, b, c, d = values
     return abs(a - b + c - d) <= 2
 
 
 @pytest.mark.parametrize("size", SIZES)
 def test_outlines(size: tuple[int, int]) -> None:
-    """Convex, with area, on whole and half pixels, and mostly in the frame; equal numbers in most."""
+    """Convex, with area, on whole and half pixels, mostly in the frame; most have equal
+    coordinates."""
     shared = covered = 0
     for k in range(COUNT):
         _, points = drawn(f"{size} {k}", size)
@@ -43,7 +45,7 @@ def test_outlines(size: tuple[int, int]) -> None:
 
 
 def test_rectangles_and_right_angles() -> None:
-    """Along the axes, on whole pixels, more than a third of all; some are the frame."""
+    """More than a third are aligned with the axes, on whole pixels; some are the whole frame."""
     found = Counter()
     for k in range(COUNT):
         _, points = drawn(f"angles {k}", SIZES[0])
@@ -56,7 +58,8 @@ def test_rectangles_and_right_angles() -> None:
 
 @pytest.mark.parametrize("ends", [(256, 256), (256, 64), (Fraction(256, 3), 256)])
 def test_texels(ends) -> None:
-    """On one plane; at the map's ends to the unit in most; maps that do not repeat are not left."""
+    """On one plane; most are exactly at the map's ends; none is outside a map that does not
+    repeat."""
     at_ends, equal = 0, 0
     for k in range(COUNT):
         rng, points = drawn(f"{ends} {k}", SIZES[0])
@@ -72,7 +75,8 @@ def test_texels(ends) -> None:
 
 
 def test_depths() -> None:
-    """In their range; 1/w of four corners on one plane before it is rounded; equal ones and both ends."""
+    """In range; 1/w of four corners on one plane before rounding; some equal, some at both ends of
+    the range."""
     least, most = depths.limits()
     seen = Counter()
     for k in range(COUNT):
@@ -88,7 +92,8 @@ def test_depths() -> None:
 
 
 def test_fuzzers_have_their_share() -> None:
-    """Of each mapper and each perspective, with vertices at the map's first and last texel."""
+    """Polygons of each mapper and each perspective, with vertices at the map's first and last
+    texel."""
     every, at_ends = Counter(), Counter()
     for k in range(4000):
         each = polygons.polygon(3, k)
@@ -100,5 +105,5 @@ def test_fuzzers_have_their_share() -> None:
     assert mappers == {"flat", "gouraud", "affine", "arbitrary", "tiled", "columns", "generated", "lit",
                        "lit_gouraud", "dithered"}
     assert {kind[1] for kind in every} == {"none", "every16", "every8", "pixel", "fine"}
-    assert abs(sum(every.values()) / 4000 - written.SHARE) < 0.03  # four times what chance does
+    assert abs(sum(every.values()) / 4000 - written.SHARE) < 0.03  # four standard deviations
     assert all(at_ends[kind] > every[kind] / 2 for kind in every if every[kind] > 30), at_ends

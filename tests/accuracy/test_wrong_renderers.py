@@ -1,6 +1,6 @@
-"""Every property notices a wrong renderer: the model with one mistake put into it.
+"""Every property detects a wrong renderer: the model with one mistake added.
 
-The right model satisfies all of them on the same cases (tests/accuracy/test_properties.py).
+The unmodified model satisfies all properties on the same cases (tests/accuracy/test_properties.py).
 """
 
 from dataclasses import replace
@@ -15,22 +15,22 @@ from tmap.model import model
 from tmap.setup import clip, edges as model_edges, planarity, polygon as model_polygon, texturing
 from tmap.setup.edges import Edge
 
-CASES = 1000  # the mistakes show in the first hundred, but for those of rounding alone
+CASES = 1000  # most mistakes show in the first hundred cases, those of rounding alone need more
 
 
 def floor_plus_one(patch) -> None:
-    """ceil(x) as floor(x) + 1: a pixel or line exactly on an edge is left out."""
+    """Computes ceil(x) as floor(x) + 1: a pixel or line exactly on an edge is left out."""
     patch.setattr(model_edges, "ceil16", lambda x: (x >> 16) + 1)
 
 
 def right_included(patch) -> None:
-    """The wrong fill rule: the first pixel right of the right edge is drawn too."""
+    """Wrong fill rule: the first pixel right of the right edge is drawn too."""
     right = model_polygon.Line
     patch.setattr(model_polygon, "Line", lambda left, end: right(left, end + (end > left)))
 
 
 def bottom_included(patch) -> None:
-    """The wrong fill rule: the last line is drawn once more below."""
+    """Wrong fill rule: the last line is repeated below."""
     right = model.set_up
 
     def set_up(vertices, width, height, *rest):
@@ -43,19 +43,19 @@ def bottom_included(patch) -> None:
 
 
 def edges_without_prestep(patch) -> None:
-    """The first line has the upper vertex's x."""
+    """The first line starts at the upper vertex's x."""
     patch.setattr(Edge, "at", lambda e, line: e.upper[0] + (line - e.top) * e.slope)
 
 
 def texture_without_prestep(patch) -> None:
-    """u and v of the edge at the first pixel's centre."""
+    """The first pixel's centre has the edge's u and v."""
     right = model_polygon.edge_starts
     patch.setattr(model_polygon, "edge_starts",
                   lambda t, e, settings: right(t, e, replace(settings, start="truncated")))
 
 
 def short_gradients(patch) -> None:
-    """Steps of u and v with 8 fraction bits."""
+    """Steps of u and v keep only 8 fraction bits."""
     right = texturing.step
     patch.setattr(texturing, "step", lambda gradient, spare: right(gradient, spare) & ~0xFF)
 
@@ -79,7 +79,7 @@ def spans_that_drift(patch) -> None:
 
 
 def edges_in_list_order(patch) -> None:
-    """An edge starts at whichever end comes first in the list: neighbours disagree."""
+    """An edge starts at the end that comes first in the list: neighbours disagree."""
     right = model_polygon.side
 
     class FromBelow(Edge):
@@ -96,7 +96,7 @@ def edges_in_list_order(patch) -> None:
 
 
 def edges_that_lean(patch) -> None:
-    """Edges that run down to the left begin a pixel early: those inside cross the outline."""
+    """Edges that run down to the left begin a pixel early: inner ones cross the outline."""
     right = Edge.column
     patch.setattr(Edge, "column",
                   lambda e, line: right(e, line) - (e.lower[0] < e.upper[0] and line > e.top))
@@ -110,44 +110,44 @@ def first_three_vertices(patch) -> None:
 
 
 def seen_from_the_corner(patch) -> None:
-    """u and v are reckoned from the frame's corner, not from the polygon."""
+    """u and v are computed relative to the frame's corner, not to the polygon."""
     right = model_polygon.plane
     patch.setattr(model_polygon, "plane", lambda vertices, corners, box, settings: right(
         vertices, corners, (0, 0, *box[2:]), settings))
 
 
 def clamped(patch) -> None:
-    """s and t end at the map's borders instead of repeating it."""
+    """s and t are clamped to the map's borders instead of repeating."""
     right = model.adapt
     patch.setattr(model, "adapt", lambda *given: [
         (x, y, *(min(max(c, 0), SIDE - 1) for c in uv)) for x, y, *uv in right(*given)])
 
 
 def cut_to_24_bits(patch) -> None:
-    """u and v keep no sign: what is left of map 0 starts elsewhere."""
+    """u and v lose their sign: values left of map 0 start elsewhere."""
     right = model.adapt
     patch.setattr(model, "adapt", lambda *given: [
         (x, y, *(c & SIDE - 1 for c in uv)) for x, y, *uv in right(*given)])
 
 
 def not_held(patch) -> None:
-    """Lines are drawn as they are, wherever they end."""
+    """Lines are not clamped at their ends."""
     patch.setattr(model_polygon, "hold", lambda lines, ranges: None)
 
 
 def planes_trusted(patch) -> None:
-    """The plane is taken to run through all vertices, however many."""
+    """The plane is assumed to run through all vertices."""
     patch.setattr(model_polygon, "plane_range", lambda vertices, t: tuple(
         [f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max)))
 
 
 def rows_left(patch) -> None:
-    """Generated code draws what leaves its row of the map, too."""
+    """Generated code also draws polygons that leave their row of the map."""
     patch.setattr(model_polygon, "stays_in_row", lambda line: True)
 
 
 def rows_left_by_a_texel(patch) -> None:
-    """The same, where it is by one texel alone."""
+    """Generated code also draws polygons that leave their row of the map by one texel."""
     right = model_polygon.stays_in_row
     patch.setattr(model_polygon, "stays_in_row", lambda line: right(line) or any(
         right(replace(line, u=line.u + way)) for way in (-ONE, ONE)))
@@ -159,7 +159,7 @@ def cut_to_pixels(patch) -> None:
 
 
 def other_vertices_ignored(patch) -> None:
-    """The planes run through three corners, whatever the other vertices say."""
+    """The planes run through three corners, whatever values the other vertices have."""
     patch.setattr(model, "parts", lambda vertices, *rest: [vertices])
 
 
@@ -169,12 +169,12 @@ def planar_ones_cut(patch) -> None:
 
 
 def last_triangle_left_out(patch) -> None:
-    """A fan ends a vertex early."""
+    """The last triangle of a fan is left out."""
     right = planarity.fan
     patch.setattr(planarity, "fan", lambda vertices: right(vertices)[:-1])
 
 
-#: A mistake, and the properties that must notice it.
+#: A mistake, and the properties that must detect it.
 WRONG = {
     floor_plus_one: ("watertight", "coverage"),
     right_included: ("watertight", "coverage", "within", "splitting"),

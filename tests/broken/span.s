@@ -1,5 +1,5 @@
-; A plain span routine, span_well, and what happens when it is written wrongly: each
-; other one breaks the contract of span_affine_swap in one way. For the tests of
+; A plain span routine, span_well, and wrong variants of it: each breaks the contract
+; of span_affine_swap in one way. For the tests of
 ; the checker.
 
         include "routine.i"
@@ -18,7 +18,7 @@ CHANGES_GUARD           equ     9
 HANGS                   equ     10
 ILLEGAL                 equ     11
 
-; \1: name, \2: which fault
+; \1: name, \2: number of the fault
 span    macro
         routine \1,a0
         movem.l d2-d7/a2-a6,-(sp)

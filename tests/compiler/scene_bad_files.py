@@ -1,4 +1,4 @@
-"""Scene files that cannot be, and what must be said of each."""
+"""Invalid scene files, and the expected error of each."""
 
 import numpy as np
 
@@ -34,21 +34,21 @@ def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -
 
 
 def large_with(perspective: str) -> Scene:
-    """A scene that leaves some 600 KB of chip RAM alone, its polygons drawn with a perspective."""
+    """A scene that leaves about 600 KB of chip RAM free, with polygons in perspective."""
     scene = example(8)
     scene.materials = [Material("affine", perspective=perspective, texture=0)] * 2
     scene.vertices[:, 5] = 65536 << np.arange(len(scene.vertices))
     return scene
 
 
-#: Layouts of maps and a size that each may have.
+#: Layouts of maps, and a valid size for each.
 SIZES = {"page": (16, 8), "linear": (7, 30), "tiled": (256, 256), "columns": (8, 64),
          "margins": (256, 256), "light": (256, 64)}
 
 
 def mapped(*mappers: str) -> Scene:
-    """A scene with a triangle of each of these mappers, in their order, each with the only map of its
-    layout; what is lit has the only light."""
+    """A scene with a triangle for each of these mappers, in order. Each has the only map of its
+    layout; lit ones have the only light table."""
     scene = example(0)
     layouts = list(dict.fromkeys(filter(None, map(scene_file.MAPPER_LAYOUT.get, mappers))))
     layouts += ["light"] if any(mapper.startswith("lit") for mapper in mappers) else []
@@ -76,7 +76,7 @@ def wide_pixels(pixels: str, mapper: str) -> Scene:
 
 
 def with_depth() -> Scene:
-    """A scene with a triangle in perspective, whose depths are the ends of what they may be."""
+    """A scene with a triangle in perspective, with depths at the ends of their range."""
     scene = mapped("affine")
     scene.materials = [Material("affine", gradients="plane", perspective="pixel", texture=0)]
     scene.vertices[:, 5] = [W_MIN, W_MAX] * 3
@@ -84,7 +84,7 @@ def with_depth() -> Scene:
 
 
 def wrong_mappers() -> list[Row]:
-    """Textures, materials and vertices that do not fit each other: file, place, value, field."""
+    """Textures, materials and vertices that do not fit each other: file, offset, value, field."""
     rows: list[Row] = []
     every, large, wide, widest, light_only, deep = (WrongFields(scene, rows) for scene in (
         mapped("flat", "gouraud", "affine", "arbitrary", "columns", "lit", "lit_gouraud", "dithered"),
@@ -139,7 +139,7 @@ def wrong_mappers() -> list[Row]:
 
 
 def bad_scenes() -> list[tuple[bytes, str]]:
-    """Files and what must be said of each."""
+    """Returns files and the expected error of each."""
     small = example(1)
     small.textures = [Texture(np.zeros((8, 16), np.uint8))]
     data, textured = scene_file.write(example(0)), scene_file.write(small)

@@ -10,7 +10,7 @@ from tmap.__main__ import main
 from tmap.base import maps
 
 def there_and_back(tmp_path, image: Image.Image, *options: str) -> Image.Image:
-    """What comes back of a picture."""
+    """Converts a picture to a map and back; returns the result."""
     image.save(tmp_path / "in.png")
     assert main(["map", str(tmp_path / "in.png"), "-o", str(tmp_path / "a.map"), *options]) == 0
     assert main(["picture", str(tmp_path / "a.map"), "-o", str(tmp_path / "out.png")]) == 0
@@ -21,7 +21,7 @@ def there_and_back(tmp_path, image: Image.Image, *options: str) -> Image.Image:
                                           ("tiled", (256, 256)), ("columns", (512, 8)),
                                           ("columns", (16, 128))])
 def test_palette_pictures_come_back(tmp_path, layout: str, size: tuple[int, int]) -> None:
-    """Indices and palette, exactly; the file is the layout's bytes."""
+    """Indices and palette come back exactly; the file has the bytes of the layout."""
     rng = np.random.default_rng([8, *size])
     pixels = rng.integers(0, 256, size[::-1], dtype=np.uint8)
     image = Image.fromarray(pixels, "P")
@@ -83,7 +83,7 @@ def test_bad_input_is_one_line(tmp_path, capsys) -> None:
 
 
 def test_other_kinds_of_pictures_are_refused(tmp_path, capsys) -> None:
-    """A GIF has a palette as well, but is neither PNG nor JPEG, whatever it is called."""
+    """A GIF has a palette as well, but is neither PNG nor JPEG, whatever its file name."""
     Image.new("P", (8, 8)).save(tmp_path / "a.png", "GIF")
     assert main(["map", str(tmp_path / "a.png"), "-o", str(tmp_path / "a.map")]) == 2
     assert "not a usable PNG or JPEG" in capsys.readouterr().err

@@ -129,7 +129,7 @@ def test_picture_in_a_package():
 
 @pytest.mark.parametrize("at_once", [77, palette.AT_ONCE])
 def test_nearest_is_exact(monkeypatch, at_once):
-    """The lowest of equals, however many colours are looked up together."""
+    """Of equally near entries the lowest is found, however many colours are looked up together."""
     monkeypatch.setattr(palette, "AT_ONCE", at_once)
     random = np.random.default_rng(3)
     pixels = random.integers(0, 256, (40, 50, 3)).astype(np.uint8)
@@ -140,7 +140,7 @@ def test_nearest_is_exact(monkeypatch, at_once):
 
 @pytest.mark.parametrize("height, part", [(128, 1), (129, 4)])
 def test_of_large_pictures_a_quarter_counts(height, part):
-    """From every row and every column."""
+    """The sample has texels from every row and every column."""
     rows, columns = np.indices((height, 128), np.uint8)
     kept = palette.sample(np.stack([rows, columns, rows], axis=-1))
     assert len(kept) == height * 128 // part
@@ -153,7 +153,7 @@ def test_palette_without_textures():
 
 
 def test_palette_of_unlike_pictures():
-    """A small picture's colours count too, and each keeps its size."""
+    """A small picture's colours count too, and each picture keeps its size."""
     small, large = np.full((8, 16, 3), 200, np.uint8), np.zeros((256, 512, 3), np.uint8)
     small[3, 5] = (255, 0, 9)
     colours, maps = palette.build([(1, 2, 3)], [large, small], "here")
@@ -162,7 +162,7 @@ def test_palette_of_unlike_pictures():
 
 
 def test_light_table():
-    """Black, then ever lighter, at last the entry itself; always the nearest entry."""
+    """Black, then ever lighter, finally the entry itself; always the nearest entry."""
     colours = np.random.default_rng(4).integers(0, 256, (256, 3)).astype(np.uint8)
     colours[0] = 0
     table = palette.light(colours)
@@ -175,7 +175,7 @@ def test_light_table():
 
 
 def test_palette_of_lit_pictures():
-    """It has entries for them in less light, too."""
+    """The palette also has entries for lit pictures in less light."""
     v, u = np.indices((64, 64)) * 4
     picture = np.stack([u, 255 - v, (u + v) // 2], axis=-1).astype(np.uint8)
     errors = []

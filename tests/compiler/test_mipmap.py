@@ -1,4 +1,4 @@
-"""Pictures of half the size: what filters keep, what they remove, and sRGB's light."""
+"""Pictures of half the size: what filters keep, what they remove, and sRGB's linear light."""
 
 import numpy as np
 import pytest
@@ -7,13 +7,13 @@ from tmap.base.errors import UserError
 from tmap.images.mipmap import FILTERS, LINEAR_UNTIL, from_light, halved, rounded, to_light, weights
 
 AGAIN = "run again: .deps/venv/bin/python -m pytest -q tests/compiler/test_mipmap.py"
-#: Sums of some dozen products of doubles below 1 in size.
+#: Rounding of sums of about a dozen products of doubles below 1.
 EPSILON = 1e-13
 BOTH = [(True, True), (True, False), (False, True), (False, False)]
 
 
 def noise(width: int, height: int) -> np.ndarray:
-    """A picture at random."""
+    """A picture of random pixels."""
     return np.random.default_rng(width * 1000 + height).random((height, width, 4))
 
 
@@ -29,7 +29,7 @@ def test_one_colour_stays(size, name, wrap):
 
 @pytest.mark.parametrize("name", FILTERS)
 def test_mean_stays(name):
-    """Where a map is repeated: every texel counts as much as any other."""
+    """In a repeated map every texel has the same weight."""
     picture = noise(32, 16)
     assert abs(halved(picture, name).mean((0, 1)) - picture.mean((0, 1))).max() < EPSILON, AGAIN
 
@@ -45,7 +45,7 @@ def test_moved_by_two_texels(name):
 @pytest.mark.parametrize("wrap", BOTH)
 @pytest.mark.parametrize("name", FILTERS)
 def test_turned_pictures(name, wrap):
-    """A mirrored picture gives the mirrored result, one with its sides swapped a swapped one."""
+    """Mirroring a picture mirrors the result; exchanging its axes exchanges the result's."""
     picture = noise(16, 8)
     found = halved(picture, name, wrap)
     assert abs(halved(picture[:, ::-1], name, wrap) - found[:, ::-1]).max() < EPSILON, AGAIN
@@ -55,12 +55,12 @@ def test_turned_pictures(name, wrap):
 
 @pytest.mark.parametrize("wrap", [True, False])
 def test_borders(wrap):
-    """One bright column at the left: repeated, a wide filter carries it to the right end; clamped
-    it does not, but it is then bright beyond the left end too."""
+    """One bright column at the left. If repeated, a wide filter carries it to the right end; if
+    clamped it does not, but the picture is then bright beyond the left end too."""
     picture = np.zeros((1, 32, 1))
     picture[:, 0] = 1
     taps = np.array(weights("kaiser"))
-    middle = taps.size // 2 - 1  # the tap on the left one of the two texels under a smaller one
+    middle = taps.size // 2 - 1  # the tap on the left of the two texels under a smaller one
     want = np.zeros(16)
     for n in range(16):
         for m in range(-2, 3) if wrap else range(-40, 1):
@@ -79,7 +79,7 @@ def test_box_is_the_mean():
 
 
 def test_weights():
-    """NumPy's sinc and I0 give the same, but for last bits."""
+    """NumPy's sinc and I0 give the same weights, except for last bits."""
     at = (np.arange(12) - 5.5) / 2
     for name, window in (("lanczos", np.sinc(at / 3)), ("kaiser", np.i0(4 * np.sqrt(1 - (at / 3) ** 2)))):
         found = np.sinc(at) * window
@@ -87,8 +87,8 @@ def test_weights():
 
 
 def kept(name: str, period: float) -> float:
-    """How much of a wave of so many texels is left: its taps' sum over the wave, which for taps
-    that lie evenly around the middle is real."""
+    """The remaining amplitude of a wave with this period in texels: the sum of the taps over the
+    wave, which is real because the taps are symmetric about the middle."""
     taps = np.array(weights(name))
     at = np.arange(taps.size) - taps.size / 2 + 0.5
     return float(abs((taps * np.cos(2 * np.pi * at / period)).sum()))
@@ -96,8 +96,8 @@ def kept(name: str, period: float) -> float:
 
 @pytest.mark.parametrize("name", ["lanczos", "kaiser"])
 def test_sinc_is_the_better_filter(name):
-    """Of waves that the smaller picture can show more is kept than by a box; of those that it
-    cannot, from the middle of their range on, less."""
+    """It keeps more than a box of waves that the smaller picture can show, and less of those that
+    it cannot, from the middle of their range on."""
     for period in (32, 16, 8, 6):
         assert kept("box", period) < kept(name, period) < 2 - kept("box", period), AGAIN
     for period in (3, 2.7, 2.4, 2.1):
@@ -114,7 +114,8 @@ def test_rounding():
 
 
 def test_light():
-    """There and back; numbers change half-way between two; both parts of the curve meet; half the light is number 188."""
+    """The conversion is reversible; numbers change half-way between two; both parts of the curve
+    meet; half the light is number 188."""
     numbers = np.arange(256) / 255
     assert (from_light(to_light(numbers)) == np.arange(256)).all()
     middles = to_light((numbers[1:] + numbers[:-1]) / 2)
@@ -122,7 +123,7 @@ def test_light():
     assert (from_light(middles + 1e-9) == np.arange(1, 256)).all(), AGAIN
     assert (to_light(numbers) <= numbers).all() and to_light(np.array(1.0)) == 1
     ends = to_light(np.array([LINEAR_UNTIL, np.nextafter(LINEAR_UNTIL, 1)]))
-    assert abs(ends[1] - ends[0]) < 1e-7  # the standard's constants have so many digits
+    assert abs(ends[1] - ends[0]) < 1e-7  # the precision of the standard's constants
     assert from_light(np.array([0.5, -1.0, 2.0])).tolist() == [188, 0, 255]
 
 

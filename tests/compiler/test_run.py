@@ -1,4 +1,4 @@
-"""``tmap run`` from end to end: what the emulated machine drew, and what is refused."""
+"""``tmap run`` from end to end: the emulated machine's frames, and errors."""
 
 import itertools
 import json
@@ -91,7 +91,7 @@ def counted(folder):
 
 
 def test_dumps_are_the_models(folder, runs):
-    """Byte for byte; no two frames are the same."""
+    """Byte for byte; all frames differ."""
     scene = compile_scene(folder / "small.toml")
     expected = [model.render(scene, number).tobytes() for number in range(3)]
     assert len(set(expected)) == 3
@@ -100,7 +100,8 @@ def test_dumps_are_the_models(folder, runs):
 
 
 def test_every_form_on_every_machine(counted):
-    """The model's frames of as many pixels; fast RAM is faster, addx than swap, that than C."""
+    """The model's frames, with the same number of pixels; fast RAM is faster, and so is addx than
+    swap, and swap than C."""
     cycles = {}
     for (machine, form), (asked, drawn) in counted.items():
         guest_runs.check("small", asked, drawn, machine)
@@ -113,7 +114,7 @@ def test_every_form_on_every_machine(counted):
 
 
 def test_run_json(folder, runs):
-    """What it says of the run, of each frame and of all together."""
+    """The figures of the run, of each frame and of all together."""
     scene = compile_scene(folder / "small.toml")
     textured = {"addx": "affine_addx", "swap": "affine_swap", "c": "affine_c"}
     for (machine, form), out in runs.items():
@@ -139,7 +140,7 @@ def test_run_json(folder, runs):
 
 
 def test_pixel_counts_are_the_models(counted):
-    """Of the polygons, those that others hide too."""
+    """The pixels of polygons are counted even if others cover them."""
     asked, drawn = counted["a1200", "addx"]
     for number, figures in enumerate(drawn.figures):
         polygons = [model.prepare(asked.scene, obj, number) for obj in asked.scene.objects]
@@ -147,13 +148,13 @@ def test_pixel_counts_are_the_models(counted):
 
 
 def test_how_long_animations_show_a_frame():
-    """1.6 seconds in all, between 40 ms a frame and 200."""
+    """1.6 seconds in total, with 40 to 200 ms a frame."""
     assert [run.gif_frame_ms(frames) for frames in (1, 8, 12, 16, 40, 1000)] \
         == [200, 200, 130, 100, 40, 40]
 
 
 def test_pictures_are_the_dumps(runs):
-    """Each frame as PNG, and all as an animation that is repeated for ever."""
+    """Each frame as PNG, and all as an animation that repeats without end."""
     out = next(iter(runs.values()))
     palette = np.array(json.loads((out / "run.json").read_text())["palette"], np.uint8)
     assert names(out) == ["animation.gif", *(f"frame_{n:03}.{end}" for n in range(3)
@@ -187,7 +188,7 @@ def test_texture_is_upright_and_exact(folder, capsys):
 
 
 def test_default_scene_through_the_script(tmp_path):
-    """Two frames; an earlier run's files go, the user's stay."""
+    """Two frames; files of an earlier run are removed, the user's stay."""
     out = tmp_path / "deep" / "out"
     out.mkdir(parents=True)
     for name in ("frame_002.png", "frame_777.chunky", "frame_notes.png", "mine.txt"):
@@ -206,8 +207,8 @@ def test_default_scene_through_the_script(tmp_path):
 
 
 def every_setting() -> str:
-    """A scene with a frame for each combination of settings: a triangle with a small map
-    that repeats, larger than the frame, and a flat one."""
+    """One frame for each combination of settings: a triangle larger than the frame, with a small
+    map that repeats, and a flat one."""
     text = SMALL[:SMALL.index("[textures]")] + """[textures]
 wall = {image = "wall.png", width = 32, height = 16}
 [materials]
@@ -226,7 +227,7 @@ wall = {image = "wall.png", width = 32, height = 16}
 
 
 def test_every_setting_is_the_models(folder):
-    """Each combination draws what the model does, and they are not all the same picture."""
+    """Each combination is drawn as the model does, and some pictures differ."""
     (folder / "settings.toml").write_text(every_setting())
     out = folder / "out" / "settings"
     assert main(["run", str(folder / "settings.toml"), "-o", str(out)]) == 0
@@ -242,7 +243,7 @@ def test_every_setting_is_the_models(folder):
 
 
 def test_frames_of_16_bits(folder):
-    """A scene with nothing to be seen: background, dump, pictures and run.json."""
+    """An empty scene: background, dump, pictures and run.json."""
     text = SMALL.replace("frames = 3", "frames = 2\nformat = \"rgb565\"").replace(
         'wall.texture = "wall"', 'wall = {texture = "wall", mapper = "columns"}')
     (folder / "wide.toml").write_text(text.replace("centre = [", "centre = [500, 500]\nmove = ["))
@@ -260,7 +261,7 @@ def test_frames_of_16_bits(folder):
 
 
 def refused(arguments, capsys) -> str:
-    """The one line of a command that fails."""
+    """The error line of a command that fails."""
     assert main([str(argument) for argument in arguments]) == 2
     caught = capsys.readouterr()
     assert caught.out == "" and caught.err.startswith("tmap: ") and caught.err.count("\n") == 1
@@ -301,7 +302,7 @@ def test_bad_options_leave_nothing(folder, tmp_path, capsys, options, message):
 
 @pytest.mark.parametrize("inside", ["", "deeper/out"])
 def test_directory_that_is_a_file(folder, tmp_path, capsys, inside):
-    """It is named, and stays."""
+    """The error names it, and the file stays."""
     (tmp_path / "out").write_text("mine")
     out = tmp_path / "out" / inside
     assert f"{tmp_path}/out: is not a directory" in refused(
@@ -310,7 +311,7 @@ def test_directory_that_is_a_file(folder, tmp_path, capsys, inside):
 
 
 def test_bad_input_through_the_script(tmp_path):
-    """Status 2 and one line, without a word on standard output."""
+    """Status 2 and one line, nothing on standard output."""
     for arguments, message in ((["run", "no.toml"], "tmap: no.toml: No such file or directory\n"),
                                ([], "tmap: usage: the following arguments are required: COMMAND; "
                                     "see tmap --help\n"),
@@ -327,7 +328,7 @@ def test_bad_input_through_the_script(tmp_path):
     (OSError(28, "No space left on device", "x"), 2, "tmap: x: No space left on device\n")])
 def test_stopped_run_leaves_no_emulator_and_no_file(folder, tmp_path, capsys, monkeypatch, thrown,
                                                     status, message):
-    """Interrupted, or by a full disk."""
+    """Stopped by an interrupt, or by a full disk."""
     emulators = []
 
     def wait(process, volume, on_output, patience):
@@ -341,7 +342,7 @@ def test_stopped_run_leaves_no_emulator_and_no_file(folder, tmp_path, capsys, mo
 
 
 def test_failing_run_keeps_the_earlier_one(folder, runs, capsys, monkeypatch):
-    """Its files stay as they are."""
+    """The earlier run's files are unchanged."""
     out = next(iter(runs.values()))
     before = {path.name: path.read_bytes() for path in out.iterdir()}
     monkeypatch.setattr(run, "FRAME_LINE", run.re.compile("nothing matches"))
@@ -362,7 +363,7 @@ def test_output_that_does_not_match_the_plan(output, message):
 
 
 def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
-    """Frames of one colour, cut off, missing, too many."""
+    """Frames of one colour, truncated, missing, too many."""
     scene = compile_scene(folder / "small.toml")
     drawn = [model.render(scene, number) for number in range(3)]
     empty = np.full_like(drawn[0], scene.background)
@@ -380,7 +381,7 @@ def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
 
 
 def test_one_colour_where_nothing_is_to_be_seen(folder, tmp_path):
-    """It is taken."""
+    """Such frames are accepted."""
     (folder / "far.toml").write_text(SMALL.replace("centre = [", "centre = [500, 500]\nmove = ["))
     scene = compile_scene(folder / "far.toml", 1)
     (tmp_path / "frame_000.chunky").write_bytes(bytes([scene.background]) * 64 * 48)

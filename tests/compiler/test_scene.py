@@ -1,4 +1,4 @@
-"""The scene compiler: what it makes of good scenes, and how it refuses bad ones."""
+"""The scene compiler: its output for good scenes, and its errors for bad ones."""
 
 import math
 
@@ -83,7 +83,7 @@ def cornered(vertices: str) -> str:
 
 
 def test_content(folder):
-    """All that GOOD says: sizes, colours, materials, where objects' corners and poses are."""
+    """The compiled GOOD: sizes, colours, materials, places of objects' corners and poses."""
     made = make(folder)
     assert (made.width, made.height, made.frames, made.background) == (64, 48, 8, 0)
     assert made.palette[0].tolist() == [16, 32, 48] and made.palette[1].tolist() == [255, 0, 0]
@@ -98,7 +98,7 @@ def test_content(folder):
 
 
 def test_same_bytes_every_time(folder):
-    """Nothing goes by chance or by the order of a set."""
+    """The output depends on neither chance nor the order of a set."""
     assert scene_file.write(make(folder)) == scene_file.write(make(folder))
 
 
@@ -113,23 +113,23 @@ def test_picture_is_upright_and_not_mirrored(folder):
 
 
 def test_map_turn_turns_the_map_clockwise(folder):
-    """By degrees; map_radius says how much of it is seen."""
+    """map_turn is in degrees; map_radius is the size of the visible part."""
     text = changed("radius = 20", "radius = 20\nmap_turn = 90\nmap_radius = 64")
     made = make(folder, text)
     top, right, *_ = scene_file.vertices_at(made, made.objects[1], 0)
-    assert (top[2], top[3]) == (64 * ONE, 128 * ONE)  # the map's left is now on top
+    assert (top[2], top[3]) == (64 * ONE, 128 * ONE)  # the map's left is now at the top
     assert (right[2], right[3]) == (128 * ONE, 64 * ONE)
 
 
 def test_angle_is_clockwise_and_turns_go_round_once(folder):
-    """From the right; a whole turn takes all frames."""
+    """Angles are measured from the right; a whole turn takes all frames."""
     made = make(folder, placed("angle = 90\nturns = 1"))
     at = [scene_file.vertices_at(made, made.objects[0], frame)[0][:2] for frame in range(8)]
     assert at[0] == (10 * ONE, 0) and at[2] == (0, 10 * ONE) and at[4] == (-10 * ONE, 0)
 
 
 def test_motion(folder):
-    """Moves from the first frame on, orbits, scales; nothing is there before."""
+    """Moves from its first frame on, orbits, scales; it is absent before."""
     made = make(folder, placed("centre = [5, 6]\nmove = [2, -1]\n"
                                "orbit = {radius = [100, 50], turns = 1, phase = 0.25}\n"
                                "scale = [1, 3]\nfirst = 2"))
@@ -139,22 +139,22 @@ def test_motion(folder):
     assert scene_file.vertices_at(made, obj, 8) == []
     poses = made.poses[obj.pose:obj.pose + obj.poses]
     assert poses[0].tolist() == [ONE, 0, 0, ONE, 5 * ONE, 56 * ONE]
-    # Two frames on is a quarter of the loop: scale 2, orbit at the left.
+    # Two frames later is a quarter of the loop: scale 2, orbit at the left.
     assert poses[2].tolist() == [2 * ONE, 0, 0, 2 * ONE, (5 + 4 - 100) * ONE, (6 - 2) * ONE]
 
 
 def test_last_frame_and_fewer_frames(folder):
-    """Poses of the frames that there are; the first ones are the same."""
+    """Poses exist only for visible frames; with fewer frames the first ones are the same."""
     text = placed("first = 3\nlast = 5\nturns = 1")
     whole, cut, early = make(folder, text), make(folder, text, 5), make(folder, text, 2)
     assert [o.poses for o in whole.objects] == [3, 8, 8]
     assert [o.poses for o in cut.objects] == [2, 5, 5]
-    assert [o.poses for o in early.objects] == [2, 2]  # the first has not appeared yet
+    assert [o.poses for o in early.objects] == [2, 2]  # the first object has not appeared yet
     assert whole.poses[:2].tolist() == cut.poses[:2].tolist()
 
 
 def test_more_frames_go_on(folder):
-    """Beyond the loop's end it begins again."""
+    """Beyond the end of the loop it starts again."""
     made = make(folder, placed("turns = 1"), 12)
     assert made.frames == 12
     assert made.poses[8].tolist() == made.poses[0].tolist()
@@ -162,7 +162,7 @@ def test_more_frames_go_on(folder):
 
 @pytest.mark.parametrize("frames", [0, -1, 10**6, 2.5, True])
 def test_bad_number_of_frames(folder, frames):
-    """As the caller's, too."""
+    """The caller's number of frames is checked too."""
     with pytest.raises(UserError, match="^frames: must be "):
         make(folder, frames=frames)
 
@@ -175,7 +175,7 @@ def test_bad_number_of_frames(folder, frames):
     "[[0, 0, 0, 0], [33.33, 33.34, 0, 0], [100, 100, 9, 0], [0, 100, 0, 9]]",  # rounded
 ])
 def test_convex_lists_are_taken(folder, vertices):
-    """Either way round, with corners on a side or twice."""
+    """Either winding, with corners on a side or repeated."""
     make(folder, cornered(vertices))
 
 
@@ -263,12 +263,12 @@ STAR = [[round(50 * math.cos(angle), 3), round(50 * math.sin(angle), 3), 0, 0]
     (changed("wall.png", "a\\u0000b"), "textures.wall.image: must be text on one line"),
 ])
 def test_refused(folder, text, message):
-    """One line that names file and field."""
+    """The error is one line that names file and field."""
     assert message in refusal(folder, text)
 
 
 def test_other_files_are_refused(tmp_path):
-    """None, a directory, bytes that are no text."""
+    """A missing file, a directory, bytes that are not text."""
     with pytest.raises(UserError, match="scene.toml: No such file"):
         compile_scene(tmp_path / "scene.toml")
     with pytest.raises(UserError, match="Is a directory"):
@@ -279,7 +279,7 @@ def test_other_files_are_refused(tmp_path):
 
 
 def test_too_many_poses(folder):
-    """The object that is one too many is named."""
+    """The error names the first object that exceeds the limit."""
     limits = layout.load().constants
     most, frames = limits["SCENE_COUNT_MAX"], limits["SCENE_FRAMES_MAX"]
     text = changed("frames = 8", f"frames = {frames}") + \
@@ -288,7 +288,7 @@ def test_too_many_poses(folder):
 
 
 def test_too_many_flat_colours(folder):
-    """Textures need entries of the palette too."""
+    """Textures need palette entries too."""
     colours = "".join(f'c{i}.colour = "#0000{i:02x}"\n' for i in range(200))
     message = refusal(folder, changed("[materials]\n", "[materials]\n" + colours))
     assert ("scene.toml: materials: 202 palette entries for flat colours, ramps and the "
@@ -296,9 +296,9 @@ def test_too_many_flat_colours(folder):
 
 
 def test_default_scene_is_a_loop():
-    """One frame past the end looks as the first; what crosses is off the screen at both. Of both
-    poses each number is rounded by half a unit, which counts as often as a corner has pixels, and
-    two products are rounded down by less than one each: |x| + |y| + 1 + 2 units between them."""
+    """One frame past the end looks like the first; crossing objects are off the screen at both.
+    Each number of both poses is rounded by half a unit, multiplied by a corner's pixels, and two
+    products are rounded down by less than one each: at most |x| + |y| + 1 + 2 units apart."""
     made = compile_scene(SCENES / "default.toml", 51)
     assert (made.width, made.height, made.frames) == (320, 256, 51)
     assert len(made.textures) == 5 and 10 <= len(made.objects) <= 16
@@ -312,7 +312,7 @@ def test_default_scene_is_a_loop():
                 assert max(xs) <= 0 or min(xs) >= 320 * ONE
             continue
         first, last = (sorted(v[:2] for v in end) for end in ends)
-        if made.materials[obj.material].texture >= 0:  # each corner of a map at its own place
+        if made.materials[obj.material].texture >= 0:  # textured corners keep their order
             first, last = ([v[:2] for v in end] for end in ends)
         corners = made.vertices[obj.vertex:obj.vertex + obj.vertices, :2]
         check_within(last, first, abs(corners).sum(1).max() / ONE + 3, f"object {obj}")

@@ -55,7 +55,7 @@ def test_mesh_columns_are_the_headers():
 
 
 def test_names_are_the_headers():
-    """The names of settings and layouts stand at the numbers of their enumerators."""
+    """Names of settings and layouts have the numbers of their enumerators."""
     constants = layout.load().constants
     for kind, names in (scene_file.SETTINGS | {"map": scene_file.LAYOUTS}).items():
         numbers = [constants[f"{kind}_{name}".upper()] for name in names]
@@ -66,7 +66,7 @@ def test_names_are_the_headers():
 
 
 def test_orders_are_the_headers():
-    """Where texel (u, v) lies, by the formulas in c/texture/map.h."""
+    """Texel (u, v) is where the formulas in c/texture/map.h put it."""
     array = np.arange(65536).reshape(256, 256)
     tiled, columns = maps.to_tiled(array), maps.to_columns(array[:32])
     for u, v in ((0, 0), (7, 0), (8, 0), (255, 31), (100, 17), (13, 5)):
@@ -75,7 +75,7 @@ def test_orders_are_the_headers():
 
 
 def test_565():
-    """All numbers there and back, some by hand."""
+    """All numbers in both directions, some computed by hand."""
     numbers = np.arange(65536, dtype=np.uint16)
     assert (maps.to_rgb565(maps.from_rgb565(numbers)) == numbers).all()
     assert maps.from_rgb565(numbers[[0, 65535, 0xf800, 0x07e0, 0x8410]]).tolist() == [
@@ -83,7 +83,7 @@ def test_565():
 
 
 def test_bytes_are_the_headers():
-    """Spot checks of the format that do not go through the layout."""
+    """Spot checks of the format that do not use the layout."""
     scene = example()
     data = scene_file.write(scene)
     assert data[:8] == b"TMAP\0\0\0\x0b"
@@ -94,7 +94,8 @@ def test_bytes_are_the_headers():
 
 
 def test_vertices_at_rounds_every_product_down():
-    """Each of both products of x and of y by itself; nothing is there before and after."""
+    """Both products of x and of y are rounded separately; the object is absent before and after its
+    frames."""
     scene = example()
     one, s, t = 65536, 5, 6
     scene.vertices[:3] = [[1, 1, s, t, 8, 9], [-1, 1, s, t, 8, 9], [3, -1, s, t, 8, 9]]

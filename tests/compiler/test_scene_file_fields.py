@@ -57,6 +57,6 @@ from tmap.scene_file.scene_file import Material, Object, Texture
     ({"poses": np.full((4, 6), -2**31 - 1)}, "scene_pose.xx does not fit 32 bits"),
 ])
 def test_bad_scenes_are_not_written(change, message):
-    """Whoever made them is told before there is a file."""
+    """The error is raised before a file is written."""
     with pytest.raises(UserError, match=message):
         scene_file.write(dataclasses.replace(example(), **change))

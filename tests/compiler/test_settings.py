@@ -1,5 +1,5 @@
-"""Steps of accuracy for a loaded scene: what each draws is the model's frame of the same scene with
-the same settings."""
+"""Steps of accuracy for a loaded scene: each draws the model's frame of the scene with the same
+settings."""
 
 import re
 
@@ -15,7 +15,7 @@ from tmap.model import model, settings
 from tmap.run import demo
 from tmap.scene_file.scene_file import write
 
-#: A step of each axis; None: as the scene says. All steps, and what one does to the other.
+#: A step of each axis; None: as in the scene. All steps, and some pairs that influence each other.
 STEPS = ([(None, None)] + [(step, None) for step in range(len(settings.ACCURACY))]
          + [(None, step) for step in range(len(settings.PERSPECTIVE))]
          + [(0, 0), (2, 0), (1, 2), (4, 3), (4, 4)])
@@ -24,8 +24,8 @@ REFUSED = {f"render input.scene {name} {number}": f"render: {name}: not between 
            for name in ("ACCURACY", "PERSPECTIVE") for number in (-1, 5)}
 REFUSED["render input.scene ACCURACY"] = "render: usage"
 PANES, FRAMES = ("every8", "pixel"), 10
-#: What tells both cases apart: lines divided exactly take a quarter longer, and interrupts some 4 % of
-#: the time (tests/guest/display.c, BUSY).
+#: Separates both cases: lines divided exactly take a quarter longer, interrupts about 4 % of the
+#: time (tests/guest/display.c, BUSY).
 LONGER = 0.1
 PART = """\
 part 1 together
@@ -46,7 +46,7 @@ def scenes(tmp_path_factory) -> dict:
 
 
 def arguments(accuracy: int | None, perspective: int | None) -> str:
-    """What render is told."""
+    """The arguments for render."""
     return "".join(f" {name} {step}" for name, step in (("ACCURACY", accuracy),
                                                         ("PERSPECTIVE", perspective))
                    if step is not None)
@@ -78,7 +78,7 @@ def test_steps_are_the_models(scenes) -> None:
 
 @pytest.fixture(scope="module")
 def done(scenes, tmp_path_factory) -> list[emulator.Result]:
-    """What REFUSED says of its commands, and a demo of two parts that need the same tables."""
+    """The output of REFUSED's commands, and of a demo with two parts that need the same tables."""
     folder = tmp_path_factory.mktemp("demo")
     text = re.sub("^tables = .*\n", "", (demo.SOURCE / "face.toml").read_text(), flags=re.M)
     (folder / "face.toml").write_text(text.replace('perspective = "pixel"', 'perspective = "fine"')
@@ -95,8 +95,9 @@ def test_steps_out_of_range_are_refused(done) -> None:
 
 
 def test_each_scene_has_its_tables(done) -> None:
-    """The second one of a process, too, whose memory was another's: without tables lines are divided
-    exactly, which takes a quarter longer and more. Times differ by what interrupts take."""
+    """This includes the second scene of a process, in memory that another one used before: without
+    tables lines are divided exactly, which takes at least a quarter longer. Times vary by the share
+    of interrupts."""
     times = [int(ticks) for ticks in re.findall(r"^pane .* ticks (\d+)", done[-1].output, re.M)]
     assert done[-1].code == 0 and len(times) == 4, done[-1].output
     for pane, first, second in zip(PANES, times, times[2:]):

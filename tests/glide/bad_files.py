@@ -1,4 +1,4 @@
-"""Scene files whose texture units, as Glide's, cannot be: file, place, value, field."""
+"""Scene files with invalid texture units of Glide: file, offset, value, field."""
 
 import numpy as np
 
@@ -9,8 +9,8 @@ LOCAL = 0x1 << 12 | 0x1 << 18 | 0x1 << 21 | 0x1 << 27  # colours are the texels
 
 
 def scene() -> Scene:
-    """A triangle of one unit, one of two of which the second has its own coordinates, and a flat
-    one."""
+    """A triangle of one unit, one of two units of which the second has separate coordinates, and a
+    flat one."""
     vertices = np.full((12, 6), 65536)
     return Scene(8, 4, 1, 0, np.zeros((256, 3), np.uint8), [],
                  [Material("glide", unit=0), Material("glide", unit=1), Material()],
@@ -21,7 +21,8 @@ def scene() -> Scene:
 
 
 def wrong_pipes() -> list[Row]:
-    """What must be said of each is the field, behind the name of what has it."""
+    """Returns rows with the name that the error must contain: the field, after the name of its
+    struct."""
     rows: list[Row] = []
     wrong = WrongFields(scene(), rows)
     entry, memory = wrong.entry, "glide_memory or glide_memory_at"

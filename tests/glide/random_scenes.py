@@ -1,4 +1,5 @@
-"""Random polygons of Glide's texture units: modes, maps and vertices, each a frame of a scene."""
+"""Random polygons of Glide's texture units: modes, maps and vertices, each in one frame of a
+scene."""
 
 import random
 from dataclasses import dataclass, field
@@ -16,21 +17,21 @@ WIDTH, HEIGHT = 48, 32
 ONE = 65536
 REACH = 8191 * ONE
 W_MAX = 1 << 30
-PALETTE, NCC = 0, 1024  # where tables lie in the texture memory
+PALETTE, NCC = 0, 1024  # addresses of tables in the texture memory
 MEMORY_BYTES = 1 << 17  # of all units, random
 KINDS = ("any",) * 8 + ("plain", "trilinear", "levels") * 2 + ("detail", "pass")
 FAR = {"trilinear", "levels", "detail", "pass"}  # polygons with many levels
-DITHERED = 7  # of so many polygons one is
-ADDED = 4  # of so many polygons one is added to what is there
-STRIPS = ((16, 32, 48), (250, 90, 7), (96, 160, 200), (3, 255, 128))  # that is there
-ALONE = ("plain", "dithered")  # of one unit and one level
+DITHERED = 7  # one polygon in so many
+ADDED = 4  # one polygon in so many is added to the frame
+STRIPS = ((16, 32, 48), (250, 90, 7), (96, 160, 200), (3, 255, 128))  # colours under added polygons
+ALONE = ("plain", "dithered")  # kinds with one unit and one level
 
 
 @dataclass
 class Case:
-    """One polygon of a kind, and its units; ``units``: registers, bytes of memory, where it begins, bits
-    of weights, whether it is dithered, subdivision; ``vertices``: (x, y, s, t, shade, w), as a
-    scene's."""
+    """One polygon of a kind, and its units; ``units``: registers, start and bytes of memory, bits
+    of weights, whether it is dithered, subdivision; ``vertices``: (x, y, s, t, shade, w), as in a
+    scene."""
 
     kind: str
     units: list[tuple]
@@ -43,7 +44,7 @@ class Case:
 
 
 def combine(rng: random.Random, words: Words, is_last: bool) -> dict:
-    """Functions and factors; the last unit mostly shows its own texels."""
+    """Random functions and factors; the last unit mostly shows its own texels."""
     if is_last and rng.randrange(3):
         chosen = ["local", "zero", "local", "zero", False, False]
     else:
@@ -55,7 +56,7 @@ def combine(rng: random.Random, words: Words, is_last: bool) -> dict:
 
 
 def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bool) -> tuple:
-    """(row of the scene's table, what was chosen) of a unit."""
+    """Returns (row of the scene's table, choices) for a unit."""
     words = Words(rng.choice((1 << 17, 1 << 16, 1 << 12, 64)))
     form, aspect = rng.choice(list(FORMATS)), rng.choice(ASPECTS)
     largest = rng.choice((0, 0, 0, 1, 2, 3, rng.randrange(9)))
@@ -111,7 +112,7 @@ def unit(rng: random.Random, kind: str, number: int, count: int, perspective: bo
 
 
 def depths(rng: random.Random, count: int, signs: bool, far: bool) -> list[int]:
-    """w of corners: alike, or far apart; ``signs``: some below 0; ``far``: none alike."""
+    """w of corners: equal, or far apart; ``signs``: some negative; ``far``: all different."""
     base, deepest = rng.choice((1, 1, rng.uniform(0.1, 300))), rng.choice((1, 1.5, 4, 40, 2000))
     if far:
         base, deepest = 1, rng.choice((20, 100, 1000, 2000))
@@ -123,8 +124,8 @@ def depths(rng: random.Random, count: int, signs: bool, far: bool) -> list[int]:
 
 
 def coordinates(rng: random.Random, around: list[complex], far: bool) -> list[tuple[int, int]]:
-    """s and t of corners, in 16.16: mostly turned and scaled as the polygon is; ``far``: so that
-    texels are larger than pixels where it is near."""
+    """s and t of corners, in 16.16: mostly turned and scaled like the polygon; ``far``: so that
+    texels are larger than pixels in its near part."""
     texels = rng.uniform(4, 80) if far else rng.choice((rng.uniform(0, 8), rng.uniform(8, 80), rng.uniform(80, 600), 4000))
     s0, t0 = (rng.choice((0, rng.uniform(-40, 300), rng.uniform(-4000, 4000))) for _ in range(2))
     flat = rng.randrange(3) == 0
@@ -134,7 +135,8 @@ def coordinates(rng: random.Random, around: list[complex], far: bool) -> list[tu
 
 
 def written_vertices(rng: random.Random, own: bool) -> list[tuple]:
-    """Corners as people write them; ``own``: and once more for the second unit."""
+    """Corners as people write them; ``own``: repeated with other coordinates for the second
+    unit."""
     points, out = written.outline(rng, WIDTH, HEIGHT), []
     for second in range(1 + own):
         ends = rng.choice(((256, 256), (256, 256), (256, 128), (32, 256)))
@@ -146,8 +148,8 @@ def written_vertices(rng: random.Random, own: bool) -> list[tuple]:
 
 
 def vertices(rng: random.Random, own: bool, far: bool) -> list[tuple]:
-    """Corners round a middle, some of them beyond the frame, some polygons slivers, or as people write
-    them; ``own``: and once more for the second unit; ``far``: with many levels."""
+    """Corners round a centre, some beyond the frame, some polygons slivers, or corners as people
+    write them; ``own``: repeated for the second unit; ``far``: with many levels."""
     if not far and rng.random() < written.SHARE:
         return written_vertices(rng, own)
     count = rng.choice((3, 3, 4, 4, 5, 7))
@@ -173,7 +175,7 @@ def vertices(rng: random.Random, own: bool, far: bool) -> list[tuple]:
 
 
 def case(seed: int, number: int) -> Case:
-    """A polygon by its seed and number."""
+    """The polygon of a seed and a number."""
     rng = random.Random(f"{seed}, {number}")
     kind = rng.choice(KINDS)
     if number % DITHERED == 0:
@@ -185,7 +187,7 @@ def case(seed: int, number: int) -> Case:
     perspective = kind in FAR or rng.randrange(4) > (2 if kind in ALONE else 0)
     units, modes = [], []
     for n in range(count):
-        other = kind not in FAR and rng.randrange(8) == 0  # the units need not agree
+        other = kind not in FAR and rng.randrange(8) == 0  # the units may differ
         row, found = unit(rng, kind, n, count, perspective != other)
         units.append([*row, dithered])
         modes.append(found | {"dithered": dithered})
@@ -198,15 +200,15 @@ def case(seed: int, number: int) -> Case:
 
 
 def strip(n: int) -> list[tuple]:
-    """The corners of a strip across the frame, beside others."""
+    """The corners of one of the adjacent strips that fill the frame."""
     left, right = (WIDTH * (n + k) // len(STRIPS) for k in (0, 1))
     return [(x * ONE, y * ONE, 0, 0, 0, ONE)
             for x, y in ((left + 5, 0), (right + 5, 0), (right - 6, HEIGHT), (left - 6, HEIGHT))]
 
 
 def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
-    """The cases as a scene: one a frame, each by its own pipe, those that are added over strips of
-    colours; and a dot in a corner, so that no frame has one colour only."""
+    """A scene of the cases, one a frame, each with a separate pipe; added polygons are drawn over
+    coloured strips. A dot in a corner ensures that no frame has only one colour."""
     memory = np.random.default_rng(seed).integers(0, 256, MEMORY_BYTES, np.uint8)
     memory[PALETTE:PALETTE + 1024:4] = 0
     flats = PIXELS[pixels].flat(STRIPS)

@@ -1,5 +1,5 @@
-"""Random textures that are magnified or repeated, each in several frames: what prefiltered tiles are
-for."""
+"""Random textures that are magnified or repeated, each in several frames: the cases for prefiltered
+tiles."""
 
 import random
 
@@ -11,9 +11,9 @@ from tmap.glide.words import ASPECTS, FACTORS, FORMATS, FUNCTIONS, Words
 from tmap.scene_file.scene_file import Material, Object, Scene
 
 WIDTH, HEIGHT = 96, 64
-FRAMES = 6  # of a case
+FRAMES = 6  # of each case
 ONE = 65536
-MOST = 3000  # s and t of two corners are less than twice as far apart
+MOST = 3000  # s and t of two corners differ by less than twice this
 KINDS = ("bilinear", "bilinear", "repeated", "trilinear", "modulate", "any", "point")
 
 
@@ -46,7 +46,8 @@ def unit(rng: random.Random, kind: str, number: int, count: int, largest: int) -
 
 
 def vertices(rng: random.Random, kind: str, texel: float) -> list[tuple]:
-    """A parallelogram or a triangle around the frame's middle; ``texel``: s and t of the finest."""
+    """A parallelogram or a triangle around the frame's middle; ``texel``: the size in s and t of a
+    texel of the finest level."""
     size = rng.uniform(12, 60)
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)][:rng.choice((3, 4, 4))]
     texels = [rng.choice((rng.uniform(0.1, 1), rng.uniform(0.5, 3), rng.uniform(3, 12)))
@@ -68,7 +69,7 @@ def vertices(rng: random.Random, kind: str, texel: float) -> list[tuple]:
 
 
 def pose(rng: random.Random) -> tuple[int, ...]:
-    """Turned about the frame's middle, or nearly still."""
+    """Turned about the frame's middle, or nearly unmoved."""
     angle = rng.choice((0, rng.uniform(-0.2, 0.2), rng.uniform(0, 6.3)))
     c, s = round(ONE * np.cos(angle)), round(ONE * np.sin(angle))
     return (c, -s, s, c, round(ONE * (WIDTH / 2 + rng.uniform(-9, 9))),
@@ -76,7 +77,7 @@ def pose(rng: random.Random) -> tuple[int, ...]:
 
 
 def scene(seed: int, numbers: list[int], pixels: str, prefilter: int) -> Scene:
-    """Cases by their numbers, each FRAMES frames long; ``prefilter``: bytes."""
+    """A scene of the cases with these numbers, each FRAMES frames long; ``prefilter``: bytes."""
     memory = np.random.default_rng(seed).integers(0, 256, MEMORY_BYTES, np.uint8)
     memory[PALETTE:PALETTE + 1024:4] = 0
     materials, objects, corners, poses, glide_units, pipes = [], [], [], [], [], []

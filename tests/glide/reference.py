@@ -1,4 +1,5 @@
-"""The texture unit's model run over the text of reference data; rules of the unit by fractions."""
+"""Runs the texture unit's model over the text of reference data; computes rules of the unit with
+fractions."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -19,7 +20,7 @@ FOLDER = ROOT / "tests" / "vectors"
 
 
 class Question(NamedTuple):
-    """A pixel that was asked for: the unit as it stood, and the answer."""
+    """One pixel of the file: the unit's state at that time, and the answer."""
 
     line: Line
     unit: Unit
@@ -29,7 +30,7 @@ class Question(NamedTuple):
 
 
 def questions(path: Path, fraction_bits: int):
-    """The questions of a file, answered by the model, one after another."""
+    """Yields the questions of a file, answered by the model."""
     unit, gradients = Unit(), (0, 0, 0, 0)
     for line in glide_text.read(path):
         values = line.arguments
@@ -52,17 +53,17 @@ def questions(path: Path, fraction_bits: int):
 
 
 def only(level: int, linear: int, **others) -> Modes:
-    """Modes by which one level alone is drawn; ``linear``: 0 point, 1 bilinear."""
+    """Modes that draw from a single level; ``linear``: 0 point, 1 bilinear."""
     return Modes(minify=linear, magnify=linear, lod_min=4 * level, lod_max=4 * level, **others)
 
 
 def table_quotient(s: int, w: int) -> int:
-    """s * 2^30 / w through the reciprocal of the rules, by fractions: rounded down, within 32 bits; 0
-    where w is 0."""
+    """s * 2^30 / w with the reciprocal of the rules, computed with fractions: rounded down, within
+    32 bits; 0 if w is 0."""
     if not w:
         return 0
     shift = 32 - abs(w).bit_length()
-    place = Fraction((abs(w) << shift) - (1 << 31), 1 << 22)  # 0 to 512, of entries
+    place = Fraction((abs(w) << shift) - (1 << 31), 1 << 22)  # 0 to 512, in entries
     i, part = int(place), int(place % 1 * 256)
     entries = [(1 << 31) // (512 + n) for n in (i, i + 1)]
     inverse = (entries[0] * (256 - part) + entries[1] * part) // 256

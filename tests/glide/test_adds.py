@@ -1,5 +1,5 @@
 """Polygons of Glide's texture units that are added to the frame: trilinear filtering by two passes
-of one unit is that by one pass of two; they do not go where pixels are replaced."""
+of one unit equals that by one pass of two; paths that replace pixels are not used."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ from tmap.model import model
 from tmap.scene_file.scene_file import Scene
 
 PIXELS = ("rgb565", "rgba8888")
-#: All levels of a map of 32x32 texels, the first one larger than pixels.
+#: Shows all levels of a map of 32x32 texels; texels of the first one are larger than pixels.
 FLOOR = ("vertices = [[0, 0, 0, 0, 1], [64, 0, 128, 0, 1], [64, 48, 900, 1800, 9], "
          "[0, 48, 0, 1800, 20]]")
 BOTH = 'image = "noise.png", format = "argb4444", min = "bilinear", mag = "bilinear"'
@@ -30,7 +30,8 @@ def folder(tmp_path):
 
 
 def unit(levels: str, whole: bool, combine: str = "") -> str:
-    """A unit for the even or the odd levels; ``whole``: it holds all, see ``blend_whole``."""
+    """A unit for the even or the odd levels; ``whole``: its map has all levels, see
+    ``blend_whole``."""
     kept = "" if whole else f', levels = "{levels}", trilinear = true'
     return f"{{ {BOTH}{kept}{combine} }}"
 
@@ -44,8 +45,8 @@ def glide(more: str, *units: str) -> str:
 
 
 def blend_whole(scene: Scene, parities: tuple[str, ...]) -> Scene:
-    """The registers of units with whole maps as Glide's tex-lod-blend call leaves them: of each
-    the levels that it draws."""
+    """Sets the registers of units with whole maps as Glide's tex-lod-blend call does: each draws
+    only the even or the odd levels."""
     glide_units = scene.glide_units.copy()
     for row, parity in zip(glide_units, parities):
         for field, bit in (("trilinear", 1), ("odd", *LEVELS[parity])):
@@ -55,7 +56,7 @@ def blend_whole(scene: Scene, parities: tuple[str, ...]) -> Scene:
 
 
 def trilinear(folder, whole: bool, passes: int, pixels: str = "rgba8888") -> Scene:
-    """A floor by one pass of two units, or two of one."""
+    """A floor by one pass of two units, or two passes of one."""
     if passes == 1:
         text = scene_text(glide("", unit("even", whole, by("blend", "lod_fraction")),
                                 unit("odd", whole)), FLOOR, pixels)
@@ -72,12 +73,12 @@ def trilinear(folder, whole: bool, passes: int, pixels: str = "rgba8888") -> Sce
 
 @pytest.mark.parametrize("whole", [False, True])
 def test_two_passes_are_one(folder, whole):
-    """Of an even level's colour e, an odd one's o and the weight a / 256 of the odd one, a = 1 to
-    256, one pass makes floor((e (256 - a) + o a) / 256). Of two passes the first draws
-    e - ceil(e a / 256) = floor(e (256 - a) / 256), the second adds, its factor being the first
-    one's inverted, o - ceil(o (257 - a) / 256) = floor(o (a - 1) / 256). Both floors take less
-    than 1, o / 256 is less than 1 too: the sum is not above the one pass, and less than 3 below
-    it. So 255 is never passed."""
+    """With an even level's colour e, an odd one's o and the odd one's weight a / 256, a = 1 to 256,
+    one pass gives floor((e (256 - a) + o a) / 256). Of two passes the first draws e - ceil(e a /
+    256) = floor(e (256 - a) / 256), and the second adds o - ceil(o (257 - a) / 256) = floor(o (a -
+    1) / 256), as its factor is the inverse of the first one's. Both floors lose less than 1, and o
+    / 256 is less than 1: the sum is not above the one pass, and less than 3 below it. So 255 is
+    never exceeded."""
     one, two = (trilinear(folder, whole, passes) for passes in (1, 2))
     colours = [scene.pixel.colours(model.render(scene, 0)).astype(int) for scene in (one, two)]
     darker = colours[0] - colours[1]
@@ -93,7 +94,7 @@ def test_two_passes_are_one(folder, whole):
 
 
 def test_frames_are_the_models(folder):
-    """Both frames' formats, split and whole maps, by passes and pixel by pixel, in one boot."""
+    """Both frame formats, split and whole maps, by passes and pixel by pixel, in one boot."""
     scenes = {(pixels, whole, off): trilinear(folder, whole, 2, pixels)
               for pixels in PIXELS for whole in (False, True) for off in ("", " OFF all")}
     found = guest_frames.draw([(scene, f"addx{off}") for (*_, off), scene in scenes.items()], "a1200-fast")
@@ -103,8 +104,8 @@ def test_frames_are_the_models(folder):
 
 
 def test_nothing_is_replaced(folder):
-    """What pages, dithered points and tiles would draw, if it were not added, goes by passes; twice
-    over each other; in one boot."""
+    """Polygons that pages, dithered points or tiles would draw if they were not added are drawn by
+    passes; each is drawn twice, overlapping; in one boot."""
     square = "vertices = [[0, 0, 0, 0], [32, 0, 128, 0], [32, 32, 128, 128], [0, 32, 0, 128]]"
     plain = 'image = "noise.png", format = "rgb565", mipmap = "none"'
     filtered = plain + ', min = "bilinear", mag = "bilinear"'

@@ -1,5 +1,5 @@
-"""The calls in C and tools/tmap/glide/words.py, which know nothing of each other, set the same
-registers; bad arguments are results of their own and change nothing."""
+"""The C calls and tools/tmap/glide/words.py, which are independent of each other, set the same
+registers; bad arguments have distinct results and change nothing."""
 
 import random
 from fractions import Fraction
@@ -19,8 +19,8 @@ MEMORY = 1 << 18
 
 
 class Calls:
-    """Calls of both: name and arguments in C, the registers that the tools have after them, and
-    the call's own answer where it is known."""
+    """Random calls: name and arguments in C, the tools' registers after them, and the call's return
+    value if known."""
 
     def __init__(self, seed: int) -> None:
         self.random = random.Random(seed)
@@ -28,11 +28,11 @@ class Calls:
         self.made: list[tuple[str, list[int], tuple[int, ...], int]] = []
 
     def add(self, name: str, arguments: list[int], own: int = 0) -> None:
-        """A call, and what the tools have by now."""
+        """Adds a call, with the tools' registers at this point."""
         self.made.append((name, arguments, self.words.words(), own))
 
     def source(self) -> None:
-        """A map that fits; what it needs."""
+        """Adds a map that fits, and the question how much memory it needs."""
         choose = self.random
         largest = choose.randrange(9)
         smallest = choose.randrange(largest, 9)
@@ -50,7 +50,7 @@ class Calls:
         self.add("SOURCE", [start, *numbers])
 
     def modes(self) -> None:
-        """One of the others."""
+        """Adds one of the calls that set modes."""
         choose, words = self.random, self.words
         on, other, first, second = (choose.randrange(2) for _ in range(4))
         match choose.randrange(9):
@@ -92,12 +92,12 @@ class Calls:
 
 
 def registers(answer: list[int] | tuple[int, ...]) -> str:
-    """For messages."""
+    """Registers as text, for messages."""
     return " ".join(f"{word & MASK:08x}" for word in answer)
 
 
 def random_registers(choose: random.Random) -> list[int]:
-    """Words that a unit can take."""
+    """Random words that are valid for a unit."""
     words = [choose.getrandbits(32), choose.getrandbits(23), choose.getrandbits(17),
              choose.getrandbits(29)]
     form = choose.choice(list(FORMATS.values()))
@@ -105,12 +105,12 @@ def random_registers(choose: random.Random) -> list[int]:
     return [words[0] | choose.randrange(6) << 14 | choose.randrange(6) << 23, *words[1:]]
 
 
-#: Results of drawing polygons, which no call has.
+#: Results of drawing polygons; no call returns them.
 OF_POLYGONS = ("BAD_COORDINATE", "BAD_W")
-#: A source of 64 by 64 texels of 8 bits, levels 2 to 5, of which the even ones are there, from 1024
-#: on.
+#: A source of 64 by 64 texels of 8 bits, levels 2 to 5, of which the even ones are stored, from
+#: address 1024 on.
 MAP = [1024, 1, 2, 5, 3, 3]
-#: Call, arguments, result, after that source.
+#: Call, arguments, result, after that source is set.
 BAD = [
     *(("INIT", [size], "BAD_MEMORY") for size in (0, 4, 7, 3000, MEMORY - 8)),
     *((name, [*MAP[:2], *levels, *MAP[4:], *rest], result)
@@ -149,7 +149,7 @@ BAD = [
     *(("SUBDIVISION", [pixels], "BAD_SUBDIVISION") for pixels in (1, 4, 32, 256 + 8, MASK)),
     ("CLAMP", [2, 0], "BAD_WRAPPING"), ("CLAMP", [0, 2], "BAD_WRAPPING"),
     ("MIPMAP", [3, 0], "BAD_MIPMAP"), ("MIPMAP", [1, 2], "BAD_FLAG"),
-    *(("BLEND_LEVELS", [levels], "BAD_LEVELS") for levels in (0, 1, 2, 3)),  # it is split
+    *(("BLEND_LEVELS", [levels], "BAD_LEVELS") for levels in (0, 1, 2, 3)),  # the map is split
     ("LOD_BIAS", [(-8 << 16) - 1], "BAD_LOD_BIAS"), ("LOD_BIAS", [(31 << 14) + 1], "BAD_LOD_BIAS"),
     ("DETAIL", [-33, 0, 0], "BAD_DETAIL_BIAS"), ("DETAIL", [32, 0, 0], "BAD_DETAIL_BIAS"),
     ("DETAIL", [0, 8, 0], "BAD_DETAIL_SCALE"), ("DETAIL", [0, 0, 256], "BAD_DETAIL_MAX"),
@@ -167,7 +167,8 @@ BAD = [
     ("REGISTERS", [0, 0, 0, 1 << 29], "BAD_REGISTER"),
     ("CHAIN", [0, 0], "BAD_UNITS"), ("CHAIN", [3, 0], "BAD_UNITS"), ("CHAIN", [2, 4], "BAD_UNITS"),
 ]
-#: What grows: memory, tables, modes. The second of two equal calls leaves the modes as they are.
+#: Calls, and which generation each increases: memory, tables, modes. The second of two equal calls
+#: leaves the modes unchanged.
 CHANGES = [("FILTER", [1, 1]), ("FILTER", [1, 1]), ("FRACTION_BITS", [8]),
            ("SUBDIVISION", [16]), ("SUBDIVISION", [16]), ("SUBDIVISION", [0]), ("SUBDIVISION", [8]),
            ("DOWNLOAD", [*MAP, 1]), ("DOWNLOAD_LEVEL", [*MAP, 2, 1]),
@@ -184,7 +185,7 @@ TEXT_LONGS = 64
 
 @pytest.fixture(scope="module")
 def answers() -> dict:
-    """One boot for all tests: lists of answers."""
+    """Answers of all tests, from one boot, in lists."""
     guest, ranges = Guest(), {}
 
     def note(name: str, first: int) -> None:
@@ -229,7 +230,7 @@ def answers() -> dict:
 
 
 def weighed(values: list[int]) -> int:
-    """What stands for many numbers: each times twice its place plus one."""
+    """A checksum: the sum of the numbers, each times twice its index plus one."""
     return sum(value * (2 * n + 1) for n, value in enumerate(values)) & MASK
 
 
@@ -247,7 +248,8 @@ def test_calls_and_tools_set_the_same_registers(answers) -> None:
 
 
 def test_registers_round_trip(answers) -> None:
-    """All fields at random, and what is between them: bit 31 of the first alone is dropped."""
+    """All fields are random, and so are the bits between them: only bit 31 of the first register is
+    dropped."""
     for words, answer in zip(answers["words"], answers["round"], strict=True):
         assert results().get(answer[0]) == "DONE", (registers(words), results().get(answer[0]))
         assert registers(answer[1:5]) == registers(words), (
@@ -259,7 +261,7 @@ def test_registers_round_trip(answers) -> None:
 
 
 def test_bad_arguments_change_nothing(answers) -> None:
-    """Each by its name; registers and generations stay."""
+    """Each error has its name; registers and generations stay the same."""
     (_, *before, _), first, *found, last = answers["bad"]
     assert first == last, f"generations {first} became {last}"
     for (name, arguments, result), answer in zip(BAD, found, strict=True):
@@ -271,7 +273,7 @@ def test_bad_arguments_change_nothing(answers) -> None:
 
 
 def test_what_grows(answers) -> None:
-    """Whatever changes has its generation grow, and no other's."""
+    """Each change increases only its own generation."""
     found = answers["generations"][::2]
     for n, ((name, _), which) in enumerate(zip(CHANGES, GROWTH, strict=True)):
         grown = [i for i in range(3) if found[n + 1][i] > found[n][i]]
@@ -281,7 +283,7 @@ def test_what_grows(answers) -> None:
 
 
 def test_tables(answers) -> None:
-    """Whole palettes, some entries, whose upper byte does not count; NCC tables both ways."""
+    """Whole palettes; some entries, whose upper byte is ignored; NCC tables in both forms."""
     whole, some, values, words = (answer[5] & MASK for answer in answers["tables"])
     changed = [*PALETTE[:3], 0x123456, 0x654321, *PALETTE[5:]]
     assert whole == weighed(PALETTE) and some == weighed(changed)
@@ -289,7 +291,7 @@ def test_tables(answers) -> None:
 
 
 def test_results_have_texts(answers) -> None:
-    """All differ, and none is cut."""
+    """All texts differ, and none is truncated."""
     texts = ["".join(chr(c) for c in answer if c) for answer in answers["texts"]]
     assert texts[0] == "done" and texts[-1] == "unknown result"
     assert len(set(texts)) == len(texts) and all(0 < len(text) < TEXT_LONGS for text in texts)

@@ -19,12 +19,14 @@ from tmap.glide.state import ONE_W, UNIT_MEMORY, Modes, Unit, packed, unpacked
 @pytest.mark.parametrize("bias, lod, want", [
     (4, 0x280, 48), (4, 0, 128), (4, 0x433, 0), (8, 0x100, 200), (-3, 0, 0)])
 def test_detail_factor(bias, lod, want):
-    """(bias - level) times 2^scale, from 0 to the most; both in steps of 1/256."""
+    """(bias - level) times 2^scale, clamped from 0 to the limit; level and factor are in steps of
+    1/256."""
     modes = Modes(detail_bias=bias, detail_scale=5, detail_max=200)
     assert detail_factor(modes, np.array(lod)) == want
 
 
-#: What Glide's functions are to be: of the factor's multiplication, other, local, local alpha.
+#: Definitions of Glide's functions, with arguments: multiplication by the factor, other, local,
+#: local alpha.
 MEANT = {
     "zero": lambda f, o, c, a: 0 * c,
     "local": lambda f, o, c, a: c,
@@ -43,7 +45,7 @@ MEANT = {
 @pytest.mark.parametrize("factor", FACTORS)
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_combine_functions(function, factor):
-    """As Glide's names say, for random colours and the extremes."""
+    """The functions do what Glide's names say, for random colours and the extremes."""
     random = np.random.default_rng(5)
     local, other = random.integers(0, 256, (2, 500, 4))
     local[:4], other[:4] = [[0], [255], [0], [255]], [[0], [0], [255], [255]]
@@ -63,7 +65,7 @@ def test_combine_functions(function, factor):
 
 
 def test_colour_and_alpha_are_combined_each_by_its_own():
-    """And names that are none are refused."""
+    """Colour and alpha have separate functions; unknown names are refused."""
     modes = Modes(rgb=combination("local"), alpha=combination("scale_other", "one"))
     colour = combined(modes, np.array(0), unpacked(0x11223344), unpacked(0xAABBCCDD))
     assert packed(colour) == 0xAA223344
@@ -74,7 +76,7 @@ def test_colour_and_alpha_are_combined_each_by_its_own():
 
 
 def test_two_units():
-    """Decal over what comes from upstream, a multiplication, and a sum."""
+    """Decal over the colour from upstream, a multiplication, and a sum."""
     random = np.random.default_rng(8)
     units = [Unit(only(0, 0, format=12, rgb=combination("local"), alpha=combination("local")),
                   random.integers(0, 256, UNIT_MEMORY).astype(np.uint8)) for _ in range(2)]
@@ -94,10 +96,10 @@ def weight_odd(lod: np.ndarray) -> np.ndarray:
 
 
 def test_trilinear_blends():
-    """Of all levels' fractions: one pass is even + ((odd - even) (w + 1) >> 8) where the first
-    unit has the even levels. Where it has the odd ones, odd is weighed by w instead of w + 1:
-    values less than 1 apart, so 1 after rounding down. Of two passes each loses less than 1 and
-    the odd level weighs w: 0 to 2 less."""
+    """For all fractions of levels one pass is even + ((odd - even) (w + 1) >> 8) if the first unit
+    has the even levels. If it has the odd ones, odd has the weight w instead of w + 1: the values
+    are less than 1 apart, so 1 after rounding down. In two passes each loses less than 1 and the
+    odd level has the weight w: 0 to 2 less."""
     even, odd = (c[..., None] * np.ones(4, np.int64)
                  for c in np.meshgrid(np.arange(0, 256, 5), np.arange(0, 256, 5)))
     dark = np.zeros(4, np.int64)
@@ -117,7 +119,7 @@ def test_trilinear_blends():
 
 @pytest.mark.parametrize("split", [0, 1])
 def test_trilinear_pixels(split):
-    """Through levels and filters: whole pixels against two samples of a level each."""
+    """Whole pixels, through levels and filters, compared with two samples of one level each."""
     random = np.random.default_rng(4)
     memory = random.integers(0, 256, UNIT_MEMORY).astype(np.uint8)
     s, t = random.integers(-1 << 31, 1 << 31, (2, 400))

@@ -1,5 +1,5 @@
-"""The rules of Glide's texture unit on the emulated machine: examples by hand, and numbers against
-exact ones."""
+"""The rules of Glide's texture unit on the emulated machine: examples computed by hand, and
+comparisons with exact numbers."""
 
 import random
 from dataclasses import dataclass, field
@@ -12,7 +12,7 @@ from tests.glide.reference import table_quotient
 from tmap.base.paths import ROOT
 from tmap.vectors.vector_text import xorshift
 
-ONE = 1 << 18  # 1.0 of s and t
+ONE = 1 << 18  # of s and t
 W_ONE = 1 << 30
 LEAST, MOST = -1 << 31, (1 << 31) - 1
 LOD_ONE = 256
@@ -32,43 +32,43 @@ ODD, SPLIT, WIDE = 1 << 18, 1 << 19, 1 << 20
 
 
 def lods(least: int, most: int, bias: int = 0, rest: int = WIDE) -> int:
-    """tLOD; all in quarters."""
+    """The register tLOD; all levels are in quarters."""
     return least | most << 6 | (bias & 63) << 12 | rest
 
 
 def details(bias: int, scale: int, most: int) -> int:
-    """tDetail."""
+    """The register tDetail."""
     return most | (bias & 63) << 8 | scale << 14
 
 
 @dataclass
 class Questions:
-    """Numbers to ask for, each with the one expected."""
+    """Questions, each with the expected number."""
 
     guest: Guest = field(default_factory=Guest)
     expected: list[tuple[str, int]] = field(default_factory=list)
 
     def one(self, number: int, name: str, *values: int) -> None:
-        """A question of one number."""
+        """Adds a question whose answer is one number."""
         self.guest.one(name, *values)
         self.expected.append((f"{name}{values}", number))
 
     def regs(self, mode: int, lod: int = WIDE, detail: int = 0) -> None:
-        """The registers; base address 0."""
+        """Sets the registers; the base address is 0."""
         self.guest.do("GLIDE_REGISTERS", mode, lod, detail, 0)
 
     def pixel(self, argb: int, s: int, t: int, w: int = W_ONE, other: int = 0, x: int = 0,
               y: int = 0) -> None:
-        """A pixel."""
+        """Adds a question for a pixel."""
         self.one(argb, "PIXEL", s, t, w, other, x, y)
 
     def lod(self, level: Fraction) -> None:
-        """Gradients of a LOD that is a whole number."""
+        """Sets gradients whose LOD is an integer."""
         self.guest.do("GLIDE_GRADIENTS", int(2 ** level * ONE), 0, 0, 0)
 
 
 def nearest_logarithm(x: int) -> int:
-    """256 log2 x, rounded: the k where 2^(2 k - 1) < x^512 < 2^(2 k + 1)."""
+    """256 log2 x, rounded: the k for which 2^(2 k - 1) < x^512 < 2^(2 k + 1)."""
     power = (x ** 512).bit_length()  # 2^(power - 1) <= x^512 < 2^power
     return power // 2
 
@@ -78,7 +78,7 @@ def numbers(q: Questions, choose: random.Random) -> None:
     for x in (1, 2, 3, MASK, 1 << 31, *(choose.getrandbits(choose.randint(1, 32)) | 1
                                         for _ in range(60))):
         q.one(nearest_logarithm(x), "LOGARITHM", 0, x)
-    for k in choose.sample(range(256), 40):  # where they are rounded up, as near as can be
+    for k in choose.sample(range(256), 40):  # as near as possible to where they are rounded up
         for bits in (31, 12, 24):
             x = int_root(512 * bits + 2 * k + 1)
             for near in (x, x + 1):
@@ -116,7 +116,7 @@ def int_root(exponent: int) -> int:
 
 
 def fractions(q: Questions) -> None:
-    """The LOD's fraction as white's factor: clamped, biased, of w, dithered."""
+    """White times the LOD's fraction: clamped, biased, with w, dithered."""
     other = LOD_FACTOR | REVERSE
     for lod, bias, least, most, expected in (
             (2, 0, 0, 32, 0), (2, 1, 0, 32, 64), (2, -1, 0, 32, 192), (2, -1, 8, 32, 0),
@@ -136,7 +136,7 @@ def fractions(q: Questions) -> None:
 
 
 def detail_factors(q: Questions) -> None:
-    """Worked out by hand."""
+    """Detail factors computed by hand."""
     for bias, scale, most, lod, expected in ((4, 5, 200, 10, 48), (4, 5, 200, 0, 128),
                                              (4, 5, 200, 17, 0), (8, 5, 200, 4, 200),
                                              (-32, 7, 255, 0, 0), (31, 7, 255, 0, 255)):
@@ -146,7 +146,7 @@ def detail_factors(q: Questions) -> None:
 
 
 def samples(q: Questions, memory: bytes) -> None:
-    """Level 2 of 64 by 64 texels of 8 bits, and narrow levels; memory is not 0."""
+    """Level 2 of 64 by 64 texels of 8 bits, and narrow levels; the memory is random."""
     def grey(address: int) -> int:
         return memory[address] * 0x01010101
 
@@ -173,13 +173,13 @@ def samples(q: Questions, memory: bytes) -> None:
         q.pixel(grey(at(i, j)), s, t)
     q.regs(LOCAL | A8 | CLAMP_S | CLAMP_T, level_2)
     q.pixel(grey(at(0, 63)), -1, 256 * ONE)
-    # the filter for magnification alone, and the one for minification
+    # only the filter for magnification, then that for minification
     q.regs(LOCAL | A8 | MAGNIFY, level_2)
     q.pixel(mean({at(63, 0): 128, at(0, 0): 128}, 8), 0, 2 * ONE)
     q.regs(LOCAL | A8 | MAGNIFY, lods(0, 8))
     q.lod(Fraction(5))
     q.pixel(grey(at(0, 0)), 0, 2 * ONE)
-    # with w: a half is twice as far; where it is negative, the first texel
+    # with w: a half doubles the distance; if w is negative, the first texel
     q.regs(LOCAL | A8 | PERSPECTIVE, level_2)
     q.pixel(grey(at(14, 6)), 28 * ONE, 12 * ONE, W_ONE // 2)
     q.pixel(grey(at(49, 57)), 28 * ONE + 1, 12 * ONE + 1, -W_ONE // 2)
@@ -187,14 +187,14 @@ def samples(q: Questions, memory: bytes) -> None:
     for mode in (0, PERSPECTIVE):
         q.regs(LOCAL | A8 | CLAMP_W | mode, level_2)
         q.pixel(grey(at(0, 0)), 28 * ONE, 12 * ONE, -W_ONE // 2)
-    # 256 by 32: level 6 has 4 by 1 texels, behind 8192 + 2048 + 512 + 128 + 32 + 8
+    # 256 by 32: level 6 has 4 by 1 texels, after 8192 + 2048 + 512 + 128 + 32 + 8
     q.regs(LOCAL | A8, lods(24, 24, rest=WIDE | 3 << 21))
     for s, t, i in ((0, 0, 0), (64 * ONE, 31 * ONE, 1), (-1, -1, 3)):
         q.pixel(grey(10920 + i), s, t)
-    # of odd levels alone: 2.0 is drawn from level 3, which lies behind level 1
+    # odd levels only: level 2.0 is drawn from level 3, which follows level 1
     q.regs(LOCAL | A8, lods(8, 8, rest=WIDE | SPLIT | ODD))
     q.pixel(grey(16384 + 32 + 3), 24 * ONE, 8 * ONE)
-    # 8.0, which is not there: level 8 behind all odd ones, 16384 + 1024 + 64 + 4
+    # level 8.0, which is missing: read after all odd ones, 16384 + 1024 + 64 + 4
     q.regs(LOCAL | A8, lods(32, 32, rest=WIDE | SPLIT | ODD))
     q.pixel(grey(17476), 0, 0)
     # little-endian texels of 16 bits
@@ -210,7 +210,7 @@ def samples(q: Questions, memory: bytes) -> None:
 
 
 class Chain:
-    """Two units, of which one draws even levels and one odd ones; and two passes of one."""
+    """Two units, one with the even levels and one with the odd ones; and two passes of one unit."""
 
     def __init__(self, guest: Guest) -> None:
         self.guest = guest
@@ -219,17 +219,17 @@ class Chain:
         self.hints: list[tuple[int, int, int, int]] = []  # units, own, 2 answers
 
     def regs(self, unit: int, mode: int, rest: int) -> None:
-        """Of one."""
+        """Sets the registers of one unit."""
         self.guest.do("GLIDE_CHOOSE", unit)
         self.guest.do("GLIDE_REGISTERS", mode | AI88, lods(0, 32, rest=WIDE | rest), 0, 0)
 
     def chain(self, units: int, own: int, *points: tuple[int, int]) -> int:
-        """A pixel of units in a row."""
+        """A pixel of units in a chain."""
         first, second = ((*point, W_ONE) for point in points)
         return self.guest.one("CHAIN", units, own, *first, *second, 0, 0)
 
     def blend(self, lod: int, even_first: bool) -> None:
-        """Trilinear filtering in one pass; each unit's own colour besides."""
+        """Trilinear filtering in one pass; also each unit's colour alone."""
         self.guest.do("GLIDE_GRADIENTS", *gradients(lod))
         parities = (SPLIT, SPLIT | ODD) if even_first else (SPLIT | ODD, SPLIT)
         point = 37 * ONE, 91 * ONE
@@ -243,7 +243,8 @@ class Chain:
         self.trilinear.append((lod, even_first, *own, self.chain(2, 0, point, (0, 0))))
 
     def two_passes(self, lod: int) -> None:
-        """Of a whole map: even levels, then odd ones; the colours of both before."""
+        """Two passes over a whole map: even levels, then odd ones; before them, the colours of both
+        levels."""
         self.guest.do("GLIDE_GRADIENTS", *gradients(lod))
         point = 200 * ONE, 17 * ONE, W_ONE, 0, 0, 0
         asked = []
@@ -257,7 +258,7 @@ class Chain:
         self.passes.append((lod, *asked))
 
     def whose_points(self) -> None:
-        """The unit upstream alone is seen; its points are its own, or not."""
+        """Shows only the upstream unit; its point is separate or that of unit 0."""
         for unit, mode in enumerate((0, LOCAL)):
             self.regs(unit, mode, 0)
         here, there = (3 * ONE, 5 * ONE), (90 * ONE, 71 * ONE)
@@ -270,7 +271,7 @@ class Chain:
 
 
 def gradients(lod: int) -> list[int]:
-    """Such that the LOD is this one, 8.8: halves of the logarithm at most are lost."""
+    """Gradients with this LOD, 8.8: rounding loses at most half a unit of the logarithm."""
     return [int(ONE * 2 ** ((lod + 0.25) / LOD_ONE)), 0, 0, 0]
 
 
@@ -281,7 +282,7 @@ def channels(argb: int) -> list[int]:
 
 @pytest.fixture(scope="module")
 def answers() -> tuple[Questions, Chain, list[int]]:
-    """One boot for all."""
+    """All answers, from one boot."""
     q = Questions()
     numbers(q, random.Random(41))
     q.guest.do("GLIDE_RESET", 4)
@@ -312,8 +313,8 @@ def test_numbers_and_rules(answers) -> None:
 
 
 def test_trilinear_filtering(answers) -> None:
-    """Both orders of the units: local + (other - local) (m + 1) / 256, where the odd level counts
-    by the LOD's fraction, or, below it, by what is left."""
+    """Both orders of the units: local + (other - local) (m + 1) / 256, where the odd level's weight
+    is the LOD's fraction, or one minus it if the finer level is odd."""
     _, chain, found = answers
     for lod, even_first, *places in chain.trilinear:
         local, other, blended = (channels(found[place]) for place in places)
@@ -326,8 +327,8 @@ def test_trilinear_filtering(answers) -> None:
 
 
 def test_trilinear_filtering_in_two_passes(answers) -> None:
-    """What each leaves of its level, rounded down: their sum is that of one pass, or one or two
-    below it."""
+    """Each pass draws its level's part, rounded down: the sum is that of one pass, or one or two
+    less."""
     _, chain, found = answers
     for lod, *places in chain.passes:
         near, far, first, second = (channels(found[place]) for place in places)
@@ -342,7 +343,7 @@ def test_trilinear_filtering_in_two_passes(answers) -> None:
 
 
 def test_whose_points_count(answers) -> None:
-    """Where bit n is set unit n has a point of its own, otherwise it takes that of unit 0."""
+    """If bit n is set unit n has a separate point, otherwise it uses that of unit 0."""
     _, chain, found = answers
     for units, own, alone, together in chain.hints:
         assert found[alone] == found[together], (
@@ -351,7 +352,7 @@ def test_whose_points_count(answers) -> None:
 
 
 def test_programs_carry_what_they_call() -> None:
-    """The linker leaves out the rest."""
+    """The linker leaves out unused routines."""
     maps = {name: (ROOT / "build" / "programs" / f"{name}.map").read_text()
             for name in ("vectors", "render", "bench")}
     assert "glide_pixel" in maps["vectors"] and "glide_pixel" in maps["render"]

@@ -1,5 +1,5 @@
-"""Maps on their way into the emulated texture unit's memory and back as colours, against a
-memory that is kept here."""
+"""Maps downloaded to the emulated texture unit's memory and read back as colours, compared with a
+copy of the memory in Python."""
 
 import random
 from dataclasses import dataclass
@@ -15,13 +15,13 @@ from tmap.vectors.vector_text import xorshift
 MEMORY = 1 << 18
 FORMS = ("a8", "argb4444")  # one of each size; every bit of a texel shows in its colour
 AROUND = 4  # longs read before and behind a map
-SPLIT_ASPECTS = ("4x1", "1x1", "1x8")  # of maps of which every other level is there
-PARTS = 60  # of maps, one level or some rows
+SPLIT_ASPECTS = ("4x1", "1x1", "1x8")  # of maps that hold every other level
+PARTS = 60  # number of maps of which one level or some rows are downloaded
 
 
 @dataclass(frozen=True)
 class Map:
-    """What the calls are told."""
+    """The arguments of the calls."""
 
     start: int
     levels: str
@@ -44,26 +44,26 @@ class Map:
         return memory_required(self.levels, self.largest, self.smallest, self.aspect, self.form)
 
     def texels(self, level: int) -> int:
-        """How many."""
+        """The number of texels of a level."""
         columns, rows = level_size(self.aspect, level)
         return columns * rows
 
 
 class Memory:
-    """What the unit's memory should hold, as the PC's bus sees it."""
+    """The expected content of the unit's memory, as the PC's bus sees it."""
 
     def __init__(self, seed: int) -> None:
         self.bytes = np.frombuffer(xorshift(seed, MEMORY // 4).astype("<u4").tobytes(),
                                    np.uint8).copy()
 
     def write(self, form: str, address: int, texels: np.ndarray) -> None:
-        """Texels in the 68020's order, bytes."""
+        """Writes texels; ``texels`` has their bytes in the 68020's order."""
         if texel_bytes(form) == 2:
             texels = texels.reshape(-1, 2)[:, ::-1].ravel()
         self.bytes[address:address + len(texels)] = texels
 
     def total(self, form: str, address: int, count: int) -> int:
-        """The sum that stands for the colours of texels."""
+        """The checksum of the colours of texels."""
         if texel_bytes(form) == 1:
             colours = self.bytes[address:address + count].astype(np.uint32) * np.uint32(0x01010101)
         else:
@@ -74,7 +74,7 @@ class Memory:
         return int((colours.astype(np.uint64) * weights & np.uint64(MASK)).sum()) & MASK
 
     def longs(self, address: int, count: int) -> list[int]:
-        """Big-endian; addresses go round."""
+        """Big-endian longs; addresses wrap."""
         around = np.arange(address, address + 4 * count) % MEMORY
         return self.bytes[around].view(">u4").tolist()
 
@@ -86,7 +86,7 @@ def source(seed: int, texels: int, form: str) -> np.ndarray:
 
 
 def whole_maps(choose: random.Random) -> list[Map]:
-    """From each size down to one texel, of each shape."""
+    """Maps from each size down to one texel, of each shape."""
     found = []
     for form in FORMS:
         for levels, parities in LEVELS.items():
@@ -102,7 +102,7 @@ def whole_maps(choose: random.Random) -> list[Map]:
 
 
 class Replay:
-    """Downloads on the guest and here: what is asked, and what should be answered."""
+    """Performs downloads on the guest and in Python: operations and expected answers."""
 
     def __init__(self, seed: int) -> None:
         self.guest, self.memory = Guest(), Memory(seed)
@@ -111,12 +111,12 @@ class Replay:
         self.expected: list[tuple[str, list[int]]] = []
 
     def call(self, name: str, *numbers: int) -> None:
-        """One that does what it should."""
+        """Adds a call that must succeed."""
         self.guest.call(name, *numbers)
         self.expected.append((f"{name}{numbers}", []))
 
     def look(self, of: Map) -> None:
-        """The colours of all levels, and the memory around them."""
+        """Reads the colours of all levels, and the memory around the map."""
         self.call("SOURCE", *of.numbers())
         for level, address in of.places().items():
             self.guest.one("SUM", level)
@@ -129,7 +129,7 @@ class Replay:
                                   self.memory.longs(address, AROUND)))
 
     def whole(self, of: Map, seed: int) -> None:
-        """All levels that are there, out of all."""
+        """Downloads all levels; the unit stores those that it holds."""
         self.call("DOWNLOAD", *of.numbers(), seed)
         at, size = 0, texel_bytes(of.form)
         levels = range(of.largest, of.smallest + 1)
@@ -141,7 +141,7 @@ class Replay:
             at = end
 
     def part(self, of: Map, level: int, rows: tuple[int, int] | None, seed: int) -> None:
-        """A level, or some of its rows."""
+        """Downloads a level, or some of its rows."""
         columns, height = level_size(of.aspect, level)
         first, last = rows or (0, height - 1)
         self.call("DOWNLOAD_ROWS" if rows else "DOWNLOAD_LEVEL", *of.numbers(), level,
@@ -151,7 +151,7 @@ class Replay:
                           source(seed, (last + 1 - first) * columns, of.form))
 
     def check(self) -> None:
-        """Asks, and compares."""
+        """Runs all operations and compares the answers."""
         for (what, numbers), answer in zip(self.expected, self.guest.run(), strict=True):
             if not numbers:
                 assert results().get(answer[0]) == "DONE", (what, results().get(answer[0]))
@@ -164,7 +164,7 @@ class Replay:
 
 @pytest.fixture(scope="module")
 def replay() -> Replay:
-    """One boot for all."""
+    """All downloads, for one boot."""
     choose, replay = random.Random(31), Replay(32)
     maps = whole_maps(choose)
     for of in maps:
@@ -192,13 +192,13 @@ def test_downloads_and_fetches(replay) -> None:
 
 @pytest.mark.parametrize(("shape", "size"), [
     (("both", 0, 8, "1x1", "rgb565"), 2 * 87_384),  # 65536 + 16384 + .. + 16 + 4 + 4 texels
-    (("both", 8, 8, "1x1", "i8"), 8),  # 4 bytes behind the start, for level 0 is 87380 before
+    (("both", 8, 8, "1x1", "i8"), 8),  # 4 bytes after the start, as level 0 is 87380 bytes before
     (("both", 0, 0, "8x1", "i8"), 256 * 32),
-    (("both", 5, 8, "8x1", "i8"), 24),  # 8 and three times 4 texels; level 5 of 8 by 1
+    (("both", 5, 8, "8x1", "i8"), 24),  # 8 and three times 4 texels; level 5 is 8 by 1
     (("even", 6, 7, "1x1", "p8"), 16),
     (("odd", 6, 7, "1x1", "p8"), 8),
 ])
 def test_memory_required_by_hand(shape: tuple, size: int) -> None:
-    """The expectations of the tests, which the calls are held to."""
+    """Checks the function from which the tests take their expected sizes."""
     assert memory_required(*shape) == size
     assert level_bytes("8x1", "i8", 5) == 8 and level_bytes("1x8", "ai88", 8) == 8

@@ -1,4 +1,4 @@
-"""The texture unit's ideal: exact coordinates and levels; how far the model may be off it."""
+"""The texture unit's ideal: exact coordinates and levels; bounds of the model's error."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -19,9 +19,9 @@ from tmap.ideal import glide
 from tmap.ideal.glide import Corner, Surface
 from tmap.ideal.texels import Coordinate
 
-ONE = 1 << 18  # of 14.18
-N = 65536  # of 16.16
-ROUNDING = 2.0**-36  # of the ideal itself
+ONE = 1 << 18  # in 14.18
+N = 65536  # in 16.16
+ROUNDING = 2.0**-36  # error of the ideal itself
 #: A polygon that recedes: s/w, t/w, 1/w.
 FAR = [Corner(0, 0, 0, 0, ONE_W), Corner(60 * N, 3 * N, 100 * ONE, 7 * ONE, ONE_W // 2),
        Corner(5 * N, 50 * N, -9 * ONE, 40 * ONE, ONE_W // 7)]
@@ -47,7 +47,8 @@ def share(polygon: list[Corner], x: int, y: int) -> list[Fraction]:
 @pytest.mark.parametrize("perspective", [True, False])
 @pytest.mark.parametrize("polygon", [FAR, FLAT, FAR[::-1]])
 def test_coordinates_are_exact(polygon, perspective):
-    """Whole texels and the nearest double to the fraction, by barycentric coordinates."""
+    """The integer part is exact, the fraction is the nearest double, compared with barycentric
+    coordinates."""
     found = Surface(polygon, perspective).at(X, Y)
     for x, y, s_at, t_at in zip(X, Y, *(zip(*c) for c in found)):
         s, t, w = share(polygon, int(x) * N, int(y) * N)
@@ -76,8 +77,8 @@ def test_levels_are_those_of_derivatives():
 
 
 def test_level_of_the_unit():
-    """Without a change of w the unit's level is the true one but for its rounding: half of 1/256
-    for the gradients, and as much for w."""
+    """If w is constant the unit's level is the true one except for rounding: half of 1/256 for the
+    gradients, and as much for w."""
     for w in (ONE_W, ONE_W // 3, 12345):
         polygon = [corner._replace(w=w) for corner in FAR]
         s, t = ([share(polygon, x, y)[k] for x, y in ((0, 0), (N, 0), (0, N))] for k in (0, 1))
@@ -91,7 +92,7 @@ def test_level_of_the_unit():
 
 
 def test_levels_are_biased_and_limited():
-    """All three in quarters."""
+    """Limits and bias are in quarters."""
     modes = Modes(lod_min=2, lod_max=20, lod_bias=-6)
     assert glide.limited(modes, np.array([-np.inf, 1, 3, 9])).tolist() == [0.5, 0.5, 1.5, 5]
 
@@ -99,7 +100,7 @@ def test_levels_are_biased_and_limited():
 @pytest.mark.parametrize("clamp", [0, 1])
 @pytest.mark.parametrize("level", [0, 3, 7, 8])
 def test_texel_centres(level, clamp):
-    """There nothing is between texels: point, bilinear and the unit agree."""
+    """At texel centres nothing is blended: point, bilinear and the unit agree."""
     on = unit(lod_min=4 * level, lod_max=4 * level, aspect=2, wide=1, clamp_s=clamp, clamp_t=clamp)
     half = (ONE << level) // 2
     i, j = np.random.default_rng(1).integers(-300, 300, (2, 200))
@@ -112,21 +113,22 @@ def test_texel_centres(level, clamp):
 
 
 def placed(s: np.ndarray, t: np.ndarray) -> list[Coordinate]:
-    """Coordinates of 14.18, exact."""
+    """Exact coordinates of 14.18."""
     return [Coordinate(c >> 18, (c & ONE - 1) / ONE) for c in (s, t)]
 
 
 def weights_error(bits: int) -> float:
-    """How far a bilinear sample may be below and above the ideal: fractions of both axes are cut
-    to so many bits, each less than a step, and colours change by 255 a texel; a cut result
-    besides."""
+    """How far a bilinear sample may be below and above the ideal: fractions of both axes are cut to
+    ``bits`` bits, each by less than a step, and colours change by up to 255 a texel; cutting the
+    result adds 1."""
     return 2 * 255 / (1 << bits) + 1
 
 
 @pytest.mark.parametrize("bits", [4, 8])
 @pytest.mark.parametrize("clamp", [0, 1])
 def test_bilinear_and_point_samples(bits, clamp):
-    """Bilinear ones within what weights are cut by; the others show the ideal's texel."""
+    """Bilinear samples are within the error of cut weights; point samples show the ideal's
+    texel."""
     random = np.random.default_rng(6)
     on = unit(fraction_bits=bits, clamp_s=clamp, clamp_t=clamp, aspect=1)
     s, t = random.integers(-1 << 28, 1 << 28, (2, 2000))
@@ -140,9 +142,9 @@ def test_bilinear_and_point_samples(bits, clamp):
 
 
 def test_perspective():
-    """Iterated numbers are rounded by half a unit each, so that s is off by half of one of s/w and
-    s times half of one of 1/w, over the rounded 1/w; the quotient is cut, and off by the reciprocal
-    where it is by the table."""
+    """Iterated numbers are rounded by half a unit each, so the error of s is half a unit of s/w
+    plus s times half a unit of 1/w, over the rounded 1/w. The quotient is cut, and with the table
+    has the reciprocal's error too."""
     shares = [share(FAR, int(x) * N, int(y) * N) for x, y in zip(X, Y)]
     iterated = [np.array([round(three[k]) for three in shares]) for k in range(3)]
     exacts = Surface(FAR, True).at(X, Y)
@@ -156,9 +158,9 @@ def test_perspective():
 
 @pytest.mark.parametrize("size", [8, 16])
 def test_perspective_in_pieces(size):
-    """Lines of 1 to 70 pixels, w rising and falling up to 300 times, of both signs: a value is that
-    of the line between exact quotients, which bends off the true one by up to
-    |difference of the ends| * |r - 1| / (r + 1), less what ``size`` roundings take from it."""
+    """Lines of 1 to 70 pixels, w rising and falling up to 300 times, of both signs. A value is on
+    the straight line between exact quotients; the true curve bends away from it by up to
+    |difference of the ends| * |r - 1| / (r + 1), and ``size`` roundings lower the value."""
     random, bent = np.random.default_rng(5), 0
     for count in (1, 2, size, size + 1, 2 * size, 70, 70, 70, 70):
         ends = np.exp(random.uniform(0, 5.7, 2)) * random.choice((1, -1)) * 3e6
@@ -183,8 +185,9 @@ def test_perspective_in_pieces(size):
 
 
 def test_trilinear_samples():
-    """Of one pass against the ideal at the same level: both samples' errors, mixed, so the larger;
-    the weight of w + 1 instead of w, 255/256; and the result cut."""
+    """One pass compared with the ideal at the same level: the error is the larger of both samples'
+    errors, as they are mixed, plus 255/256 for the weight w + 1 instead of w, plus the cut of the
+    result."""
     random = np.random.default_rng(7)
     s, t = random.integers(-1 << 28, 1 << 28, (2, 2000))
     lod = random.integers(0, 0x801, 2000)
@@ -194,13 +197,13 @@ def test_trilinear_samples():
         point = Point(s, t, ONE_W, lod)
         drawn = chain_pixel(units, [point, point])
         wanted = glide.sample(units[0], *placed(s, t), lod / 256, "trilinear", units[1])
-        inside = lod < 0x800  # level 8 has no next one: the unit of odd ones shows what it likes
+        inside = lod < 0x800  # after level 8 there is no level: the unit of odd levels is undefined
         check_within(drawn[inside], wanted[inside], weights_error(bits) + 255 / 256 + 1,
                      f"weights of {bits} bits: place, channel")
 
 
 def test_trilinear_is_continuous():
-    """Just below a level, at it, and of that level alone."""
+    """Samples just below a level, at it, and of that level alone agree."""
     on, near = unit(), np.random.default_rng(3).integers(0, 1 << 27, (2, 100))
     for level in range(1, 9):
         at = np.full(100, float(level))
@@ -213,9 +216,9 @@ def test_trilinear_is_continuous():
 @pytest.mark.parametrize("factor", FACTORS)
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_combine_unit(function, factor):
-    """(m + 1) / 256 is less than m / 255, or more than m / 256, by 1/256 at most, and a detail
-    factor is cut to 1/256 besides and limited by max of 255: 1/256 more each; differences of
-    colours are up to 255; the product is cut. Sums and limits add nothing."""
+    """(m + 1) / 256 differs from m / 255 or m / 256 by 1/256 at most. A detail factor is also cut
+    to 1/256 and limited to max out of 255: 1/256 more each. Differences of colours are up to 255;
+    the product is cut. Sums and limits add nothing."""
     random = np.random.default_rng(9)
     local, other = random.integers(0, 256, (2, 400, 4))
     lod = random.integers(0, 0x801, 400)

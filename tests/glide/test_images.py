@@ -16,7 +16,7 @@ SIZES = [(w, h) for w in SIDES for h in SIDES if max(w, h) <= 8 * min(w, h)]
 
 
 def noise(width: int, height: int, seed: int = 1) -> np.ndarray:
-    """A picture at random."""
+    """A picture of random pixels."""
     return np.random.default_rng(seed).integers(0, 256, (height, width, 4)).astype(np.uint8)
 
 
@@ -28,7 +28,7 @@ def smooth(side: int) -> np.ndarray:
 
 @pytest.mark.parametrize("width, height", SIZES)
 def test_sizes_of_all_levels(width, height):
-    """As the unit has them, for every legal size, down to 1 x 1."""
+    """The sizes are the unit's, for every legal size, down to 1 x 1."""
     largest, wide, aspect = shape_of(width, height)
     made = levels(noise(width, height), "box", gamma=False)
     modes = Modes(wide=wide, aspect=aspect)
@@ -45,7 +45,8 @@ def test_sizes_that_there_are_not(size, message):
 
 
 def test_box_levels_are_means():
-    """Of the whole picture, not of rounded levels: within half a step of 8 bits."""
+    """Levels are means of the whole picture, not of rounded levels: within half a step of 8
+    bits."""
     picture = noise(32, 16)
     for n, level in enumerate(levels(picture, "box", gamma=False)):
         height, width = level.shape[:2]
@@ -55,7 +56,8 @@ def test_box_levels_are_means():
 
 @pytest.mark.parametrize("how", ["box", "lanczos", "kaiser"])
 def test_light_is_averaged(how):
-    """Texels of 0 and 254 in turn: half of 254's light is that of 187; alpha is no light."""
+    """Alternate texels of 0 and 254: half of 254's light is that of 187; alpha is averaged
+    linearly."""
     picture = np.zeros((16, 16, 4), np.uint8)
     picture[::2, ::2] = picture[1::2, 1::2] = 254
     half = ((254 / 255 + 0.055) / 1.055) ** 2.4 / 2
@@ -66,7 +68,8 @@ def test_light_is_averaged(how):
 
 
 def test_float_pictures():
-    """From 0 to 1, they make the levels of those of 8 bits, whose first is the picture."""
+    """Pictures from 0 to 1 have the same levels as those of 8 bits; the first level is the
+    picture."""
     picture = noise(16, 16)
     for gamma in (False, True):
         made = [levels(kind, gamma=gamma) for kind in (picture, picture / 255)]
@@ -76,7 +79,8 @@ def test_float_pictures():
 
 
 def test_colours_by_alpha():
-    """What cannot be seen does not bleed; where nothing is seen colours are averaged as ever."""
+    """Transparent texels do not affect visible ones; if all are transparent colours are averaged as
+    usual."""
     picture = np.zeros((4, 4, 4), np.uint8)
     picture[:, ::2] = 200, 100, 50, 255
     first = levels(picture, "box", gamma=False, by_alpha=True)[1]
@@ -88,8 +92,8 @@ def test_colours_by_alpha():
 
 @pytest.mark.parametrize("form", FORMATS)
 def test_what_a_map_shows_stays(form):
-    """A picture that a format can show is encoded without loss; of NCC tables, which are fits, its
-    alpha."""
+    """A picture that a format can show is encoded without loss; in NCC formats, whose tables are
+    approximations, only its alpha."""
     shown = images.decode(images.encode(levels(noise(16, 8)), form))
     again = images.decode(images.encode(shown, form))
     channels = slice(3, 4) if form in (YIQ422, AYIQ8422) else slice(4)
@@ -99,8 +103,8 @@ def test_what_a_map_shows_stays(form):
 
 @pytest.mark.parametrize("form", [f for f in FORMATS if f not in (P8, AP88, YIQ422, AYIQ8422)])
 def test_nearest_colours(form):
-    """No other value of the format's is nearer in any channel: all its values are looked at, for
-    all values of a channel. Intensities are compared with grey pictures."""
+    """No other value of the format is nearer in any channel: compares all its values with all
+    values of a channel. Intensities are compared with grey pictures."""
     picture = np.repeat(np.arange(256, dtype=np.uint8)[None, :, None], 4, -1)
     shown = images.decode(images.encode([picture], form))[0].astype(int)
     every = decoded(form, np.arange(65536 if form >= ARGB8332 else 256))
@@ -117,8 +121,8 @@ def test_nearest_colours(form):
                                         (ARGB1555, (5, 5, 5, 1)), (ARGB4444, (4, 4, 4, 4)),
                                         (ARGB8332, (3, 3, 2, 8))])
 def test_bounds_of_formats(form, bits):
-    """Bits are repeated to make 8: what two values differ by is at most 255 / (2^bits - 1) rounded
-    up, and from one of them nothing is farther than half of that."""
+    """Bits are repeated to make 8: two neighbouring values differ by at most 255 / (2^bits - 1)
+    rounded up, so the nearest one is within half of that."""
     picture = noise(64, 64)
     shown = images.decode(images.encode([picture], form))[0].astype(int)
     for channel, count in enumerate(bits):
@@ -131,7 +135,7 @@ def test_bounds_of_formats(form, bits):
 
 
 def test_alpha_alone():
-    """It is exact, and the colours are it."""
+    """Alpha is exact, and the colours equal it."""
     picture = noise(16, 16)
     shown = images.decode(images.encode([picture], A8))[0]
     check_equal(shown, picture[..., 3:])
@@ -139,8 +143,8 @@ def test_alpha_alone():
 
 @pytest.mark.parametrize("form", [P8, AP88])
 def test_palettes(form):
-    """256 colours are exact; of more, each texel has the nearest entry, and together they are
-    nearer than fixed steps of 8, 8 and 4."""
+    """256 colours are exact; with more, each texel has the nearest entry, and the error is smaller
+    than with fixed steps of 8, 8 and 4."""
     few = noise(16, 16)
     shown = images.decode(images.encode([few], form))[0]
     check_equal(shown[..., :3], few[..., :3], "256 colours: row, column, channel")
@@ -157,19 +161,19 @@ def test_palettes(form):
 
 
 def rms(shown: np.ndarray, picture: np.ndarray) -> float:
-    """How far colours are off."""
+    """The root mean square error of colours."""
     off = shown[..., :3].astype(float) - picture[..., :3]
     return float(np.sqrt((off * off).mean()))
 
 
 def with_table(table: Ncc, picture: np.ndarray) -> float:
-    """How far a picture's colours are off with a table."""
+    """The root mean square error of a picture's colours with a table."""
     return rms(ncc.colours_of(table)[ncc.indices(table, picture[..., :3])], picture)
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_ncc_of_many_colours(seed):
-    """A fit is never worse than what it starts from."""
+    """A fit is never worse than its starting tables."""
     pictures = (noise(32, 32, seed), smooth(64), noise(16, 16, seed) // 4 + smooth(16) // 2)
     picture = pictures[seed]
     colours, counts = ncc.grouped(picture[..., :3].reshape(-1, 3))
@@ -184,14 +188,14 @@ def test_ncc_of_many_colours(seed):
 
 
 def test_ncc_of_greys():
-    """All 256 of them are exact: Y, I and Q count in digits."""
+    """All 256 greys are exact: Y, I and Q act as digits."""
     picture = np.repeat(np.arange(256, dtype=np.uint8).reshape(16, 16, 1), 4, -1)
     shown = images.decode(images.encode([picture], AYIQ8422))[0]
     check_equal(shown, picture)
 
 
 def test_ncc_of_few_colours():
-    """One colour alone, and four of one brightness, are exact but for the rounding of three
+    """One colour alone, and four of equal brightness, are exact except for the rounding of three
     numbers."""
     for colours in ([[9, 200, 77]], [[90, 0, 0], [0, 90, 0], [0, 0, 90], [30, 30, 30]]):
         picture = np.full((4, 4, 4), 255, np.uint8)
@@ -201,7 +205,7 @@ def test_ncc_of_few_colours():
 
 
 def test_ncc_is_nearer_than_fixed_steps():
-    """Of colours as dull as photographs' are; RGB332 is the better one for the strongest."""
+    """For colours as dull as in photographs; RGB332 is better for the most saturated."""
     picture = smooth(64) // 4 + 96
     fixed = images.decode(images.encode([picture], RGB332))[0]
     fitted = images.decode(images.encode([picture], YIQ422))[0]
@@ -209,7 +213,7 @@ def test_ncc_is_nearer_than_fixed_steps():
 
 
 def test_colours_that_stand_for_many():
-    """More colours than a fit looks at: means of those alike, all pixels counted."""
+    """A fit with too many colours uses means of similar ones; all pixels are counted."""
     pixels = noise(256, 128)[..., :3].reshape(-1, 3)
     colours, counts = ncc.grouped(pixels)
     assert counts.sum() == len(pixels) and len(colours) <= ncc.MOST_COLOURS
@@ -222,7 +226,7 @@ def test_colours_that_stand_for_many():
                                              ((4, 8), UNIT_MEMORY - 65536, None),
                                              ((16, 32), 64, 0), ((32, 16), 64, 1)])
 def test_memory_shows_what_was_stored(form, size, base, odd):
-    """Texel by texel, of all levels that are there; other memory stays."""
+    """All stored levels are read back texel by texel; other memory is unchanged."""
     made = images.encode(levels(noise(*size)), form)
     unit = Unit()
     unit.memory = noise(UNIT_MEMORY // 4, 1).reshape(-1)

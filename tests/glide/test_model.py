@@ -1,4 +1,4 @@
-"""The texture unit's model: reference data, and hand-made examples of each rule."""
+"""The texture unit's model: reference data, and worked examples of each rule."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -21,14 +21,14 @@ from tmap.glide.state import AI88, FORMATS, I8, ONE_W, UNIT_MEMORY, Combination,
 from tmap.glide.texels import decoded, level_bases, level_size
 from tmap.vectors.glide_text import random_ncc, random_palette, read
 
-#: File to bits of its filter's weights.
+#: File: bits of its filter's weights.
 FILES = {"tmu_combine": 4, "tmu_decal": 4, "tmu_fixedlod": 4, "tmu2_decal": 8}
-ONE = 1 << 18  # of 14.18
+ONE = 1 << 18  # in 14.18
 
 
 @pytest.mark.parametrize("name", FILES)
 def test_agrees_with_reference_data(name):
-    """Every answer, though with perspective some might differ."""
+    """Every answer agrees, although with perspective some could differ."""
     asked = list(questions(FOLDER / f"{name}.txt.gz", FILES[name]))
     wrong = [q for q in asked if q.answer != q.line.expected[0]]
     shown = "\n".join(f"{name}.txt.gz:{q.line.number}: {q.line.arguments}: expected "
@@ -50,7 +50,7 @@ def test_bad_text(text, message, tmp_path):
 
 
 def test_registers():
-    """Every field by itself, and there and back."""
+    """Every field alone, encoded and decoded."""
     modes = modes_of(0x40000001 | 10 << 8 | 0x2A << 12 | 0x111 << 21, 1 | 31 << 6 | 63 << 12
                      | 1 << 18 | 3 << 21, 200 | 32 << 8 | 7 << 14, 3, 4)
     assert modes == Modes(
@@ -68,7 +68,7 @@ def test_registers():
 
 
 def test_tables_of_ncc():
-    """Each field by itself, and there and back: of any tables."""
+    """Each field alone, and random tables, encoded and decoded."""
     words = np.arange(12, dtype=np.int64)
     words[0], words[4], words[11] = 0x44332211, 0x1FF << 18 | 0x100 << 9 | 0xFF, 5 << 18
     table = ncc_of(words)
@@ -82,12 +82,12 @@ def test_tables_of_ncc():
 
 
 def signed(value: int) -> int:
-    """A number modulo 2^32."""
+    """A number modulo 2^32, as signed."""
     return (value + (1 << 31)) % (1 << 32) - (1 << 31)
 
 
 def pieces_of(line: list[int], size: int) -> list[int]:
-    """A line of exact quotients, followed at the ends of pieces alone."""
+    """Interpolates a line of exact quotients between the ends of pieces."""
     found, end = [], len(line) - 1
     for first in range(0, len(line), size):
         last = min(first + size, end)
@@ -98,8 +98,9 @@ def pieces_of(line: list[int], size: int) -> list[int]:
 
 
 def test_pieces_of_lines():
-    """Pieces are counted from each line's first pixel; the last one ends at its last pixel; s and t
-    may go round the 32 bits. Nothing of this where quotients go by the table, or there are none."""
+    """Pieces are counted from each line's first pixel; the last one ends at the line's last pixel;
+    s and t may wrap at 32 bits. Pieces are not used with quotients by the table, or without
+    perspective."""
     random = np.random.default_rng(4)
     counts = (1, 7, 8, 9, 17, 40, 2, 16)
     s, t = random.integers(-1 << 31, 1 << 31, (2, sum(counts)))
@@ -131,7 +132,7 @@ def test_pieces_of_lines():
     (12, 0x4F0A, (255, 0, 170, 68)), (13, 0x1234, (0x34, 0x34, 0x34, 0x12)),
     (14, 0x2109, (10, 11, 12, 0x21))])
 def test_formats(form, value, want):
-    """A texel's bits to R G B A, through the palette and the NCC table where it is an index."""
+    """The R G B A of a texel's bits, through the palette or the NCC table if it is an index."""
     palette = np.arange(768).reshape(256, 3) % 256 - np.array([17, 17, 17])
     table = Ncc()
     table.y[0], table.y[1] = 7, 250
@@ -151,8 +152,8 @@ def test_places_of_levels(modes, want):
 
 
 def test_sizes_of_levels():
-    """The longer side has 256 >> level texels, the shorter as many less as the aspect says; none
-    less than 1."""
+    """The longer side has 256 >> level texels, the shorter one is divided by the aspect ratio; at
+    least 1."""
     for aspect in range(4):
         for wide in (0, 1):
             for level in range(9):
@@ -162,13 +163,13 @@ def test_sizes_of_levels():
 
 
 def numbered(modes: Modes) -> Unit:
-    """A unit whose 16-bit texels hold their own places in memory."""
+    """A unit whose 16-bit texels hold their addresses, in texels."""
     memory = np.arange(UNIT_MEMORY // 2).astype("<u2").view(np.uint8)
     return Unit(replace(modes, format=AI88), memory)
 
 
 def places(unit: Unit, s: np.ndarray, t: np.ndarray, lod: np.ndarray) -> np.ndarray:
-    """Which of a numbered unit's texels is shown."""
+    """The addresses of the texels that a numbered unit shows."""
     found = sample(unit, s, t, lod)
     return found[..., 3] << 8 | found[..., 0]
 
@@ -182,7 +183,7 @@ SQUARE = [(256, 1, .5, 255.5), (128, 2, 1, 255), (64, 4, 2, 254), (32, 8, 4, 252
 @pytest.mark.parametrize("linear, bits", [(0, 4), (1, 4), (1, 8)])
 @pytest.mark.parametrize("side, texel, first, last", SQUARE)
 def test_glide_table_of_square_maps(side, texel, first, last, linear, bits):
-    """Both texels, and what lies 256 beside them, where the map is repeated."""
+    """Tests both texels, and the places 256 beside them, where the map repeats."""
     level = SQUARE.index((side, texel, first, last))
     assert texel == 1 << level and first == 128 / side
     unit = numbered(only(level, linear, fraction_bits=bits))
@@ -198,9 +199,9 @@ def test_glide_table_of_square_maps(side, texel, first, last, linear, bits):
 @pytest.mark.parametrize("wide", [0, 1])
 @pytest.mark.parametrize("aspect", range(4))
 def test_all_texel_centres(aspect, wide, linear, bits):
-    """Of every level of every aspect: at (i + 1/2) 2^n texel i alone is shown. The longer side
-    ends at 256, the shorter at 256 >> aspect; where a side has one texel any coordinate will do,
-    so that its middle is also that of the side's range."""
+    """At (i + 1/2) 2^n only texel i is shown, for every level of every aspect ratio. The longer
+    side ends at 256, the shorter at 256 >> aspect; if a side has one texel any coordinate shows it,
+    including the middle of the side's range."""
     for level in range(9):
         unit = numbered(only(level, linear, aspect=aspect, wide=wide, fraction_bits=bits))
         width, height = level_size(unit.modes, level)
@@ -223,7 +224,8 @@ def test_all_texel_centres(aspect, wide, linear, bits):
 
 
 def test_filter_positions():
-    """64 x 64: s = 2.0 is the first texel's centre, s = 0 lies half way to the last one."""
+    """64 x 64: s = 2.0 is the first texel's centre; s = 0 is half way between it and the last
+    one."""
     modes = Modes()
     assert nearest(modes, np.array(524288), np.array(2), 0) == 0
     assert taps(modes, np.array(524288), np.array(2), 0) == (0, 1, 0)
@@ -235,7 +237,7 @@ def test_filter_positions():
 
 @pytest.mark.parametrize("bits", [4, 8])
 def test_bilinear_weights(bits):
-    """Of two colours only, at a fraction of a texel: weights add up to 1, cut off."""
+    """Two colours at all fractions of a texel: weights add up to 1, the result is cut."""
     unit = Unit(only(0, 1, format=I8, fraction_bits=bits), np.zeros(UNIT_MEMORY, np.uint8))
     unit.memory[1] = unit.memory[256] = 255
     one = 1 << bits
@@ -248,7 +250,8 @@ def test_bilinear_weights(bits):
 
 
 def test_quotients():
-    """The exact one; that of the table by its rules, within its bounds, and exact for powers of two."""
+    """The exact quotient; the table's quotient by its rules, within its bounds, and exact for
+    powers of two."""
     random = np.random.default_rng(1)
     c = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
     w = random.integers(-1 << 31, 1 << 31, 4000) >> random.integers(0, 31, 4000)
@@ -268,7 +271,7 @@ def test_quotients():
 
 
 def test_negative_w():
-    """Coordinates are what the division makes of it, or 0 where it is clamped."""
+    """With negative w the coordinates are the division's result, or 0 if w is clamped."""
     point = (np.array([ONE]), np.array([2 * ONE]), np.array([-ONE_W]))
     for perspective, want in ((0, (1, 2)), (1, (-1, -2))):
         modes = Modes(perspective=perspective)
@@ -277,14 +280,14 @@ def test_negative_w():
 
 
 def exact_log2(x: int) -> int:
-    """round(256 * log2(x)) by the size of a power: with 2^(k - 1/2) <= x^256 < 2^(k + 1/2)
-    the square of that has 2k or 2k + 1 bits."""
+    """round(256 * log2(x)) from the size of a power: with 2^(k - 1/2) <= x^256 < 2^(k + 1/2) the
+    square of x^256 has 2k or 2k + 1 bits."""
     return (x ** 512).bit_length() // 2
 
 
 def test_logarithm():
-    """Small numbers, numbers around powers of two, and around all steps between two; of large
-    ones 32 bits count."""
+    """Small numbers, numbers around powers of two, and around all steps between two powers; of
+    large numbers only the upper 32 bits count."""
     numbers = {*range(1, 600), *((1 << n) + d for n in range(2, 64) for d in (-1, 0, 1)),
                (1 << 64) - 1}
     for k in range(256):
@@ -300,7 +303,7 @@ def test_logarithm():
 
 
 def test_level_of_detail():
-    """Of gradients: log2 of the longer one in texels, 8.8; w, bias and limits."""
+    """The level is log2 of the longer gradient in texels, 8.8; then w, bias and limits."""
     start = base(4 * ONE, 0, 0, 0)
     assert start == 0x200
     x = y = np.array(0)
@@ -318,7 +321,7 @@ def test_level_of_detail():
 
 
 def test_dither_of_levels():
-    """Sixteenths of a level in the order of a square of 4x4 pixels, which is repeated."""
+    """Sixteenths of a level in the order of a square of 4x4 pixels, which repeats."""
     y, x = np.mgrid[:8, :8]
     lod = level_of_detail(Modes(dither=1), np.array(0x100), np.array(ONE_W), x, y)
     order = [[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]]
@@ -326,8 +329,8 @@ def test_dither_of_levels():
 
 
 def test_levels_of_split_maps():
-    """A unit that has every other level shows the next smaller one where it lacks one; so does a
-    whole map whose other levels another unit blends in."""
+    """A unit with every other level shows the next smaller one for a missing level; so does a whole
+    map whose other levels are blended in by another unit."""
     lod = np.arange(0, 0x801, 0x80)
     assert list(chosen(Modes(), lod)) == [n // 2 for n in range(17)]
     even, odd = (list(chosen(Modes(split=1, odd=k), lod)[::2]) for k in (0, 1))
@@ -337,7 +340,8 @@ def test_levels_of_split_maps():
 
 
 def test_which_filter():
-    """At the least level that is allowed the one for magnification, else that for minification."""
+    """The filter for magnification is used at the lowest allowed level, otherwise that for
+    minification."""
     modes = Modes(minify=1, lod_min=4)
     assert list(filters_linearly(modes, np.array([0x100, 0x101, 0x800]))) == [False, True, True]
     modes = Modes(magnify=1)
@@ -345,13 +349,13 @@ def test_which_filter():
 
 
 def test_memory_is_a_ring():
-    """Addresses count modulo the memory's size."""
+    """Addresses wrap at the memory's size."""
     unit = numbered(only(0, 0, base=UNIT_MEMORY - 8))
     s = np.arange(8) * ONE
     assert list(places(unit, s, s * 0, s * 0)) == [n & 0xFFFF for n in (*range(-4, 0), 0, 1, 2, 3)]
 
 
 def test_random_palette():
-    """Seeds of any size make one; its first entry is xorshift's first number, R G B."""
+    """Seeds of any size work; the first entry is xorshift's first number, R G B."""
     assert random_palette(1549107668).shape == (256, 3)
     assert list(random_palette(1)[0]) == [(270369 >> k & 255) for k in (16, 8, 0)]

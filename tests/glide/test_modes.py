@@ -1,4 +1,4 @@
-"""Glide's modes that are priced: what they are meant to draw, how far they are off, what is free."""
+"""Glide's modes with prices: their pictures, their errors, and what costs nothing."""
 
 import json
 from dataclasses import replace
@@ -26,7 +26,7 @@ MACHINES = tuple(bench.CONDITIONS)
 
 
 def test_modes_show_what_their_names_say() -> None:
-    """Every format is there; names are used once; polygons are large and show several colours."""
+    """Every format has a mode; names are unique; polygons are large and show several colours."""
     assert len({mode.title for mode in EVERY.values()}) == len(EVERY)
     assert FORMATS.keys() == NAMES.keys() and set(NAMES.values()) == ALL_FORMATS.keys()
     assert {name for names in FORMATS.values() for name in names} <= EVERY.keys()
@@ -37,8 +37,8 @@ def test_modes_show_what_their_names_say() -> None:
 
 
 def test_steps_are_of_modes() -> None:
-    """Each is between two modes of one polygon on the screen; what is not called for shows the
-    same picture without, but for another level of the map."""
+    """Each step is between two modes with one polygon on the screen. A feature that has no effect
+    gives the same picture as without it, unless another level of the map is shown."""
     for step in (*readme_modes.STEPS, *readme_modes.UNCALLED):
         assert EVERY[step.without].vertices[0][:2] == EVERY[step.on].vertices[0][:2], step
         assert measure.shown(EVERY[step.without])[1] == measure.shown(EVERY[step.on])[1]
@@ -51,7 +51,7 @@ def test_steps_are_of_modes() -> None:
 
 
 def drawn_levels(name: str, number: int = 0) -> np.ndarray:
-    """The levels of detail, 8.8, that a mode's unit finds for its pixels."""
+    """The levels of detail, 8.8, of a mode's pixels."""
     mode = EVERY[name]
     scene, corners = measure.scene_of(mode), mode.vertices[:mode.corners]
     unit = glide_errors.pixels_of(mode, "noise").units[number]
@@ -69,8 +69,8 @@ def factors(name: str) -> np.ndarray:
 
 
 def test_levels_are_priced_where_they_differ() -> None:
-    """Far polygons cross three levels; the constant ones have one; trilinear filtering that is
-    magnified has no fraction; a detail texture is there wholly, fades, and is gone."""
+    """Far polygons cross three levels; those of a constant level have one; magnified trilinear
+    filtering has no fraction; a detail texture is shown fully, fades, and disappears."""
     for name in ("glide_mip_point", "glide_mip_bilinear", "glide_trilinear", "glide_mip_bilinear_dither"):
         assert len(np.unique(drawn_levels(name) >> 8)) >= 3, name
     for name in ("glide_mip_level", "glide_trilinear_level"):
@@ -82,15 +82,15 @@ def test_levels_are_priced_where_they_differ() -> None:
     assert factors("glide_detail_away").max() <= 0
 
 
-#: How far a coordinate is off, in texels of 8 units: steps of S and T are rounded to 1/2^17 unit
-#: and taken 80 times at most, those of W to 1/2^31 and count s times, 1,200 at most; over a W of
-#: 1/3.1 at least that is 0.0006 unit * 3.1 and 0.00005 * 3.1^2, below 1/1000 texel.
+#: The largest error of a coordinate, in texels of 8 units: steps of S and T are rounded to 1/2^17
+#: unit and taken 80 times at most, those of W to 1/2^31 and weighted with s, 1,200 at most; divided
+#: by a W of at least 1/3.1 that is 0.0006 unit * 3.1 and 0.00005 * 3.1^2, below 1/1000 texel.
 COORDINATE = 1 / 1000
-#: How far a bilinear sample is off, in parts of what neighbours differ by: fractions of two axes
+#: The error of a bilinear sample, relative to the difference of neighbours: fractions of two axes
 #: are cut to steps of 1/16, or of 1/256 in Voodoo 2 (tests/glide/test_ideal.py: weights_error).
 STEP, STEP_8 = (2 * (1 / steps + COORDINATE) for steps in (16, 256))
-#: Neighbours of the smooth picture: along both axes of sin(x + y), rounded; and texels of 565 have
-#: 5 bits, each off by half of 8 at most.
+#: The difference of neighbours in the smooth picture: along both axes of sin(x + y), rounded; and
+#: texels of 565 have 5 bits, each off by half of 8 at most.
 SLOPE = 100 * 2 * np.pi / 32 + 1 + 8
 CUT = 1  # of a result to 8 bits
 
@@ -101,7 +101,7 @@ CUT = 1  # of a result to 8 bits
     ("glide_level_bilinear", STEP), ("glide_decal", STEP), ("glide_detail_away", STEP),
     ("glide_trilinear_double", STEP)])
 def test_bilinear_errors_are_those_of_weights(name, steps) -> None:
-    """On the smooth picture, whose steps are small, and on noise, whose steps are up to 255."""
+    """The smooth picture has small steps, noise has steps up to 255."""
     for kind, slope in zip(KINDS, (SLOPE, 255)):
         off = glide_errors.error_of(EVERY[name], kind)
         assert 0 < off.rms < off.most <= steps * slope + CUT, (kind, off)
@@ -109,7 +109,7 @@ def test_bilinear_errors_are_those_of_weights(name, steps) -> None:
 
 @pytest.mark.parametrize("name", [names[1] for names in FORMATS.values()])
 def test_bilinear_errors_of_formats(name) -> None:
-    """On noise: texels differ by up to 255 in any format."""
+    """Noise: texels differ by up to 255 in any format."""
     assert 0 < glide_errors.error_of(EVERY[name], "noise").most <= STEP * 255 + CUT
 
 
@@ -117,17 +117,18 @@ def test_bilinear_errors_of_formats(name) -> None:
     ("glide_modulate", 1), ("glide_modulate_perspective", 1), ("glide_projected", 1), ("glide_add", 0),
     ("glide_blend", 1)])
 def test_errors_of_two_units(name, has_factor) -> None:
-    """Texels of both units count once each where they are multiplied or added; a blend is of one or
-    the other, and its factor, an alpha, is off as much as texels are, times a difference of
-    255 at most. A factor (m + 1) / 256 is off by 1/256 of 255; a combine unit cuts once more."""
+    """The errors of both units' texels add up if they are multiplied or added. A blend has the
+    error of one or the other, and its factor, an alpha, has the error of texels, times a difference
+    of 255 at most. A factor (m + 1) / 256 is off by 1/256 of 255; a combine unit cuts once more."""
     texels = 2 * (STEP * 255 + CUT)
     off = glide_errors.error_of(EVERY[name], "noise")
     assert 0 < off.most <= texels + has_factor * 255 / 256 + CUT, off
 
 
 def test_trilinear_error_of_one_level() -> None:
-    """Both levels' samples, mixed, so the larger of their errors; the level to 1/256, rounded by
-    as much as the weight w + 1 for w; one cut (tests/glide/test_ideal.py: test_trilinear_samples)."""
+    """The larger of both levels' errors, as they are mixed; the level rounded to 1/256, and as much
+    for the weight w + 1 instead of w; one cut (tests/glide/test_ideal.py:
+    test_trilinear_samples)."""
     off = glide_errors.error_of(EVERY["glide_trilinear_level"], "noise")
     assert 0 < off.most <= STEP * 255 + CUT + 2 * 255 / 256 + CUT, off
 
@@ -136,14 +137,14 @@ def test_trilinear_error_of_one_level() -> None:
     "glide_copy", "glide_point", "glide_point_clamp", "glide_point_inside", "glide_level_point",
     "glide_point_565", *(names[0] for names in FORMATS.values())])
 def test_point_sampling_without_perspective_is_exact(name) -> None:
-    """On both pictures, in frames of both widths; frames of 565 show the bits that texels have."""
+    """Exact on both pictures, in frames of both widths; frames of 565 show the texels' bits."""
     for kind in KINDS:
         mode_points.check(EVERY[name], glide_errors, kind, lambda on: on.surfaces[0])
 
 
 def test_what_is_meant_is_nearer() -> None:
-    """Trilinear filtering, and dither for it, are nearer to the exact one than bilinear samples of
-    one level; 8 bits of weights than 4."""
+    """Trilinear filtering, and dithering of levels, are nearer to the exact result than bilinear
+    samples of one level; 8 bits of weights are nearer than 4."""
     def rms(name: str, how: str = "") -> float:
         mode = EVERY[name]
         on, scene = glide_errors.pixels_of(mode, "noise"), measure.scene_of(mode, "noise")
@@ -156,7 +157,8 @@ def test_what_is_meant_is_nearer() -> None:
 
 
 def test_pictures_are_what_they_say() -> None:
-    """Smooth ones have small steps round all borders, noise large ones; one kind has alpha."""
+    """Smooth pictures have small steps across all borders, noise has large ones; one kind has
+    alpha."""
     for name, (side, seed, sheer) in modes.PICTURES.items():
         for kind, most in zip(KINDS, (20 * 32 / side + 1, 255)):
             found = modes.picture(kind, seed, side, sheer).astype(int)
@@ -173,9 +175,9 @@ def baseline() -> dict:
 
 @pytest.mark.parametrize("step", readme_modes.UNCALLED, ids=lambda step: step.title)
 def test_only_what_is_called_for_costs(baseline, step) -> None:
-    """A step that is on and does nothing for a polygon costs once a polygon at most, and no more
-    than all that is done once a polygon for the plain one, since it looks at the same corners and
-    planes once more: what a triangle of 8 pixels costs, beside the doubt of two figures."""
+    """A feature without effect on a polygon costs at most a fixed amount per polygon, no more than
+    the plain polygon's whole set-up, since it reads the same corners and planes once more. The
+    limit is the cost of a triangle of 8 pixels, plus the uncertainty of two figures."""
     rows = readme_modes.rows_of(baseline)
     for machine in MACHINES:
         with_it, without, small = (readme_modes.polygon(rows, name, machine)
@@ -188,7 +190,7 @@ def test_only_what_is_called_for_costs(baseline, step) -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:
-    """Some; the bench draws them all."""
+    """Some modes; the bench draws all."""
     few = {mode.name: mode for mode in MODES[:4]}
     monkeypatch.setitem(engines.ENGINES, "glide", replace(engines.GLIDE, every=few))
     mode_tables.check(tmp_path, capsys, "glide", list(few.values()))

@@ -17,13 +17,13 @@ from tmap.model import model
 from tmap.scene_file import pipes
 from tmap.scene_file.scene_file import read, write
 
-BITS = {"rgb565": 16, "rgba8888": 32}  # of a pixel
+BITS = {"rgb565": 16, "rgba8888": 32}  # a pixel
 PIXELS = tuple(BITS)
-MOST = 15  # polygons of a scene: each one's levels, decoded for the passes, stay in memory
+MOST = 15  # polygons in a scene: the decoded levels of each, for the passes, stay in memory
 
 
 def lines(each: Case) -> list[str]:
-    """All there is to know of a polygon."""
+    """Describes a polygon completely."""
     return [f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}, "
             f"added {each.adds}, kind {each.kind}", *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
             *vertex_lines(each.vertices)]
@@ -34,7 +34,7 @@ SEED = POLYGONS.seed
 
 
 def levels(each: Case) -> list[set[int]]:
-    """Which levels each unit draws the polygon's pixels from."""
+    """The levels from which each unit draws the polygon's pixels."""
     made = scene([each], SEED, "rgb565")
     units, frame = pipes.units_of(made, 0), np.zeros((HEIGHT, WIDTH), np.uint16)
     settings = model.Settings(edges=each.edges, clip=each.clip, mapper="tiled")
@@ -54,7 +54,7 @@ def levels(each: Case) -> list[set[int]]:
 
 
 def test_polygons_with_many_levels() -> None:
-    """The generator makes them in all ways in which levels are drawn."""
+    """The generator covers all ways in which levels are drawn."""
     cases = POLYGONS.first("rgb565")
     many = [(each, most) for each in cases
             if (most := max(map(len, levels(each)), default=0)) > 2]
@@ -65,7 +65,8 @@ def test_polygons_with_many_levels() -> None:
 
 
 def test_the_polygons_differ() -> None:
-    """The generator reaches what it should, and a scene of them is read as it was written."""
+    """The generator covers formats, modes and settings, and a scene of its polygons is read back as
+    it was written."""
     cases = POLYGONS.first("rgb565")
     units = [modes for each in cases for modes in each.modes]
     for key, names in (("format", FORMATS), ("aspect", ASPECTS), ("mode", MIPMAPS),
@@ -87,7 +88,8 @@ def test_the_polygons_differ() -> None:
 
 
 def test_the_polygons_that_are_added_differ() -> None:
-    """Most change the frame, by sums of many colours, some of them cut; there are all kinds."""
+    """Most change the frame, with sums of many colours, some of them clamped; there are all
+    kinds."""
     cases = POLYGONS.first("rgba8888")
     added = [each for each in cases if each.adds]
     assert {each.kind for each in added} == {each.kind for each in cases}
@@ -101,8 +103,9 @@ def test_the_polygons_that_are_added_differ() -> None:
 
 
 def test_pieces_are_seen() -> None:
-    """Of 8 pixels and of 16, filtered, wrapped and clamped in all ways, with one unit and two: some
-    polygons differ from those that are divided at each pixel; none does where a unit dithers."""
+    """Pieces of 8 pixels and of 16, filtered, wrapped and clamped in all ways, with one unit and
+    two: some polygons differ from those with a division at each pixel; none does if a unit
+    dithers."""
     seen, found = 0, {"pieces": set(), "filters": set(), "clamp": set(), "own": set()}
     for each in POLYGONS.first("rgba8888"):
         made = scene([each], SEED, "rgba8888")
@@ -122,7 +125,7 @@ def test_pieces_are_seen() -> None:
 
 @pytest.mark.parametrize("pixels", PIXELS)
 def test_frames_are_the_models(pixels: str) -> None:
-    """Each polygon in a frame of its own, many in a boot, by the rules of lowering."""
+    """Each polygon has a separate frame, many in a boot, drawn with the rules of lowering."""
     rules, spans = POLYGONS.check(pixels)
     assert "glide_pixels" not in spans, f"seed {SEED}: some are drawn pixel by pixel"
     if not POLYGONS.asked("CASE"):

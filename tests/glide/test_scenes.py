@@ -1,4 +1,4 @@
-"""Scenes with Glide's texture units: what TOML may say, what it becomes, and the guest's frames."""
+"""Scenes with Glide's texture units: valid TOML, its compiled form, and the guest's frames."""
 
 from dataclasses import replace
 
@@ -51,7 +51,7 @@ def units(*each: str) -> str:
 
 
 def check_all(asked: dict[str, Asked], machine: str = "a1200-fast") -> list[guest_runs.Drawn]:
-    """Holds the guest's frames to the model's, in one boot; they have many colours."""
+    """Compares the guest's frames with the model's, in one boot; they must have many colours."""
     found = guest_runs.draw([*asked.values()], machine)
     for (name, each), drawn in zip(asked.items(), found):
         for number, frame in enumerate(guest_runs.check(name, each, drawn, machine)):
@@ -60,19 +60,19 @@ def check_all(asked: dict[str, Asked], machine: str = "a1200-fast") -> list[gues
 
 
 def shown(name: str, off: str | None) -> Scene:
-    """A scene's first frame; without rules, when every pixel takes its time, its middle."""
+    """A scene's first frame; without rules, which is slow, only its middle."""
     whole = compile_scene(SCENES / f"{name}.toml", 1)
     if not off:
         return whole
     width, height = whole.width // 8 * 4, whole.height // 2
-    poses = whole.poses.copy()  # meshes have the middle of the frame before them anyway
+    poses = whole.poses.copy()  # meshes are centred on the frame anyway
     poses[:, 4:] -= np.array([whole.width - width, whole.height - height]) << 15
     return replace(whole, width=width, height=height, poses=poses)
 
 
 @pytest.fixture(scope="module")
 def drawn() -> dict[tuple, tuple]:
-    """The scenes by name and the rules that are off, and the guest's digests, all of one boot."""
+    """By name and rules that are off: a scene and the guest's digest, all from one boot."""
     scenes = {(name, off): shown(name, off) for off in WAYS for name in NAMES}
     found = guest_frames.draw([(scene, WAYS[off]) for (_, off), scene in scenes.items()], "a1200-fast",
                       patience=emulator.PATIENT_SECONDS)
@@ -82,7 +82,7 @@ def drawn() -> dict[tuple, tuple]:
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("off", [None, "all"])
 def test_frames_are_the_models(name: str, off: str | None, drawn) -> None:
-    """The first frame of each scene, with all rules of lowering and without."""
+    """The first frame of each scene, with all rules of lowering and with none."""
     scene, digests = drawn[name, off]
     expected = model.render(scene, 0)
     assert guest_frames.is_models(expected, digests[0]), explain(
@@ -94,8 +94,8 @@ def test_frames_are_the_models(name: str, off: str | None, drawn) -> None:
 @pytest.mark.parametrize("form", FORMATS)
 @pytest.mark.parametrize("size", [(32, 32), (32, 4), (4, 16)])
 def test_every_format_shows_its_picture(folder, form, size):
-    """A texel a pixel: the picture as tmap.glide.images reads it back, which goes neither through
-    registers nor through texture memory."""
+    """One texel a pixel: the expected picture is read back by tmap.glide.images, which uses neither
+    registers nor texture memory."""
     width, height = size
     s, t = (256 * side // max(size) for side in size)
     square = (f"vertices = [[0, 0, 0, 0], [{width}, 0, {s}, 0], [{width}, {height}, {s}, {t}], "
@@ -119,8 +119,8 @@ def test_levels_that_a_unit_shows(folder):
 
 
 def test_units_divide_where_they_are_told_to(folder):
-    """Each by its own setting: two units of one material, the second by its own w, in frames of the
-    guest; and what a scene says of it is in its file."""
+    """Two units of one material have different subdivisions, the second its own w: the guest's
+    frames are the model's, and the file has the scene's settings."""
     both = units(UNIT + ', combine = { function = "blend", factor = "one_minus_local" }, '
                  'subdivision = 8', UNIT + ", own = true, subdivision = 16")
     deep = SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 5]") + "\n" + OWN
@@ -130,7 +130,8 @@ def test_units_divide_where_they_are_told_to(folder):
 
 
 def test_a_second_unit_has_its_own_coordinates(folder):
-    """The first unit shows what comes from the second, whose map is seen eight times closer."""
+    """The first unit shows the second one's colours; the second map is magnified eight times
+    more."""
     both = units(UNIT + ', combine = { function = "scale_other", factor = "one" }',
                  UNIT + ", own = true")
     scene = make(folder, both, SQUARE + "\n" + OWN.replace("8", "32"))
@@ -142,7 +143,7 @@ def test_a_second_unit_has_its_own_coordinates(folder):
 
 
 def test_projected(folder):
-    """A second unit with a w of its own, some of it behind the projector, by a palette and by an NCC
+    """A second unit with separate w, partly behind the projector, with a palette and with an NCC
     table: the guest's frame is the model's."""
     asked = {}
     for form in ("p8", "ayiq8422"):
@@ -157,8 +158,8 @@ def test_projected(folder):
 
 
 def test_large_maps_with_chip_ram_alone(folder):
-    """The quads of 256x256 texels, 2 MB, do not fit: their texels are filtered, still by a pass, to
-    the same picture, by weights of 4 and 8 bits."""
+    """The quads of 256x256 texels, 2 MB, do not fit: texels are filtered while drawing, still by a
+    pass, to the same picture, with weights of 4 and 8 bits."""
     asked = {}
     for bits in (4, 8):
         unit = units('image = "noise.png", format = "rgb565", width = 256, height = 256, '
@@ -169,7 +170,7 @@ def test_large_maps_with_chip_ram_alone(folder):
 
 
 def test_slide(folder):
-    """Both units' coordinates move, each by its own way, and nothing else."""
+    """Both units' coordinates move, each at its own speed, and nothing else."""
     both = units(UNIT + ', combine = { function = "blend", factor = "local" }',
                  UNIT + ", own = true")
     scene = make(folder, both, SQUARE + "\n" + OWN + "\nslide = [8, -16]\nslide1 = [0.5, 1]",
@@ -183,7 +184,7 @@ def test_slide(folder):
 
 
 def test_equal_units_and_texels_are_there_once(folder):
-    """Two units of one map: rows of their own, one copy of the texels."""
+    """Two units of one map: separate rows, one copy of the texels."""
     scene = make(folder, units(UNIT, UNIT))
     assert len(scene.glide_units) == 2 and len(scene.glide_memory) == 4096
     assert pipes.unit_of(scene, 0).memory.size == 4096
@@ -241,7 +242,7 @@ MESSAGES = [
 
 @pytest.mark.parametrize("glide, message", MESSAGES)
 def test_refused(folder, glide, message):
-    """One line that names file and field."""
+    """The error is one line that names file and field."""
     check_refused(folder, text_of(glide), f"materials.it.{message}")
 
 
@@ -264,7 +265,7 @@ def test_refused(folder, glide, message):
      "objects[0].slide: frame 1: t must be above -8192 and below 8192"),
 ])
 def test_objects_refused(folder, kinds, message):
-    """What does not fit the scene, the material or the vertices."""
+    """Values that do not fit the scene, the material or the vertices."""
     check_refused(folder, text_of(units(UNIT), **kinds), message)
 
 
@@ -275,5 +276,5 @@ def test_objects_refused(folder, kinds, message):
     (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8191.99609375 to 8191.99609375"),
 ])
 def test_coordinates_refused(folder, obj, message):
-    """Those of a second unit."""
+    """Invalid coordinates of a second unit."""
     check_refused(folder, text_of(units(UNIT, UNIT + ", own = true"), obj), f"objects[0].{message}")

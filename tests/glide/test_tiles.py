@@ -22,36 +22,36 @@ SEED = int(os.environ.get("GLIDE_SEED", "1"))
 COUNT = int(os.environ.get("GLIDE_COUNT", "14"))
 ALONE = os.environ.get("GLIDE_CASE")
 PIXELS = ("rgb565", "rgba8888")
-TILES = (8, 2, 1, 0)  # that there is memory for
+TILES = (8, 2, 1, 0)  # tiles that fit in memory
 PAID = PIXELS[0], TILES[0]
 
 
 def numbers(first: int = 0) -> list[int]:
-    """Of the cases from one on, or the one that is asked for."""
+    """The numbers of the cases from ``first`` on, or the one of GLIDE_CASE."""
     return [int(ALONE)] if ALONE else list(range(first, first + COUNT))
 
 
 def room(pixels: str, tiles: int) -> int:
-    """Bytes of tiles."""
+    """The bytes that the tiles take."""
     return tiles * FORMATS[pixels].bytes << 16
 
 
 def about(number: int, frame: int, pixels: str, tiles: int) -> str:
-    """For messages."""
+    """Describes a case and a frame, for messages."""
     return (f"seed {SEED}, case {number} ({KINDS[number % len(KINDS)]}), frame {frame % FRAMES}, "
             f"{pixels}, {tiles} tiles")
 
 
 def again(number: int, pixels: str) -> str:
-    """The command that draws a case alone."""
+    """The command that draws one case alone."""
     return (f"; again, pixel by pixel: GLIDE_SEED={SEED} GLIDE_CASE={number} .deps/venv/bin/python -m "
             f"pytest tests/glide/test_tiles.py -k 'counted and {pixels}'")
 
 
 @pytest.fixture(scope="module")
 def drawn() -> dict[tuple, tuple[Asked, Drawn]]:
-    """By pixels and tiles that there is memory for: cases of their own; the PAID ones without the rule, too.
-    All of one boot."""
+    """By pixel format and the number of tiles that fit in memory: different cases each; the PAID
+    ones also without the rule. All from one boot."""
     asked = {(pixels, tiles): Asked(scene(SEED, numbers(k * COUNT), pixels, room(pixels, tiles)),
                                     counted=(pixels, tiles) == PAID)
              for pixels in PIXELS for k, tiles in enumerate(TILES)}
@@ -61,7 +61,7 @@ def drawn() -> dict[tuple, tuple[Asked, Drawn]]:
 
 @pytest.mark.parametrize("pixels", PIXELS)
 def test_frames_are_the_models(pixels: str, drawn) -> None:
-    """Cases of their own for each number of tiles."""
+    """Different cases for each number of tiles."""
     wrong = []
     for k, tiles in enumerate(TILES):
         (each, found), some = drawn[pixels, tiles], numbers(k * COUNT)
@@ -73,8 +73,8 @@ def test_frames_are_the_models(pixels: str, drawn) -> None:
 
 @pytest.mark.parametrize("pixels", PIXELS)
 def test_what_is_counted(pixels: str) -> None:
-    """Frames are drawn once more to be counted, and are the model's then; some textures are drawn
-    directly first, then from tiles."""
+    """Frames drawn a second time to be counted are the model's too; some textures are drawn
+    directly at first, later from tiles."""
     some, tiles = numbers(), 3
     made = scene(SEED, some, pixels, room(pixels, tiles))
     done = run.render(made, MACHINE, "addx")
@@ -97,8 +97,8 @@ def test_what_is_counted(pixels: str) -> None:
 
 
 def test_tiles_pay(drawn) -> None:
-    """With the rule and without it: the same frames; and each texture that is drawn from tiles, once
-    they are made, for less."""
+    """The frames are the same with the rule and without it; each texture whose tiles are made is
+    drawn from them at lower cost."""
     (each, on), (_, off) = drawn[PAID], drawn["directly"]
     assert (on.digests["sum"] == off.digests["sum"]).all()
     assert (on.digests["hash"] == off.digests["hash"]).all()

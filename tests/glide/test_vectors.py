@@ -1,4 +1,4 @@
-"""Glide's texture unit on the emulated machine against reference data."""
+"""Glide's texture unit on the emulated machine compared with reference data."""
 
 import gzip
 from pathlib import Path
@@ -10,14 +10,14 @@ from tmap.vectors import vectors
 from tmap.vectors.glide_text import read
 
 FILES = sorted((ROOT / "tests" / "vectors").glob("tmu*.txt.gz"))
-QUESTIONS = 1000  # of each file
-SHORT = 304  # lines of a file that hold a hundred questions
+QUESTIONS = 1000  # in each file
+SHORT = 304  # lines of a file with a hundred questions
 
 
 @pytest.fixture(scope="module")
 def checked(tmp_path_factory) -> dict[str, vectors.File]:
-    """All files after one boot, by name; besides, two short ones: with a wrong answer, and with a
-    name that tells the wrong weights."""
+    """All files after one boot, by name, and two short ones: with a wrong answer, and with a name
+    that implies the wrong weights."""
     folder = tmp_path_factory.mktemp("vectors")
     lines = gzip.decompress(FILES[0].read_bytes()).decode().splitlines()[:SHORT]
     (folder / "glide.txt").write_text("\n".join(lines) + "\n")
@@ -30,14 +30,14 @@ def checked(tmp_path_factory) -> dict[str, vectors.File]:
 
 
 def test_the_reference_data_is_there() -> None:
-    """Of Voodoo 2 one, of Voodoo three kinds."""
+    """One file of Voodoo 2, three kinds of Voodoo."""
     assert [path.name.removesuffix(".txt.gz") for path in FILES] == [
         "tmu2_decal", "tmu_combine", "tmu_decal", "tmu_fixedlod"]
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
 def test_every_answer_is_exact(path: Path, checked) -> None:
-    """Not one differs, though some might."""
+    """No answer differs, although some could."""
     file = checked[path.name]
     assert len(file.questions) == QUESTIONS
     assert min(file.count(kind)[0] for kind in file.allowed) > QUESTIONS // 3
@@ -45,7 +45,8 @@ def test_every_answer_is_exact(path: Path, checked) -> None:
 
 
 def test_a_wrong_answer_is_noticed(checked) -> None:
-    """It alone, told with its line, what was asked, expected and found."""
+    """Only that answer is reported, with its line, the question, the expected and the found
+    number."""
     file = checked["tmu2.txt"]
     right = {line.number: line for line in read(FILES[0])}
     (_, line, found), = file.wrong

@@ -1,10 +1,10 @@
-; Runs a program as a shell or a double click does, and prints the machine's state before and
-; after, and how it ended: for tests alone.
+; Runs a program as a shell or a double click does; prints the machine's state before and after,
+; and how the program ended. For tests only.
 ;
 ;       citizen LOG HOW DRAWER PROGRAM ARGUMENTS
 ;
-; What the program says goes to LOG. HOW is 0, or after how many fields a Ctrl-C comes, -1 at once;
-; -2 is a double click on what lies in DRAWER, after which Ctrl-\ is pressed in the window titled
+; The program's output goes to LOG. HOW is 0, or the number of fields until a Ctrl-C, -1 at once;
+; -2 is a double click on the program in DRAWER, then Ctrl-\ is pressed in the window titled
 ; tmap020; -3 is 0 with DRAWER as the current directory, -4 is 0 with Kickstart 1.3's version of dos;
 ; with -5 the keys of key_table are pressed, one each KEY_FIELDS.
 
@@ -24,7 +24,7 @@ _LVOPutMsg              equ     -366
 _LVOUnLock              equ     -90
 _LVOLock                equ     -84
 _LVOCreateNewProc       equ     -498
-IDNestCnt               equ     294     ; and TDNestCnt behind it
+IDNestCnt               equ     294     ; followed by TDNestCnt
 AFB_68030               equ     2
 tc_SigAlloc             equ     18
 ACCESS_READ             equ     -2
@@ -176,7 +176,7 @@ ring:   movea.l task,a1
 ; A line: free chip and fast memory, INTENA, DMACON, the level 6 vector, the task's trap code,
 ; nesting of Disable and Forbid, signals allocated, Ctrl-C pending, CIA-B's timers free, CACR.
 state:  movea.l sys_base,a6
-        move.l  #$7ffffff0,d0           ; fails, and flushes what nobody uses
+        move.l  #$7ffffff0,d0           ; fails, and so flushes unused memory
         moveq   #0,d1
         lvo     AllocMem
         moveq   #MEMF_CHIP,d1
@@ -229,11 +229,11 @@ state:  movea.l sys_base,a6
 .read_cacr
         mc68030
         movec   cacr,d0
-        and.l   #$3313,d0               ; what is on: not what is being cleared
+        and.l   #$3313,d0               ; the enable bits, without the clear bits
         mc68020
         rte
 
-; Who has timer d2 of the CIA a6: 0 nobody.
+; The owner of timer d2 of the CIA a6: 0 if it is free.
 timer:  lea     server,a1
         move.l  d2,d0
         lvo     AddICRVector
@@ -251,8 +251,8 @@ number: move.l  d0,-(sp)
         addq.l  #8,sp
         rts
 
-; d7 = the program. d0 = 2 where it opened a window that stayed and a key then closed, 1 where the
-; window cannot be closed, else 0.
+; d7 = the program. d0 = 2 if it opened a window that stayed and a key then closed, 1 if the window
+; cannot be closed, else 0.
 double_click:
         movem.l d2-d7/a2-a6,-(sp)
         movea.l sys_base,a6
@@ -279,7 +279,7 @@ double_click:
         lvo     WaitPort
         movea.l a3,a0
         lvo     GetMsg
-        bsr.s   pause                   ; until the process is gone, too
+        bsr.s   pause                   ; until the process has ended, too
         moveq   #0,d6
         bsr.s   find_window
         tst.l   d0

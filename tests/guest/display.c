@@ -1,4 +1,4 @@
-/* display - takes the screen over in the ways that tests/screen/test_display.py asks for.
+/* display - opens the screen in the ways that tests/screen/test_display.py needs.
 
    display MODE n FORMAT n WIDTH n HEIGHT n NAME name */
 #include "scene/scene_file.h"
@@ -30,7 +30,7 @@ enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 
 #define BOX_WIDTH 64
 #define BOX_HEIGHT 5
 #define LINES 312               /* of a field */
-#define LEFT_OVER 100000        /* bytes of chip RAM that SHORT leaves, at most */
+#define LEFT_OVER 100000        /* most bytes of chip RAM that SHORT leaves */
 
 static struct screen screen;
 
@@ -43,7 +43,7 @@ static void print_numbers(const uint32 *from, int32 count)
     text_print();
 }
 
-/* The memory of the screen as it is now, and what is where in it. */
+/* Saves the screen's memory to a file; prints its address and places. Returns 0 on failure. */
 static int32 dump(const char *name, int32 number)
 {
     char file[64];
@@ -84,7 +84,7 @@ static int32 show(struct frame *frame, const char *name)
         if (!dump(name, i))
             return RETURN_FAIL;
     }
-    return RETURN_OK;                   /* open */
+    return RETURN_OK;                   /* the screen stays open */
 }
 
 static int32 keys(void)
@@ -110,7 +110,7 @@ static int32 keys(void)
     return RETURN_OK;
 }
 
-/* Other screens one after the other in the same memory, as far as it lasts. */
+/* Opens other screens one after the other, in the same memory as long as they fit. */
 static int32 again(void)
 {
     const uint8 *first = screen.chip;
@@ -127,8 +127,8 @@ static int32 again(void)
     return RETURN_OK;
 }
 
-/* By how many fields a list is shown later than asked; then one for a field that is over, after it
-   was posted, and whether lines are counted from its first one on. */
+/* Prints whether a posted list waits and how many fields late it is shown; how many fields after
+   its posting one is shown whose field is over; and whether display_age counts from its start. */
 static int32 post(void)
 {
     const uint32 due = screen_fields(&screen) + 5;
@@ -157,7 +157,7 @@ static uint32 spin_ticks(void)
     return clock_stop();
 }
 
-/* How long the same work takes with the system off, and then, again and again, with it on. */
+/* Prints the time of the same work with the system off, and then, SPINS times, with it on. */
 static int32 busy(void)
 {
     static uint32 ticks[1 + SPINS];
@@ -165,7 +165,7 @@ static int32 busy(void)
     if (!clock_open())
         return RETURN_FAIL;
     quiet_enter();
-    spin();                             /* into the cache */
+    spin();                             /* loads the cache */
     ticks[0] = spin_ticks();
     quiet_leave();
     for (int32 i = 1; i <= SPINS; i++)
@@ -175,7 +175,7 @@ static int32 busy(void)
     return RETURN_OK;
 }
 
-/* Takes chip RAM until there is less than LEFT_OVER. */
+/* Takes chip RAM until less than LEFT_OVER is free in one piece. */
 static void take_chip(void)
 {
     void *taken;

@@ -1,4 +1,4 @@
-; What the test program display asks the system for.
+; Calls of the system for the test program display.
 
         include "amiga.i"
         include "routine.i"
@@ -95,7 +95,7 @@ VECTOR_LEVEL_3          equ     $6c
 .input  dc.b    'input.device',0
         even
 
-        routine break_signal            ; d0: whether Ctrl-C was signalled, which is forgotten
+        routine break_signal            ; d0: not 0 if Ctrl-C was signalled; clears the signal
         move.l  a6,-(sp)
         moveq   #0,d0
         move.l  #SIGBREAKF_CTRL_C,d1

@@ -1,4 +1,4 @@
-"""Plan files that cannot be, and what must be said of each."""
+"""Invalid plan files, and the expected error of each."""
 
 from tests.helpers.wrong_fields import M32, SHAPES, changed, lengths
 from tmap.guest import kernels
@@ -18,7 +18,7 @@ def good_plan() -> bytes:
 
 
 def bad_plans() -> list[tuple[bytes, str]]:
-    """As bad_scenes, for plans."""
+    """Like bad_scenes, for plans."""
     data = good_plan()
     header, case = SHAPES.struct("plan_header"), SHAPES.struct("plan_case")
     second = header.unpack(data)["cases_at"] + case.size
@@ -43,8 +43,8 @@ def bad_plans() -> list[tuple[bytes, str]]:
         case_field(f"{name}_at", 2, len(data), M32 - 3, said=name)
         case_field(f"{name}_offsets", len(data), 2**30, M32, said=f"{name}_offsets")
         case_field(f"{name}_offsets_at", 2, len(data) + 4, M32 - 3, said=f"{name}_offsets")
-    case_field("near", 0, 64, said="near_offsets")  # the pointer lies behind it now
-    for name in ("near", "far"):  # what their lists say
+    case_field("near", 0, 64, said="near_offsets")  # the pointer is now behind it
+    for name in ("near", "far"):  # the content of their lists
         at = case.unpack(data, second)[f"{name}_at"]
         cases += [(changed(data, at, value, "plan_header", "cases"), f"{NOT_USABLE}case 1: {name}")
                   for value in (2, len(data), M32 - 3)]

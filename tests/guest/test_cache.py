@@ -1,4 +1,4 @@
-"""Results kept by content: measured once, and again when an input or the entry has changed."""
+"""Cached results: measured once, and again if an input or the entry has changed."""
 
 import json
 
@@ -9,7 +9,7 @@ from tmap.guest import cache
 
 
 class Measurement:
-    """Counts how often it is taken."""
+    """Counts its calls."""
 
     def __init__(self):
         self.taken = 0
@@ -22,7 +22,7 @@ class Measurement:
 
 
 def test_second_time_is_from_the_cache(tmp_path) -> None:
-    """The same result and files, without measuring."""
+    """The second call returns the same result and files without measuring."""
     measure = Measurement()
     first = cache.kept("bench", "0123", measure, tmp_path)
     second = cache.kept("bench", "0123", measure, tmp_path)
@@ -35,13 +35,13 @@ def test_second_time_is_from_the_cache(tmp_path) -> None:
 
 
 def truncated(folder, name) -> None:
-    """Half of a file."""
+    """Cuts a file to half its length."""
     content = (folder / name).read_bytes()
     (folder / name).write_bytes(content[:len(content) // 2])
 
 
 def other_figure(folder) -> None:
-    """JSON as good as before, with another number in it."""
+    """Changes a number in valid JSON."""
     text = (folder / cache.ENTRY).read_text()
     (folder / cache.ENTRY).write_text(text.replace("16.9", "1.69"))
 
@@ -59,7 +59,7 @@ def other_figure(folder) -> None:
     ids=["half an entry", "half a file", "no entry", "no file", "empty", "a list", "no text",
          "another figure", "files of another kind"])
 def test_damaged_entries_are_measured_again(damage, tmp_path) -> None:
-    """Whatever is wrong with an entry, the next one is whole."""
+    """Whatever is wrong with an entry, a complete one replaces it."""
     measure = Measurement()
     damage(cache.kept("bench", "0123", measure, tmp_path).folder)
     entry = cache.kept("bench", "0123", measure, tmp_path)
@@ -68,7 +68,7 @@ def test_damaged_entries_are_measured_again(damage, tmp_path) -> None:
 
 
 def test_failed_measurement_leaves_nothing(tmp_path) -> None:
-    """Neither an entry nor what it had written before it failed."""
+    """Neither an entry nor the files written before the failure."""
     def fail(folder):
         (folder / "half").write_text("half")
         raise KeyboardInterrupt
@@ -79,7 +79,8 @@ def test_failed_measurement_leaves_nothing(tmp_path) -> None:
 
 
 def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
-    """Program bytes, tool sources, scene files, words, the emulator's version: each changes it."""
+    """Program bytes, tool sources, scene files, words, the emulator's version: each changes the
+    key."""
     programs, tools = tmp_path / "programs", tmp_path / "tools"
     programs.mkdir()
     (tools / "tmap" / "n64").mkdir(parents=True)
@@ -120,7 +121,8 @@ def test_key_follows_every_input(tmp_path, monkeypatch) -> None:
 
 
 def test_sources_are_all_that_is_imported() -> None:
-    """A tool's own file, imports of imports, and those inside functions; not what it is used by."""
+    """A tool's own file, imports of imports, and those inside functions; not the modules that
+    import it."""
     def names(module: str) -> set[str]:
         return {str(path.relative_to(cache.ROOT / "tools" / "tmap")) for path in cache.sources(module)}
 
@@ -132,7 +134,8 @@ def test_sources_are_all_that_is_imported() -> None:
 
 
 def test_scene_files_are_those_it_names() -> None:
-    """Textures and meshes beside the scene; packages' pictures are pinned with the packages."""
+    """Textures and meshes in the scene's folder; pictures of packages are pinned with the
+    packages."""
     assert {path.name for path in cache.scene_files(SCENES / "mappers.toml")} == {
         "mappers.toml", "checker.png"}
     assert "knot.obj" in {path.name for path in cache.scene_files(SCENES / "shaded.toml")}

@@ -1,7 +1,7 @@
-"""The Amiga programs as good citizens: return codes, Ctrl-C, and the machine as it was, whichever
-way they end, by a shell and by a double click; what a machine lacks is said in one line.
+"""The Amiga programs as good citizens: return codes, Ctrl-C, and the machine as it was, however
+they end, started by a shell or by a double click; what a machine lacks is reported in one line.
 
-A program of the tests' own (citizen.s) runs each and prints the machine's state before and after.
+A separate program (citizen.s) runs each and prints the machine's state before and after.
 """
 
 import shutil
@@ -23,7 +23,7 @@ from tmap.vectors import vector_file
 SOME = {"chip_memory": "1024", "fast_memory": "2048"}
 MACHINES = {"some": SOME, "cached": SOME | emulator.MACHINES["a1200-030"] | SOME,
             "a600": {"amiga_model": "A600", "chip_memory": "2048"}}
-#: The numbers of a line of citizen.s.
+#: The numbers in a line of citizen.s.
 STATE = ("chip RAM", "fast RAM", "INTENA", "DMACON", "level 6 vector", "trap code",
          "Disable and Forbid", "signals allocated", "Ctrl-C pending", "timer A", "timer B", "CACR")
 AT_ONCE, DOUBLE_CLICK, IN_RAM, OLD_KICKSTART = range(-1, -5, -1)
@@ -32,7 +32,7 @@ USAGE = "render: usage: render SCENE [FORM addx|swap|c]"
 
 
 def scene(width: int = 16, height: int = 8, frames: int = 3, format: str = "chunky") -> Scene:
-    """A triangle."""
+    """A scene with one triangle."""
     corners = [(1, 1), (14, 2), (3, 7)]
     return Scene(width=width, height=height, frames=frames, background=7, format=format,
                  palette=np.zeros((256, 3), np.uint8), textures=[], materials=[Material(colour=99)],
@@ -41,14 +41,14 @@ def scene(width: int = 16, height: int = 8, frames: int = 3, format: str = "chun
 
 
 def refused() -> Scene:
-    """One that is not drawn: a vertex is out of range."""
+    """A scene that is not drawn: a vertex is out of range."""
     made = scene()
     made.vertices[0, 0] = -2**31
     return made
 
 
 def scenes_alone(folder: Path, **scenes: Scene) -> dict[str, Path]:
-    """Whole programs of scenes, by their names."""
+    """Programs that contain a scene, by name."""
     *sections, _ = scene_program.load_sections(scene())
     for name, made in scenes.items():
         program = program_parts.Program([*sections, scene_program.scene_section(made)],
@@ -59,7 +59,7 @@ def scenes_alone(folder: Path, **scenes: Scene) -> dict[str, Path]:
 
 @pytest.fixture(scope="module", autouse=True)
 def machines():
-    """The machines of these tests alone."""
+    """Defines the machines of these tests."""
     with pytest.MonkeyPatch.context() as patch:
         for name, options in MACHINES.items():
             patch.setitem(emulator.MACHINES, name, options)
@@ -68,7 +68,7 @@ def machines():
 
 @pytest.fixture(scope="module")
 def files(tmp_path_factory) -> dict[str, bytes | Path]:
-    """What is on the volume: programs and their input."""
+    """The files on the volume: programs and their input."""
     folder = tmp_path_factory.mktemp("files")
     by_zero = Case("mul_div", registers={"d0": 1, "d1": 1, "a0": 0})
     questions = vector_file.Operations()
@@ -87,7 +87,7 @@ def files(tmp_path_factory) -> dict[str, bytes | Path]:
 
 
 class Ended:
-    """How a program ended: what it said, what it returned, and the state before and after."""
+    """The result of a program: its output, its return code, and the state before and after."""
 
     def __init__(self, result: emulator.Result, number: int):
         before, after, code = result.output.splitlines()
@@ -97,15 +97,15 @@ class Ended:
         self.said = emulator.read(result.directory / f"its.{number}").splitlines()
 
     def lost(self, but: tuple[str, ...] = ()) -> list[str]:
-        """What is not as it was."""
+        """The parts of the state that have changed."""
         assert len(self.before) == len(self.after) == len(STATE)
         return [f"{name} {a} -> {b}" for name, a, b in zip(STATE, self.before, self.after)
                 if a != b and name not in but]
 
 
 def run(commands: list[tuple], files: dict, machine: str, folder: Path) -> list[Ended]:
-    """Runs (how, command line, ...) in one boot, and one before, as the first opens what stays
-    open."""
+    """Runs (how, command line, ...) in one boot. An additional program is run first, as the first
+    one opens what stays open."""
     lines = []
     for number, (how, line, *_) in enumerate([(0, "render none"), *commands]):
         drawer, home = ("RAM:", "SYS:") if how == IN_RAM else ("SYS:", "")
@@ -118,7 +118,7 @@ def run(commands: list[tuple], files: dict, machine: str, folder: Path) -> list[
     return [Ended(result, number) for number, result in enumerate(results)][1:]
 
 
-#: How, command line, return code, the last line said (its beginning), files that are not there.
+#: How, command line, return code, beginning of the last line of output, files that must not exist.
 ENDINGS = [
     (0, "render good", 0, "frame 2 ticks"),
     (0, "render refused", 5, "render: not all could be drawn: a vertex is out of range"),
@@ -159,12 +159,12 @@ ENDINGS = [
     (OLD_KICKSTART, "render good", 20, "needs Kickstart 2.0 or later"),
     (OLD_KICKSTART, "three", 20, "needs Kickstart 2.0 or later"),
 ]
-#: A volume that is full: what did not fit on it is not there.
+#: A full volume: a file that did not fit must not exist.
 FULL = [(IN_RAM, "render SYS:wide"), (IN_RAM, "render frame_008.chunky")]
 
 
 def test_endings(files, tmp_path):
-    """Return code, last words, and everything given back."""
+    """Checks return code and last line, and that everything is given back."""
     wrong = []
     for ending, found in zip(ENDINGS, run(ENDINGS, files, "some", tmp_path), strict=True):
         how, line, code, words, *absent = ending
@@ -178,9 +178,9 @@ def test_endings(files, tmp_path):
 
 
 def test_full_volume(files, tmp_path):
-    """What did not fit is deleted, and a line says so."""
+    """A file that did not fit is deleted, and a line says so."""
     full, left = run(FULL, files, "some", tmp_path)
-    last = int(full.said[-2].split()[1]) + 1  # behind the last frame that was written
+    last = int(full.said[-2].split()[1]) + 1  # the frame after the last written one
     assert (full.code, full.said[-1]) == (10, f"frame_{last:03}.chunky: cannot be written")
     assert not full.lost(("chip RAM", "fast RAM"))  # the volume is in memory
     assert left.said == ["frame_008.chunky: cannot be opened"]
@@ -193,8 +193,8 @@ def test_data_cache_is_as_before(files, tmp_path):
 
 
 def test_double_click(files, tmp_path):
-    """The line that a shell would show is in a window that stays until it is closed; the drawer's
-    files are found. AmigaDOS's console keeps some memory of its own."""
+    """The line that a shell would show is in a window that stays open until it is closed; files of
+    the drawer are found. AmigaDOS's console keeps some memory."""
     shown, again, none = run([(DOUBLE_CLICK, line) for line in ("render", "bench", "three")], files,
                              "some", tmp_path)
     assert (shown.code, again.code, none.code) == (2, 2, 0)

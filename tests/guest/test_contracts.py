@@ -1,4 +1,4 @@
-"""The contract parser, on broken blocks and on the real tree."""
+"""The contract parser, tested with broken blocks and with the real tree."""
 
 import json
 import re
@@ -127,7 +127,7 @@ def test_registers_of_macro_and_block_differ(parse):
 
 
 def test_assembly_only_routine(parse):
-    """Arguments that C cannot give: the macro then names no register at all."""
+    """Arguments that C cannot pass: the macro then names no register at all."""
     assert parse(source("        routine scale\n        rts\n"))[0].is_routine
 
 
@@ -179,8 +179,8 @@ def test_files_written(tmp_path):
 
 
 def test_real_tree():
-    """Every routine of the tree has its block, under a name of its own, and every kernel is in the
-    table that bench was linked with."""
+    """Every routine of the tree has a block, all names differ, and every kernel is in the table
+    linked into bench."""
     names = [contract.name for contract in contracts.all_contracts(paths.ROOT / "src68k")]
     assert len(names) == len(set(names)) > 200
     table = (paths.BUILD / "gen" / "kernel_table.s").read_text()

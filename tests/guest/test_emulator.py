@@ -1,4 +1,4 @@
-"""How programs end on the emulated machine: crashes, hangs, and what they leave behind."""
+"""How programs end on the emulated machine: crashes, hangs, and the state afterwards."""
 
 import re
 import shutil
@@ -14,13 +14,13 @@ from tmap.guest.kernels import Case
 from tmap.scene_file import scene_file
 
 SOURCE = ROOT / "tests" / "guest" / "trouble.s"
-#: What it does, by number.
+#: The routines of trouble.s, by number.
 TROUBLES = ("illegal_one", "zero_divide", "odd_jump", "privileged", "trap_five", "line_f",
             "jump_away", "quiet_illegal", "quiet_loop", "loud_loop", "reboot", "state")
 CRASHES = {
     "illegal_one": r"exception 4 \(illegal instruction\) at PC \$[0-9a-f]+, in illegal_one\+\$c",
     "zero_divide": r"exception 5 \(division by zero\) at PC \$[0-9a-f]+, in zero_divide\+\$[24]",
-    # This emulator's 68020 takes odd PCs; the real one does not.
+    # The emulator's 68020 accepts odd PCs; the real one does not.
     "odd_jump": r"exception (3 \(address error\)|4 \(ill.*\)) at PC \$[0-9a-f]+, in odd_(jump|place)",
     "privileged": r"exception 8 \(privilege violation\) at PC \$[0-9a-f]+, in privileged\+\$0",
     "trap_five": r"exception 37 \(unexpected\) at PC \$[0-9a-f]+, in trap_five\+\$2",
@@ -47,8 +47,8 @@ def trouble(name: str) -> str:
 
 @pytest.fixture(scope="module")
 def ended(programs, tmp_path_factory):
-    """Every ending in one boot, the machine's state before and after each: {command: (Result,
-    state before, state after)}; the files are the ones the commands name."""
+    """Every ending in one boot, with the machine's state before and after each: {command: (Result,
+    state before, state after)}; the files are those that the commands name."""
     scene = compile_scene(SCENES / "default.toml", 1)
     by_zero = Case("mul_div", registers={"d0": 1, "d1": 1, "a0": 0})
     files = {"good": scene_file.write(scene), "bad": b"TMAP", "kernels": kernels.plan([by_zero]),
@@ -90,13 +90,14 @@ def test_crash_of_a_kernel_is_reported(programs, ended):
 
 
 def test_everything_is_given_back(ended):
-    """Memory, interrupts, DMA and vector are as before, whichever way a program ended."""
+    """Memory, interrupts, DMA and vector are as before, however a program ended."""
     for command, (_, before, after) in ended.items():
         assert len(before.split()) == 4 and after == before, command
 
 
 def test_files_are_closed(ended):
-    """A program that crashed with the first file of its table open left it for the next one."""
+    """A program that crashed with an open file in the table's first slot leaves that slot free for
+    the next one."""
     for name in ("quiet_illegal", "quiet_loop"):
         assert ended[trouble(name)][0].output.startswith("1\n"), name
 
@@ -112,8 +113,8 @@ def test_return_codes(ended):
 
 
 def test_program_that_is_loaded_once(programs, tmp_path):
-    """Run after run it finds its data as it was loaded, after a crash and the watchdog too; its
-    output and codes are those of each run."""
+    """Each run finds the program's data as loaded, also after a crash or the watchdog; output and
+    codes belong to the right run."""
     names = ["quiet_illegal", "illegal_one", "state", "quiet_loop", "state", "quiet_illegal"]
     results = emulator.run_many([trouble(name) for name in names], {}, "a1200", tmp_path,
                                 programs=programs)
@@ -123,7 +124,7 @@ def test_program_that_is_loaded_once(programs, tmp_path):
         if name in CRASHES:
             fault = emulator.explain_fault(programs / "trouble", result.output)
             assert re.match(f"trouble crashed: {CRASHES[name]}", fault), fault
-        if name.startswith("quiet"):  # the first file of its table was free
+        if name.startswith("quiet"):  # the first slot of the file table was free
             assert result.output.startswith("1\n"), name
     assert results[2].output == results[4].output
 
@@ -145,7 +146,7 @@ def test_silent_guest_is_stopped(programs, tmp_path, monkeypatch, name):
 
 
 def replaced(folder, monkeypatch, script: str) -> None:
-    """Another emulator: a script, which may be silent for 0.2 seconds."""
+    """Replaces the emulator by a script, which may be silent for 0.2 seconds."""
     fake = folder / "fs-uae"
     fake.write_text(f"#!/bin/sh\n{script}\n")
     fake.chmod(0o755)
@@ -169,7 +170,7 @@ def test_emulator_in_trouble(tmp_path, monkeypatch, script, message):
 
 
 def test_emulator_without_a_processor_is_waited_for(tmp_path, monkeypatch):
-    """It stands still for five times the patience, and goes on then."""
+    """The emulator is stopped for five times the patience, and then continues."""
     replaced(tmp_path, monkeypatch, "(sleep 1; kill -CONT $$) & kill -STOP $$; cd ${1%/*}/volume; "
                                     "echo done >0.log; echo 0 >0.code; echo >end")
     assert emulator.run("render", "x", {}, "a1200", tmp_path).output == "done\n"

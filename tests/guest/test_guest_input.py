@@ -1,5 +1,5 @@
-"""The Amiga programs against bad files: one clear line each, return code 10, 20 where memory is
-short, no crash.
+"""The Amiga programs with bad files: one clear line each, return code 10, or 20 if memory is short,
+no crash.
 
 All bad files are read in one boot: scene files s0, s1, ..., plans p0, p1, ...
 """
@@ -15,8 +15,8 @@ from tmap.scene_file.scene_file import Material, Object, Scene
 
 
 def tangles(seed: int, reach: int) -> Scene:
-    """A scene no compiler writes: 300 polygons of random corners, dented and crossing,
-    within ``reach`` pixels of a small frame."""
+    """A scene no compiler writes: 300 polygons of random corners, concave and crossing, within
+    ``reach`` pixels of a small frame."""
     random = np.random.default_rng(seed)
     counts = random.choice([3, 3, 4, 5, 8, 64], 300)
     vertices = random.integers(-reach * 65536, reach * 65536, (counts.sum(), 6))
@@ -30,7 +30,8 @@ def tangles(seed: int, reach: int) -> Scene:
 
 
 def check(results, said: dict[str, str]) -> None:
-    """Each command said one line, as expected, and returned 20 where memory is short, else 10."""
+    """Asserts that each command printed one line, as expected, and returned 20 if memory is short,
+    else 10."""
     wrong = []
     for (command, line), result in zip(said.items(), results, strict=True):
         lines = [text for text in result.output.splitlines() if not text.startswith("case ")]
@@ -66,8 +67,8 @@ def test_bad_input_is_refused(tmp_path):
 
 
 def test_strange_scenes_draw_inside_the_frame(tmp_path):
-    """Numbers that no compiler writes but the file may hold: all is drawn or left out, in
-    every form the same, and render's guards hold. So do plans that say nothing."""
+    """Numbers that no compiler writes but the file may hold: all is drawn or left out, the same in
+    every form, and render's guards hold. Plans without output also run."""
     large = example(8, side=1024)
     files = {"noise": scene_file.write(example()), "more": scene_file.write(example(corners=64)),
              "near": scene_file.write(tangles(1, 40)), "wide": scene_file.write(tangles(2, 300)),
@@ -100,8 +101,8 @@ def test_strange_scenes_draw_inside_the_frame(tmp_path):
 
 
 def test_dented_polygons_are_cut_inside_their_arrays():
-    """64 corners to and fro across a border, which would be 96 after it: left out; fewer are
-    drawn, and what comes after them too."""
+    """64 corners that alternate across a border would be 96 after clipping: that polygon is left
+    out. Fewer corners are drawn, and so are the polygons after them."""
     scene = example(0)
     scene.width, scene.height = 64, 48
     scene.materials = [Material(colour=200, clip="vertices"), Material(colour=99)]

@@ -38,7 +38,7 @@ struct only_named;
 
 def build(folder: Path, header: str = HEADER, names=("part/things.h",), others: str = "",
           debug: str = "-fno-eliminate-unused-debug-types") -> int:
-    """Compiles a header with debug information and runs the tool, to folder/out."""
+    """Compiles a header with debug information and runs the tool; its output is in folder/out."""
     (folder / "c" / "part").mkdir(parents=True)
     (folder / "c" / "part" / "things.h").write_text(header)
     (folder / "all.c").write_text('#include "part/things.h"\n' + others)
@@ -131,7 +131,7 @@ def test_check_compiles_only_where_it_holds(built, compiler, old, new, accepted)
 
 
 def test_check_fails_with_another_alignment(built):
-    """The case it is for: a compiler that aligns int to 4."""
+    """The check exists for a compiler that aligns int to 4."""
     result = subprocess.run([*GCC, "-malign-int", "-Ic", "-c", "out/layout_check.c"],
                             cwd=built, capture_output=True, text=True)
     assert result.returncode and "offset_of_pair_b" in result.stderr
@@ -173,7 +173,7 @@ def test_load_before_make(tmp_path, monkeypatch):
 
 
 def test_this_trees_layout():
-    """What the assembly and both compilers were written for."""
+    """The layout that the assembly and both compilers rely on."""
     made = layout.load()
     assert made.struct("scanline").size == 12
     assert made.struct("scene_header").fields["width"]["offset"] == 16
@@ -184,7 +184,8 @@ def test_this_trees_layout():
 
 
 def test_longwords_take_one_access():
-    """A 68020 reads one at 4n + 2 in two: polygons were 1.5 % slower in chip RAM by that."""
+    """A 68020 needs two accesses for a longword at 4n + 2: polygons were 1.5 % slower in chip
+    RAM."""
     for name, struct in layout.load().structs.items():
         wide = [f["offset"] for f in struct["fields"].values() if f["size"] == 4]
         assert not any(offset % 4 for offset in wide), name

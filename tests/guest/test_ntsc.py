@@ -1,5 +1,5 @@
-"""An A1200 for 60 Hz, whose raster lines have 227 and 228 colour clocks by turns: times come to an end
-and are right, and the display is PAL's while it is ours."""
+"""An A1200 for 60 Hz, whose raster lines have 227 and 228 colour clocks alternately: clock_wait
+ends, times are right, and the display is PAL while a program has it."""
 
 import json
 import re
@@ -22,10 +22,10 @@ from tmap.scene_file.scene_file import write
 NTSC = {"ntsc_mode": "1"}
 SCENE = "cube"
 FIGURES = re.compile(r"(.{16})(.{7})(.{7})(.{6})  \d+ colour clocks, \d+ calls")
-ROUGH = 20  # ticks by which clock_stop may be off where lines are not of one length
+ROUGH = 20  # ticks by which clock_stop may be off if lines differ in length
 FIELD = {"PAL": (311, 312), "NTSC": (261, 262)}  # the beam's last line
 FRAMES, FIELDS = 20, 2  # of the demo's race, and fields of each
-#: All of a line's places as E-clocks count them; of NTSC's lines each meets some of them alone.
+#: All positions in a line, in E-clocks; each line of NTSC meets only some of them.
 PLACES = range(60, 65)
 WAITS = """\
         include "amiga.i"
@@ -60,7 +60,7 @@ def committed() -> dict:
 
 
 def plan(committed: dict) -> bytes:
-    """What owners measure; what it draws is compared by the disk's tests."""
+    """The plan that owners measure; the disk's tests compare its pixels."""
     cases = [Case("nothing", repeats=bench.NOTHING_REPEATS, shown=Shown("", 0, 0, 0, 0))]
     for entry, row in zip(owner.ENTRIES, owner.rows(), strict=True):
         if not entry.apart:
@@ -71,7 +71,7 @@ def plan(committed: dict) -> bytes:
 
 
 def waits() -> str:
-    """A program that waits as clock_wait does, for each of PLACES."""
+    """A program that waits like clock_wait, for each of PLACES."""
     clock = (ROOT / "src68k" / "amiga" / "clock.s").read_text()
     body = re.search(r"\n        routine clock_wait\n(.*?\n        rts\n)", clock, re.S)[1]
     assert "BEAM_PLACE" in body
@@ -83,7 +83,7 @@ def waits() -> str:
 
 @pytest.fixture(scope="module")
 def booted(committed, tmp_path_factory) -> list[emulator.Result]:
-    """Everything in one boot, with chip RAM alone."""
+    """All commands in one boot, with chip RAM alone."""
     folder = tmp_path_factory.mktemp("ntsc")
     guest = GUEST
     guest_program.build(folder, guest / "display.c", guest / "events.s")
@@ -107,12 +107,12 @@ def booted(committed, tmp_path_factory) -> list[emulator.Result]:
 
 
 def test_wait_comes_to_an_end(booted):
-    """Whichever places of a line E-clocks begin at."""
+    """Wherever in a line E-clocks begin."""
     assert booted[-1].code == 0, f"clock_wait stopped by the watchdog: {booted[-1].output}"
 
 
 def test_frames_take_what_is_committed(booted, committed):
-    """The bench's own tolerance, as refresh does not come at the same places; and ROUGH."""
+    """Within the bench's own tolerance, as refresh comes at other times, plus ROUGH."""
     digests = np.fromfile(booted[0].directory / "digests", layout.load().struct("frame_digest").dtype)
     frames = scenes.shown(SCENE)[1]
     assert all(map(guest_frames.is_models, frames, digests)) and len(frames) == len(digests)
@@ -136,7 +136,7 @@ def test_measure_shows_what_is_committed(booted, committed):
 
 
 def test_display_is_pals_while_it_is_ours(booted):
-    """312 lines, in which 256 and two lines of status have room; 262 before and afterwards."""
+    """312 lines, enough for 256 and two status lines; 262 before and afterwards."""
     before, shown, after = ([line.split()[6] for line in result.output.splitlines()]
                             for result in booted[2:5])
     assert before == after and int(before[0]) in FIELD["NTSC"]
@@ -144,6 +144,6 @@ def test_display_is_pals_while_it_is_ours(booted):
 
 
 def test_demo_comes_in_time(booted):
-    """By PAL's fields, of which its budget goes."""
+    """Counted in PAL fields, for which the demo has its budget."""
     fields = re.findall(r"^frame \d+ step 1 fields (\d+)", booted[5].output, re.M)
     assert fields == [str(FIELDS)] * FRAMES, booted[5].output

@@ -1,4 +1,4 @@
-"""What counts as silence: processor time that a process used, whatever the host's clock says."""
+"""Silence is measured in the processor time that a process used, not by the host's clock."""
 
 import contextlib
 import os
@@ -16,7 +16,7 @@ BUSY = "while :; do :; done"
 
 @contextlib.contextmanager
 def shell(script: str):
-    """A shell that runs a script, ended afterwards with all that it started."""
+    """A shell that runs a script; it and all processes it started are ended afterwards."""
     process = subprocess.Popen(["sh", "-c", script], start_new_session=True)
     try:
         yield process
@@ -26,7 +26,7 @@ def shell(script: str):
 
 
 def until_end(counted: Silence) -> tuple[str, float]:
-    """What is said at the end, and how long that took by the clock."""
+    """Waits for the end; returns its message and the seconds passed by the clock."""
     since = time.monotonic()
     while not (said := counted.end()):
         time.sleep(0.02)
@@ -35,21 +35,22 @@ def until_end(counted: Silence) -> tuple[str, float]:
 
 @pytest.mark.parametrize("script", [BUSY, f"({BUSY}) & wait", f"(({BUSY}) & wait) & wait"])
 def test_busy_silence_ends(script: str) -> None:
-    """Of a process, its child, its child's child, long before the clock's limit."""
+    """A busy process, its child or grandchild ends the silence, long before the clock's limit."""
     with shell(script) as process:
         said, _ = until_end(Silence(process.pid, 0.5))
     assert said == "0.5 s of processor time after its last sign of life"
 
 
 def test_time_of_children_that_ended_counts() -> None:
-    """Short ones, one after the other, which nobody may have seen."""
+    """Short-lived children, one after the other, which may never be observed."""
     with shell("while :; do sh -c 'i=0; while [ $i -lt 2000 ]; do i=$((i+1)); done'; done") as process:
         said, _ = until_end(Silence(process.pid, 0.5))
     assert "processor time" in said
 
 
 def test_a_stopped_process_is_waited_for() -> None:
-    """It is silent for many times its patience, and not ended; then it is busy, and is."""
+    """A stopped process may be silent for many times its patience; when it is busy again, the
+    silence ends."""
     with shell(BUSY) as process:
         os.kill(process.pid, signal.SIGSTOP)
         counted = Silence(process.pid, 0.3)
@@ -62,7 +63,7 @@ def test_a_stopped_process_is_waited_for() -> None:
 
 @pytest.mark.parametrize("script", ["exec sleep 60", "kill -STOP $$"])
 def test_a_stuck_process_ends_by_the_clock(script: str) -> None:
-    """After SHARE times its patience, and no sooner."""
+    """After SHARE times its patience, and not before."""
     with shell(script) as process:
         said, passed = until_end(Silence(process.pid, 0.1))
     assert said.startswith(f"{SHARE * 0.1:g} s after its last sign of life, stopped or blocked")
@@ -70,7 +71,7 @@ def test_a_stuck_process_ends_by_the_clock(script: str) -> None:
 
 
 def test_a_sign_of_life_begins_anew() -> None:
-    """Time used before it does not count."""
+    """Time used before a sign of life does not count."""
     with shell(BUSY) as process:
         counted = Silence(process.pid, 0.3)
         for _ in range(5):
@@ -82,7 +83,7 @@ def test_a_sign_of_life_begins_anew() -> None:
 
 
 def test_a_pause_of_the_observer_is_no_silence(monkeypatch) -> None:
-    """Ctrl-Z stops both: an hour until the next look counts as a second."""
+    """Ctrl-Z stops observer and process: an hour between two looks counts as a second."""
     now = [0.0]
     monkeypatch.setattr(silence.time, "monotonic", lambda: now[0])
     monkeypatch.setattr(silence, "processor_seconds", lambda pid: 0.0)

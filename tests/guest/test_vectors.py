@@ -1,4 +1,4 @@
-"""The replay of reference data, whichever engine it is for."""
+"""The replay of reference data, for both engines."""
 
 import pytest
 
@@ -14,13 +14,13 @@ from tmap.vectors.vector_text import Line
 FILE = ROOT / "tests" / "vectors" / "tx_copy.txt.gz"
 
 
-#: An 8-bit intensity out of memory that is 0, as the unit's own colour; with perspective.
+#: An 8-bit intensity from memory that is 0, as the unit's own colour; with perspective.
 INTENSITY = "regs {mode} 0 0 0\npix 0 0 1 0 0 0 = {argb}\n"
 PLAIN, PERSPECTIVE = "8241300", "8241301"
 
 
 def test_the_command_counts_and_tells_by_its_status(tmp_path, capsys) -> None:
-    """Files for both engines in one call: status 1 for one bad file, a line for each at least."""
+    """Files for both engines in one call: status 1 for one bad file, at least one line for each."""
     good, bad, unit = tmp_path / "good.txt", tmp_path / "bad.txt", tmp_path / "unit.txt"
     good.write_text("persp 1 1 32767 = 0 0 1 1\n")
     bad.write_text("persp 1 1 32767 = 0 0 1 1\n" + "persp 1 1 32767 = 0 0 2 1\n" * 7)
@@ -86,7 +86,7 @@ def test_how_many_may_be_wrong(engine, kinds: dict, wrong: dict, passes: bool) -
     ("pix 0 0 0 0 0 0\n", 1, "an answer of 1 numbers expected, 0 found"),
 ])
 def test_bad_lines(text: str, line: int, words: str, tmp_path) -> None:
-    """One line that names file and line; nothing is run."""
+    """The error is one line that names file and line; nothing is run."""
     path = tmp_path / "bad.txt"
     path.write_text(text)
     with pytest.raises(UserError) as error:
@@ -96,7 +96,7 @@ def test_bad_lines(text: str, line: int, words: str, tmp_path) -> None:
 
 
 def test_bad_files(tmp_path, capsys) -> None:
-    """Cut off, missing, without a question: one line each, status 2."""
+    """Truncated, missing, without a question: one line each, status 2."""
     cut, empty = tmp_path / "cut.txt.gz", tmp_path / "empty.txt"
     cut.write_bytes(FILE.read_bytes()[:5000])
     empty.write_text("# nothing\ntmemrand 1\n")
@@ -109,7 +109,7 @@ def test_bad_files(tmp_path, capsys) -> None:
 
 
 def operations(*longs: int, count: int = 1) -> bytes:
-    """A file of questions out of raw longs, its checksum right."""
+    """A file of questions from raw longs, with the right checksum."""
     made = vector_file.Operations()
     made.longs, made.count = list(longs), count
     return made.file()

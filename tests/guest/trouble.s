@@ -1,4 +1,4 @@
-; trouble - does what no program should, by number; tests/guest/test_emulator.py has the numbers' names.
+; trouble - fails in a way chosen by number; tests/guest/test_emulator.py has the names.
 ;
 ; trouble N
 
@@ -22,7 +22,7 @@
         move.l  (a0),d0
         jmp     ([table,d0.l*4])
 
-        routine illegal_one             ; with something to be seen in registers
+        routine illegal_one             ; with recognisable values in registers
         move.l  #$12345678,d3
         movea.l #$9abcdef0,a4
         illegal

@@ -1,1 +1,1 @@
-"""What several rooms of tests use."""
+"""Helpers that several rooms of tests use."""

@@ -1,18 +1,18 @@
-"""Arrays of numbers against those that are expected, and what a failure tells of them."""
+"""Compares arrays of numbers with the expected ones and describes failures."""
 
 import numpy as np
 
 
 def first_wrong(expected: np.ndarray, found: np.ndarray) -> str:
-    """The first pixel of two frames that differ."""
+    """Describes the first pixel where two frames differ."""
     y, x = np.argwhere(found != expected)[0]
     digits = 2 + 2 * expected.itemsize
     return f"pixel ({x}, {y}) is {found[y, x]:#0{digits}x}, not {expected[y, x]:#0{digits}x}"
 
 
 def check_equal(found, expected, what: str = "") -> None:
-    """Fails where arrays, one of which may be spread over the other, differ or are empty: how many
-    numbers, where the first one is, expected and found."""
+    """Fails if the arrays, after broadcasting, differ or are empty; reports how many numbers are
+    wrong, and the first one's position, expected and found value."""
     __tracebackhide__ = True
     found, expected = np.broadcast_arrays(found, expected)
     assert found.size, f"{what}: nothing to compare"
@@ -24,8 +24,8 @@ def check_equal(found, expected, what: str = "") -> None:
 
 
 def check_within(found, expected, bound, what: str = "") -> None:
-    """The same where numbers are farther apart than ``bound``, a number or an array: of these the
-    one that is farthest beyond."""
+    """Fails if numbers are farther apart than ``bound``, a number or an array; reports the one that
+    exceeds it most."""
     __tracebackhide__ = True
     found, expected, bound = np.broadcast_arrays(found, expected, bound)
     assert found.size, f"{what}: nothing to compare"

@@ -1,5 +1,6 @@
-"""Random polygons of texture engines, each in a frame of its own: the guest's against the model's,
-bit for bit. An engine's name begins what chooses others: N64_SEED, N64_COUNT; N64_CASE draws one."""
+"""Random polygons of texture engines, each in its own frame: the guest's frames are compared with
+the model's, bit for bit. Environment variables that begin with the engine's name choose others:
+N64_SEED, N64_COUNT; N64_CASE draws one."""
 
 import os
 from collections.abc import Callable
@@ -13,25 +14,25 @@ from tmap.model import model
 from tmap.run import run
 from tmap.scene_file.scene_file import ONE, Scene
 
-MOST = 100  # polygons of a scene: what engines keep decoded fills memory
+MOST = 100  # polygons in a scene: engines keep decoded fills, which take memory
 NAMES = ("x", "y", "s", "t", "shade", "w")
 
 
 def vertex_lines(vertices, raw=()) -> list[str]:
-    """Vertices of 16.16; the fields ``raw`` as they are."""
+    """Formats vertices of 16.16; the fields in ``raw`` are printed as integers."""
     return ["  " + ", ".join(f"{name} {value}" if name in raw else f"{name} {value / ONE:.6f}"
                              for name, value in zip(NAMES, vertex)) for vertex in vertices]
 
 
 @dataclass(frozen=True)
 class Polygons:
-    """An engine's polygons."""
+    """The random polygons of one engine."""
 
     engine: str
-    count: int  # where the environment asks for no other
-    case: Callable[[int, int, str], Any]  # of a seed, a number, a format of pixels
-    scene: Callable[[list, int, str], Scene]  # of cases, the seed, pixels
-    lines: Callable[[Any], list[str]]  # all there is to know of a case
+    count: int  # unless the environment sets another
+    case: Callable[[int, int, str], Any]  # makes a case from a seed, a number, a format of pixels
+    scene: Callable[[list, int, str], Scene]  # makes a scene from cases, the seed, pixels
+    lines: Callable[[Any], list[str]]  # describes a case completely
     scene_size: int = MOST
 
     def asked(self, name: str) -> str | None:
@@ -42,12 +43,13 @@ class Polygons:
         return int(self.asked("SEED") or 1)
 
     def first(self, pixels: str) -> list:
-        """The cases that are drawn with all rules, 100 at least: what a generator makes."""
+        """The cases drawn with all rules, at least 100: a sample of what a generator makes."""
         return [self.case(self.seed, number, pixels)
                 for number in range(max(len(self.numbers(None)), 100))]
 
     def numbers(self, off: str | None) -> list[int]:
-        """Of the cases to be drawn: without rules of lowering fewer, and other ones."""
+        """The numbers of the cases to draw. With rules of lowering off they are fewer, and other
+        ones."""
         if alone := self.asked("CASE"):
             return [int(alone)]
         count = int(self.asked("COUNT") or self.count)
@@ -55,7 +57,7 @@ class Polygons:
 
     def explain(self, number: int, pixels: str, each, expected: np.ndarray,
                 found: np.ndarray) -> str:
-        """All that is needed to look for the cause."""
+        """Describes a failure: seed, case, first wrong pixel and the command to draw it again."""
         height, width = expected.shape
         count = int((found != expected).sum())
         first = first_wrong(expected, found) if count else "drawn once more it is right"
@@ -66,7 +68,8 @@ class Polygons:
             f".deps/venv/bin/python -m pytest tests/{self.engine.lower()}/test_polygons.py -k {pixels}"])
 
     def check(self, pixels: str, off: str | None = None) -> tuple[set[str], set[str]]:
-        """Compares all frames, many in a boot; the rules and the spans that drew them."""
+        """Asserts that all frames are the model's, many in a boot; returns the rules and the spans
+        that drew them."""
         numbers = self.numbers(off)
         wrong, rules, spans = [], set(), set()
         for k in range(0, len(numbers), self.scene_size):

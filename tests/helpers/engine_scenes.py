@@ -1,4 +1,4 @@
-"""Scene files of texture engines: small ones, and how they and their frames are judged."""
+"""Small scene files of texture engines, and checks of them and of their frames."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ background = "#102030"
 
 
 def save_noise(folder, seed: int, **sizes: tuple[int, int]) -> None:
-    """Pictures of random colours by their names: (height, width)."""
+    """Saves pictures of random colours; ``sizes`` has (height, width) by name."""
     rng = np.random.default_rng(seed)
     for name, size in sizes.items():
         pixels = rng.integers(0, 256, (*size, 3), np.uint8)
@@ -27,13 +27,14 @@ def save_noise(folder, seed: int, **sizes: tuple[int, int]) -> None:
 
 
 def scene_text(material: str, obj: str, pixels: str = "rgba8888", frames: int = 1) -> str:
-    """A scene of one material, "it", and one object."""
+    """Returns a scene of one material, "it", and one object."""
     return (HEAD.format(frames=frames, pixels=pixels) + f"[materials]\nit = {{ {material} }}\n"
             + f'[[objects]]\nmaterial = "it"\n{obj}\n')
 
 
 def many_text(width: int, height: int, pixels: str, engines) -> str:
-    """A scene of one frame with texture engines as its materials m0, m1, ...; no object yet."""
+    """Returns a scene of one frame with texture engines as its materials m0, m1, ... and no object
+    yet."""
     return (f'width = {width}\nheight = {height}\nframes = 1\nformat = "{pixels}"\n'
             'background = "#102030"\n[materials]\n'
             + "".join(f"m{n} = {{ n64 = {{ {engine} }} }}\n" for n, engine in enumerate(engines)))
@@ -45,7 +46,7 @@ def compiled(folder, text: str) -> Scene:
 
 
 def check_refused(folder, text: str, message: str) -> None:
-    """One line that begins with the file and ``message``."""
+    """Asserts that the scene is refused with one line that begins with the file and ``message``."""
     with pytest.raises(UserError) as caught:
         compiled(folder, text)
     said = str(caught.value)
@@ -54,13 +55,14 @@ def check_refused(folder, text: str, message: str) -> None:
 
 
 def explain(what: str, expected: np.ndarray, found: np.ndarray, again: str) -> str:
-    """How a frame, or a part of one, differs from the model's; the command to draw it again."""
+    """Says how a frame, or a part of one, differs from the model's, and which command draws it
+    again."""
     count = int((found != expected).sum())
     first = f"; {first_wrong(expected, found)}" if count else ""
     return f"{what}: {count} pixels are not the model's{first}; again: {again}"
 
 
 def run_command(name: str, frames: int, off: str | None) -> str:
-    """What draws a scene of tests/scenes again."""
+    """Returns the command that draws a scene of tests/scenes again."""
     return (f"scripts/tmap run tests/scenes/{name}.toml --frames {frames}"
             + (f" --off {off}" if off else ""))

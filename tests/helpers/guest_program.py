@@ -1,4 +1,5 @@
-"""Amiga programs of the tests' own: sources linked with the tree's objects, as the Makefile does."""
+"""Builds Amiga programs for tests: their sources linked with the tree's objects, as the Makefile
+does."""
 
 import subprocess
 from pathlib import Path
@@ -8,8 +9,9 @@ from tmap.build import hunk
 
 
 def build(folder: Path, *sources: Path, main: str = "") -> Path:
-    """Compiles, assembles and links sources into ``folder``; returns the program, its map beside it.
-    It has the first source's name, or that of ``main``, a program of the tree whose own part it gets."""
+    """Compiles, assembles and links sources into ``folder``; returns the program, with its map in
+    the same folder. The program is named after the first source, or after ``main``, a program of
+    the tree, whose own object is then linked too."""
     assembler, compiler, *_, linker = (BUILD / "obj" / "flags").read_text().splitlines()
     compiled, *objects = (BUILD / "obj" / "objects").read_text().split()
     tools = {".s": ["scripts/vasm", *assembler.split()],

@@ -1,5 +1,5 @@
-"""Scenes drawn by the guest, many in a boot, and held to the model: digests of all frames, and what
-was counted while they were drawn once more."""
+"""Draws many scenes on the guest in one boot and compares them with the model: digests of all
+frames, and the counts of a second run."""
 
 from dataclasses import dataclass
 
@@ -16,8 +16,8 @@ from tmap.scene_file.scene_file import Scene, write
 
 @dataclass(frozen=True)
 class Asked:
-    """A scene and how it is to be drawn; ``off``: the rules that are not followed; ``counted``:
-    whether it is drawn twice more, for figures."""
+    """A scene and how to draw it; ``off``: the rules to switch off; ``counted``: also draw the
+    scene with counters on."""
 
     scene: Scene
     off: str | None = None
@@ -26,14 +26,14 @@ class Asked:
 
     @property
     def way(self) -> str:
-        """As render's arguments."""
+        """The arguments for render."""
         return f"FORM {self.form}" + (f" OFF {self.off}" if self.off else "")
 
 
 @dataclass(frozen=True)
 class Drawn:
-    """What became of a scene: the digests of its frames; each frame's figures, and for each
-    material what was executed, as ``run.parse_output`` has them."""
+    """The result of one scene: the digests of its frames; each frame's figures, and for each
+    material what was executed, in the form of ``run.parse_output``."""
 
     digests: np.ndarray
     figures: list[dict]
@@ -41,17 +41,17 @@ class Drawn:
 
     @property
     def spans(self) -> set[str]:
-        """That drew it."""
+        """The spans that drew the scene."""
         return set(run.total(self.figures)["spans"])
 
     @property
     def rules(self) -> set[str]:
-        """That applied."""
+        """The rules that applied."""
         return {rule for material in self.executed for rule in material["rules"]}
 
 
 def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
-    """All of them in one boot."""
+    """Draws all of them in one boot."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each.scene) for k, each in enumerate(asked)}
     commands = [f"render {k}.scene {each.way} DIGEST {k}.digest" for k, each in enumerate(asked)]
@@ -75,8 +75,8 @@ def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
 
 def wrong_frame(asked: Asked, drawn: Drawn, expected: list[np.ndarray],
                 machine: str = "a1200-fast") -> str:
-    """Which frame is the first that is not the model's, and how it differs: it is drawn once more
-    for that. "": none."""
+    """Returns which frame is the first that differs from the model's, and how; "" if none does. To
+    find out how, it draws that frame once more."""
     for number, (right, digest) in enumerate(zip(expected, drawn.digests, strict=True)):
         if not guest_frames.is_models(right, digest):
             found = run.render(asked.scene, machine, asked.form, asked.off).frames[number]
@@ -88,7 +88,7 @@ def wrong_frame(asked: Asked, drawn: Drawn, expected: list[np.ndarray],
 
 
 def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") -> list[np.ndarray]:
-    """Holds all frames to the model's, which it returns."""
+    """Asserts that all frames are the model's; returns the model's frames."""
     __tracebackhide__ = True
     expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
     wrong = wrong_frame(asked, drawn, expected, machine)

@@ -1,9 +1,9 @@
-"""Calls kernels and holds what they left to their contract blocks.
+"""Calls kernels and checks the results against their contract blocks.
 
-A trial is one call together with what must come out of it. Everything else must
-stay as it was: the stack pointer, the registers that the block lists neither under
-``out`` nor under ``trashes``, and every byte of memory that the trial does not
-expect to be written. Each block of memory lies between guards of noise.
+A trial is one call together with its expected results. Everything else must stay as it was: the
+stack pointer, the registers that the block lists neither under ``out`` nor under ``trashes``, and
+every byte of memory that the trial does not expect to be written. Each block of memory is between
+guards of noise.
 """
 
 from typing import NamedTuple
@@ -19,8 +19,8 @@ from tmap.guest import kernels
 from tmap.guest.kernels import Place
 
 MACHINE = "a1200-fast"
-GUARD = 64  # bytes before and behind each block, at least
-REPORTED = 4  # failed trials of one kernel that are shown
+GUARD = 64  # least number of bytes before and behind each block
+REPORTED = 4  # most failed trials of one kernel that are shown
 RERUN = '.deps/venv/bin/python -m pytest "tests/kernels/test_kernels.py::test_contract[{}]"'
 #: Bits of an ``out`` register that its C type covers.
 WIDTHS = {"uint8": 8, "int8": 8, "uint16": 16, "int16": 16}
@@ -61,7 +61,7 @@ class Memory(kernels.Arena):
         return self.add(self.noise.bytes(size), name=name, shape=shape)
 
     def place(self, offset: int) -> Place:
-        """What lies at an offset."""
+        """Returns the item at an offset."""
         def distance(block: Block) -> int:
             return max(block.at - offset, offset - block.at - block.size + 1, 0)
 
@@ -78,7 +78,7 @@ class Memory(kernels.Arena):
         name, entry = next((n, e) for n, e in block.shape.fields.items()
                            if e["offset"] <= rest < e["offset"] + e["size"] * e["count"])
         start = inside - rest + entry["offset"]
-        if entry["count"] > 1 or entry["size"] == 1:  # an array, or a struct in the struct
+        if entry["count"] > 1 or entry["size"] == 1:  # an array, or a nested struct
             size = entry["size"] if entry["size"] > 1 else 4
             number = (inside - start) // size
             return Place(f"{block.name}.{name}[{number}]", block.at + start + number * size, size)
@@ -87,7 +87,7 @@ class Memory(kernels.Arena):
 
 
 def register_complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
-    """Registers that are not what the block and the trial say."""
+    """Complains about registers that differ from what the block and the trial say."""
     case, found = trial.case, result.registers
     types = {a.register: a.type for a in contract.outputs}
     before = {name: kernels.POISON + n for n, name in enumerate(kernels.REGISTERS)} | case.registers
@@ -113,7 +113,7 @@ def register_complaints(trial: Trial, result: kernels.Result, contract: Contract
 
 
 def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list[str]:
-    """All that is wrong with what one call left."""
+    """Returns everything that is wrong after one call."""
     lines = register_complaints(trial, result, contract)
     lines += filter(None, (trial.memory_complaint(result, far) for far in (False, True)))
     also = trial.also(result) if trial.also else None
@@ -121,11 +121,11 @@ def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list
 
 
 def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | str | None]:
-    """Calls all trials in a few boots: results in their order.
+    """Calls all trials in a few boots; returns the results in their order.
 
-    A crash ends a boot: then it is sought among the trials of the routine that it was
-    in, and by halves. Its trial gets the crash report instead of a result, and no other
-    trial of that kernel is called any more (None).
+    A crash ends a boot. The trial that caused it is then searched among the trials of the routine
+    in which the crash was, and by halves. Its result is the crash report, and no further trial of
+    that kernel is called (None).
     """
     results: list[kernels.Result | str | None] = [None] * len(trials)
     crashed: set[str] = set()
@@ -161,7 +161,8 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
 
 def report(contract: Contract, trials: list[Trial],
            results: list[kernels.Result | str | None]) -> str | None:
-    """What is wrong with one kernel, over all its trials, and how to run them again."""
+    """Describes what is wrong with one kernel, over all its trials, and how to run them again; None
+    if nothing is."""
     failed = []
     for trial, result in zip(trials, results):
         lines = [result] if isinstance(result, str) else \

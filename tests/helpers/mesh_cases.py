@@ -1,4 +1,4 @@
-"""Scenes of random meshes: what the compiler could write, and what only a hostile file holds."""
+"""Scenes of random meshes: such as the compiler writes, and such as only a hostile file holds."""
 
 from dataclasses import replace
 
@@ -15,7 +15,8 @@ MATERIALS = [Material(colour=200), Material("affine", texture=0),
 
 
 def box(half: int, corners: int = 4) -> tuple[list, list, list, list]:
-    """Points, normals, corners and faces of a cube, of triangles where corners is 3."""
+    """Points, normals, corners and faces of a cube; each side is two triangles if ``corners`` is
+    3."""
     points = [[x * half, y * half, z * half] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     normals, rows, faces = [], [], []
@@ -30,13 +31,14 @@ def box(half: int, corners: int = 4) -> tuple[list, list, list, list]:
 
 
 def turned(random) -> np.ndarray:
-    """Any rotation."""
+    """Returns a random rotation."""
     q = np.linalg.qr(random.normal(size=(3, 3)))[0]
     return q * np.sign(np.linalg.det(q))
 
 
 def view(random, away: float) -> list[int]:
-    """A view of a mesh whose origin is about this far away, somewhere near the middle."""
+    """A view of a mesh whose origin is about ``away`` from the eye, roughly in the middle of the
+    frame."""
     turn = turned(random)
     move = np.array([*random.uniform(-1, 1, 2) * away, away])
     looks = [np.rint(turn[k] * 127 * 128) for k in (0, 1)] + [np.rint(turn[2] * 100 * 128)]
@@ -47,7 +49,7 @@ def view(random, away: float) -> list[int]:
 
 
 def base(random, side: int = 64) -> Scene:
-    """A scene with materials and a map, and nothing else."""
+    """A scene with materials and one map but no objects."""
     settings = SETTINGS["perspective"]
     materials = [replace(m, perspective=settings[random.integers(len(settings))])
                  if (m.mapper, m.gradients) == ("affine", "plane") else m for m in MATERIALS]
@@ -60,8 +62,8 @@ def base(random, side: int = 64) -> Scene:
 
 
 def boxes(seed: int, frames: int = 4) -> Scene:
-    """Cubes of all materials: some through the near plane and the guard band, some at the
-    same depth; two flat polygons among them."""
+    """Cubes of all materials, some crossing the near plane and the guard band, some at the same
+    depth, and two flat polygons among them."""
     random = np.random.default_rng(seed)
     scene = base(random)
     scene.frames = frames

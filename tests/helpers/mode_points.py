@@ -1,4 +1,5 @@
-"""Point samples of texture units' modes: right wherever the planes' roundings leave them so."""
+"""Point samples of texture units' modes: they may be wrong only where rounding of the planes
+explains it."""
 
 import numpy as np
 
@@ -8,7 +9,8 @@ from tmap.model import model
 
 
 def raised(corners, x: int, y: int, key: int) -> float:
-    """How far above the exact value s (``key`` 2) or t (3) of a triangle may be at a pixel, in texels."""
+    """Returns by how much s (``key`` 2) or t (3) of a triangle may exceed its exact value at a
+    pixel, in texels."""
     made = model.set_up([c[:4] for c in corners], WIDTH, HEIGHT, True, model.Settings("exact"))
     three = [corners[k] for k in ideal.corners(corners)]
     plane = ideal.Plane([c[:2] for c in three], [c[key] for c in three])
@@ -16,8 +18,9 @@ def raised(corners, x: int, y: int, key: int) -> float:
 
 
 def check(mode, errors, kind: str, surface) -> None:
-    """Every pixel shows the texel that is meant, but where s or t is less below the next one than its
-    plane is raised by there; ``errors``: the engine's module; ``surface``: the exact s and t."""
+    """Asserts that every pixel shows the intended texel. A pixel may show the next one if s or t is
+    closer to it than its plane may be raised there. ``errors``: the engine's module; ``surface``:
+    the exact s and t."""
     on = errors.pixels_of(mode, kind)
     drawn, meant = errors.colours_of(mode, kind)
     s_and_t = surface(on).at(on.x, on.y)

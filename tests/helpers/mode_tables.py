@@ -1,10 +1,10 @@
-"""What ``tmap accuracy`` tells of an engine's modes."""
+"""Checks the table that ``tmap accuracy`` writes of an engine's modes."""
 
 from tmap.accuracy import accuracy
 
 
 def check(folder, capsys, engine: str, modes: list) -> None:
-    """A line each in ENGINE.md, drawn by the machine, with errors."""
+    """ENGINE.md has one line for each mode, with its errors, as drawn by the machine."""
     assert accuracy.command(folder, [engine], "a1200-fast", False) == 0
     text = (folder / f"{engine}.md").read_text()
     lines = [line for line in text.splitlines() if line.startswith("| ")]

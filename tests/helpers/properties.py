@@ -1,8 +1,9 @@
-"""What must hold for every polygon: each function returns complaints, none where it holds.
+"""Properties that must hold for every polygon: each function returns complaints, none if the
+property holds.
 
-They call the integer model through its modules, so that tests can put a wrong renderer in
-its place. Coordinates are 16.16; a vertex is (x, y, s, t, shade, w). What the renderer may be
-off from the ideal stands in tools/tmap/ideal/ideal.py. tests/helpers/property_cases.py has random cases.
+They call the integer model through its modules, so that tests can put a wrong renderer in its
+place. Coordinates are 16.16; a vertex is (x, y, s, t, shade, w). tools/tmap/ideal/ideal.py derives
+how far the renderer may be off the ideal. tests/helpers/property_cases.py has random cases.
 """
 
 from dataclasses import dataclass, replace
@@ -16,12 +17,12 @@ from tmap.model import model
 from tmap.scene_file.scene_file import ONE
 from tmap.setup import spans
 
-SIDE = 256 << 16  # of a map that repeats: 256 texels
+SIDE = 256 << 16  # width of a map that repeats: 256 texels
 
 
 @dataclass(frozen=True)
 class Case:
-    """A polygon in a frame, and where it comes from."""
+    """A polygon in a frame; ``origin`` says how it was generated."""
 
     origin: str
     vertices: tuple
@@ -31,23 +32,23 @@ class Case:
     size: tuple[int, int] = (256, 256)  # of the map, in texels
 
     def adapted(self) -> list[tuple]:
-        """The vertices as the set-up takes them: (x, y, u, v)."""
+        """The vertices in the form the set-up takes: (x, y, u, v)."""
         return model.adapt(self.vertices, self.settings, max(self.size))
 
     def drawn(self) -> model.Polygon | None:
-        """The model's polygon."""
+        """The polygon as the model sets it up."""
         return model.set_up(self.adapted(), self.width, self.height,
                             self.settings.mapper != "flat", self.settings, self.size)
 
     def keeps_shape(self) -> bool:
-        """Whether the polygon is still convex, no two vertices in one place, when its
-        vertices are cut to whole pixels. Otherwise its parts may lie over each other, and
-        of two vertices in one place the list's order chooses whose texture counts."""
+        """Returns whether the polygon is still convex, with no two vertices in the same place, when
+        its vertices are cut to whole pixels. Otherwise its parts may overlap, and of two vertices
+        in one place the order of the list decides whose texture counts."""
         points = [v[:2] for v in self.adapted()]
         return len(set(points)) == len(points) and random_polygons.is_convex(points)
 
     def complaint(self, what: str, pixel: tuple, expected, found) -> str:
-        """All a person needs to look into it."""
+        """Describes a failure completely: the case, the pixel, the expected and the found value."""
         return "\n".join([
             f"{self.origin}: {what} at (x {pixel[0]}, y {pixel[1]}): expected {expected}, "
             f"found {found}", f"  {self.width}x{self.height}, map {self.size}, {self.settings}",
@@ -55,26 +56,26 @@ class Case:
 
 
 def listed(vertices) -> list[str]:
-    """Vertices in decimal and hex."""
+    """Formats vertices in decimal and hex."""
     return [f"  vertex {k}: " + ", ".join(f"{n} {c / 65536:.6f} ({c & model.M32:#010x})"
                                           for n, c in zip(("x", "y", "s", "t", "shade", "w"), vertex))
             for k, vertex in enumerate(vertices)]
 
 
 def rows(polygon: model.Polygon | None) -> dict[int, model.Line]:
-    """The lines with pixels, by number."""
+    """The lines that have pixels, by number."""
     lines = enumerate(polygon.lines, polygon.top) if polygon else ()
     return {y: line for y, line in lines if line.right > line.left}
 
 
 def lit(rows_: dict[int, model.Line]) -> set[tuple[int, int]]:
-    """The pixels of lines."""
+    """The set of pixels of these lines."""
     return {(i, y) for y, line in rows_.items() for i in range(line.left, line.right)}
 
 
 def moved(rows_: dict[int, model.Line], columns: int = 0, down: int = 0, u: int = 0,
           v: int = 0) -> dict[int, model.Line]:
-    """Lines elsewhere, with other u and v."""
+    """Returns the lines moved, with u and v shifted."""
     return {y + down: replace(line, left=line.left + columns, right=line.right + columns,
                               u=line.u + u & model.M32, v=line.v + v & model.M32)
             for y, line in rows_.items()}
@@ -82,7 +83,7 @@ def moved(rows_: dict[int, model.Line], columns: int = 0, down: int = 0, u: int 
 
 def same(case: Case, what: str, wanted: dict[int, model.Line],
          found: dict[int, model.Line]) -> list[str]:
-    """Complains of the first line that differs in anything."""
+    """Complains about the first line that differs in any field."""
     for y in sorted(wanted.keys() | found.keys()):
         a, b = wanted.get(y), found.get(y)
         if a != b:
@@ -93,8 +94,8 @@ def same(case: Case, what: str, wanted: dict[int, model.Line],
 # Watertight
 
 def counted(case: Case, pieces) -> np.ndarray:
-    """How many of some polygons (x, y, ...) cover each pixel of a case's frame, drawn with its
-    settings: int, [y][x]."""
+    """Counts how many of the pieces, lists of (x, y, ...), cover each pixel of the case's frame,
+    drawn with the case's settings: int, [y][x]."""
     counts = np.zeros((case.height, case.width), int)
     for piece in pieces:
         part = replace(case, vertices=tuple((*p[:2], 0, 0, 0, ONE) for p in piece))
@@ -104,13 +105,14 @@ def counted(case: Case, pieces) -> np.ndarray:
 
 
 def possible(case: Case, pieces, column: int, line: int) -> tuple[int, int]:
-    """How often a pixel at an edge may be covered, beyond what it should be: least, most.
+    """Returns by how much the coverage of a pixel at an edge may differ from the expected: least,
+    most.
 
-    Polygons that share an edge have it from the same upper vertex, so it is the same
-    numbers to both: what one leaves the other covers, wherever the edge is. Only two
-    things can differ. An edge of the outline may be on the pixel's other side. And a
-    piece may be inside out there, its left edge right of its right one: it draws nothing
-    where it would have to take one away. For that both its edges must be near the pixel.
+    Polygons that share an edge start it at the same upper vertex and so compute the same numbers:
+    wherever the edge is, each pixel belongs to exactly one of them. Only two things can differ. An
+    edge of the outline may be on the pixel's other side. And a piece may be inside out at this
+    line, its left edge right of its right one: it then draws nothing where the exact count would
+    need -1. That needs both its edges near the pixel.
     """
     def near(vertices) -> int:
         return sum(c.near(column, case.settings, case.width, case.height)
@@ -123,8 +125,8 @@ def possible(case: Case, pieces, column: int, line: int) -> tuple[int, int]:
 def covers_once(case: Case, pieces) -> list[str]:
     """The pieces of a polygon (the case's, convex or not) cover its pixels exactly once.
 
-    Vertices cut to whole pixels can turn a piece over or make a line of it, which is not
-    drawn: then nothing is promised.
+    Vertices cut to whole pixels can turn a piece over, or reduce it to a line, which is not drawn:
+    then nothing is promised.
     """
     if case.settings.edges == "integer":
         pieces = [[tuple(c & ~0xFFFF for c in p[:2]) for p in piece] for piece in pieces]
@@ -147,8 +149,8 @@ def covers_once(case: Case, pieces) -> list[str]:
 # Exact coverage
 
 def coverage(case: Case) -> list[str]:
-    """The ideal's pixels; where edges are rounded or cut, others only as near to an edge as
-    that may move it (ideal.Crossing.slack)."""
+    """The pixels are the ideal's. With rounded or cut edges they may differ only as near to an edge
+    as the rounding may move it (ideal.Crossing.slack)."""
     if not case.keeps_shape():
         return []
     vertices = case.adapted()
@@ -181,8 +183,8 @@ def drift(case: Case) -> list[str]:
 def within(case: Case) -> list[str]:
     """u and v of every pixel are in the range that their plane has on the polygon.
 
-    A pixel lies inside the polygon, or outside by its edge's slack along the line: the
-    range grows by so many times the gradient, and by the bound of u or v.
+    A pixel's centre is inside the polygon, or outside by at most the edge's slack along the line:
+    the range grows by that slack times the gradient, and by the bound of u or v.
     """
     polygon, vertices = case.drawn(), case.adapted()
     if polygon is None:
@@ -207,7 +209,7 @@ def within(case: Case) -> list[str]:
 
 
 def held(case: Case) -> list[str]:
-    """Every shade is one of the vertices' range, every texel one of the map, exactly."""
+    """Every shade is in the vertices' range, every texel on the map, with no tolerance."""
     if case.settings.mapper == "gouraud":
         shades = [v[4] >> 16 for v in case.vertices]
         limits = [(min(shades), max(shades))]
@@ -224,7 +226,7 @@ def held(case: Case) -> list[str]:
 
 
 def rows_kept(case: Case) -> list[str]:
-    """Every pixel shows the column of its own u and the row of its own v: none is carried into the
+    """Every pixel shows the column of its own u and the row of its own v: neither carries into the
     other, however often the map repeats along a line."""
     polygon = case.drawn()
     for y, line in rows(polygon).items():
@@ -242,7 +244,7 @@ def rows_kept(case: Case) -> list[str]:
 # Invariance
 
 def rotation(case: Case) -> list[str]:
-    """Whichever vertex comes first: the same lines, u, v and steps in every setting."""
+    """Any vertex may come first: the lines, u, v and steps are the same in every setting."""
     if not case.keeps_shape():
         return []
     wanted, v = rows(case.drawn()), case.vertices
@@ -252,7 +254,7 @@ def rotation(case: Case) -> list[str]:
 
 
 def reversal(case: Case) -> list[str]:
-    """Either winding: the same lines, u, v and steps in every setting."""
+    """Either winding gives the same lines, u, v and steps in every setting."""
     if not case.keeps_shape():
         return []
     other = replace(case, vertices=case.vertices[::-1])
@@ -260,8 +262,8 @@ def reversal(case: Case) -> list[str]:
 
 
 def translation(case: Case, columns: int, down: int) -> list[str]:
-    """Moved by whole pixels and in the frame before and after, so that no border of it
-    cuts the polygon or the box that u and v are seen from: the same lines, moved."""
+    """A polygon moved by whole pixels has the same lines, moved. It must be inside the frame before
+    and after, so that no border cuts it or the box in which u and v are seen."""
     there = replace(case, vertices=tuple((x + (columns << 16), y + (down << 16), *rest)
                                          for x, y, *rest in case.vertices))
     return same(case, f"moved by {columns}, {down}: line", moved(rows(case.drawn()), columns, down),
@@ -269,7 +271,7 @@ def translation(case: Case, columns: int, down: int) -> list[str]:
 
 
 def wrapping(case: Case, s: int, t: int) -> list[str]:
-    """s and t further by whole maps that repeat: u and v further by as much, the same steps."""
+    """Adding whole repeating maps to s and t adds as much to u and v; the steps stay the same."""
     other = replace(case, vertices=tuple((x, y, u + s * SIDE, v + t * SIDE, *rest)
                                          for x, y, u, v, *rest in case.vertices))
     return same(case, f"{s} and {t} maps further: line",
@@ -277,10 +279,10 @@ def wrapping(case: Case, s: int, t: int) -> list[str]:
 
 
 def two_planes(case: Case, what: str, first: Case, second: Case) -> list[str]:
-    """u and v of two polygons with one texture plane, at pixels of both: where both are
-    seen from the same pixel the same, elsewhere apart by the larger bound at most.
+    """Compares u and v of two polygons with one texture plane, at pixels of both: they are equal if
+    both planes are seen from the same pixel, otherwise apart by the larger bound at most.
 
-    Along a line the difference is linear, so the ends of the common part show the worst.
+    Along a line the difference is linear, so it is largest at an end of the common part.
     """
     drawn = [c.drawn() for c in (first, second)]
     both, planes = [rows(p) for p in drawn], [p and p.texturing for p in drawn]
@@ -303,8 +305,8 @@ def two_planes(case: Case, what: str, first: Case, second: Case) -> list[str]:
 
 
 def splitting(case: Case, parts) -> list[str]:
-    """Cut along a diagonal: the same pixels, each once, u and v within the bounds of both.
-    The polygon's texture must lie on one plane exactly."""
+    """A polygon cut along a diagonal has the same pixels, each once, with u and v within the bounds
+    of both. The polygon's texture must be one plane exactly."""
     complaints = covers_once(case, parts)
     for k, part in enumerate(parts):
         complaints += two_planes(case, f"part {k}", case, replace(case, vertices=tuple(part)))
@@ -314,8 +316,8 @@ def splitting(case: Case, parts) -> list[str]:
 # Pieces
 
 def pieces(case: Case) -> list[str]:
-    """A polygon is drawn in one piece where its values lie on planes, else as triangles, which cover
-    it once; each is within its bounds, and every vertex is one of a triangle's."""
+    """A polygon is drawn in one piece if its values are on planes, otherwise as triangles that
+    cover it once; each piece is within its bounds, and every vertex belongs to one."""
     parts = model.parts(case.vertices, case.settings)
     if {v for part in parts for v in part} != set(case.vertices):
         return [case.complaint("vertices drawn", ("any", "any"), case.vertices, parts)]
@@ -330,12 +332,12 @@ def pieces(case: Case) -> list[str]:
 # Monotone
 
 def monotone(case: Case, part) -> list[str]:
-    """A polygon of some of a convex one's vertices lights none but its pixels.
+    """A polygon made of some of a convex polygon's vertices lights only pixels of the larger one.
 
-    With rounded edges it may only where it has an edge of its own, with another upper
-    vertex, as near to the pixel as both edges' slacks allow: edges from one vertex have
-    the order of their exact slopes in their first x and in their slopes, for rounding to
-    the nearest never reverses two numbers, so they never cross.
+    With rounded edges a pixel may be lit if an edge of each polygon, with different upper vertices,
+    is as near to it as the larger of both slacks. Edges from one vertex have the order of their
+    exact slopes in their first x and in their slopes: rounding to the nearest never reverses two
+    numbers, so these edges never cross.
     """
     inner = replace(case, vertices=tuple(part))
     for i, y in sorted(lit(rows(inner.drawn())) - lit(rows(case.drawn()))):
@@ -354,8 +356,8 @@ def monotone(case: Case, part) -> list[str]:
 # Clipping
 
 def clipping(case: Case) -> list[str]:
-    """Cut vertices and cut lines light the same pixels, but where an edge is as near to
-    one as the new vertices may move it; u and v on the plane are within their bounds."""
+    """Cut vertices and cut lines light the same pixels, except as near to an edge as the new
+    vertices may move it; u and v on the plane are within their bounds."""
     cut = replace(case, settings=replace(case.settings, clip="vertices"))
     scissor = replace(case, settings=replace(case.settings, clip="scissor"))
     vertices = case.adapted()

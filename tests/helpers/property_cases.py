@@ -1,6 +1,6 @@
 """Random cases of the properties in tests/helpers/properties.py.
 
-``check`` draws one by the property's name, a seed and a number; nothing else counts.
+``check`` draws one; it depends only on the property's name, a seed and a number.
 """
 
 import random
@@ -30,7 +30,7 @@ def planar(rng: random.Random, points) -> tuple:
 
 
 def convex(rng: random.Random, least: int = 3, unit: int = 1) -> list[tuple[int, int]]:
-    """A convex polygon of some vertices at least, on multiples of a unit."""
+    """A random convex polygon with at least ``least`` vertices, on multiples of ``unit``."""
     while True:
         points = [(x // unit * unit, y // unit * unit)
                   for x, y in random_polygons.convex_polygon(rng, WIDTH, HEIGHT)]
@@ -39,7 +39,7 @@ def convex(rng: random.Random, least: int = 3, unit: int = 1) -> list[tuple[int,
 
 
 def textured(rng: random.Random, points, shades=(0, 255)) -> tuple:
-    """Vertices with s, t, 8,192 texels from the map's corner at most, and shade."""
+    """Vertices with s and t, at most 8,192 texels from the map's corner, and shade."""
     st = [(model.FAR, 0)]
     while max(abs(c) for pair in st for c in pair) > model.FAR // 2:
         st = random_polygons.texture_plane(rng, points)
@@ -48,7 +48,7 @@ def textured(rng: random.Random, points, shades=(0, 255)) -> tuple:
 
 
 def any_settings(rng: random.Random, count: int, **fixed) -> model.Settings:
-    """Settings that a polygon of so many vertices can have."""
+    """Random settings that are valid for a polygon with ``count`` vertices."""
     kinds = {"edges": ("integer", "subpixel", "exact"), "start": ("truncated", "subtexel"),
              "gradients": ("scanline", "plane") + (("polygon",) if count == 3 else ()),
              "clip": ("scissor", "vertices"), "mapper": REPEATING}
@@ -56,14 +56,14 @@ def any_settings(rng: random.Random, count: int, **fixed) -> model.Settings:
 
 
 def any_case(rng: random.Random, origin: str, **fixed) -> Case:
-    """A random polygon with any settings but those given."""
+    """A random polygon with random settings, except those in ``fixed``."""
     points = long_triangle(rng, HEIGHT) if rng.random() < 0.1 else convex(rng)
     vertices = textured(rng, points)
     return Case(origin, vertices, WIDTH, HEIGHT, any_settings(rng, len(vertices), **fixed))
 
 
 def long_triangle(rng: random.Random, side: int) -> list[tuple[int, int]]:
-    """In, across or far beyond a frame so wide and high; some are needles."""
+    """A triangle in, across or far beyond a frame of this width and height; some are needles."""
     while True:
         reach = [rng.choice((0, 0, side, 16000 - side)) for _ in range(2)]
         points = [tuple(round(rng.uniform(-r, side + r) * 65536) for r in reach)
@@ -77,13 +77,13 @@ def long_triangle(rng: random.Random, side: int) -> list[tuple[int, int]]:
 
 
 def held_case(rng: random.Random, origin: str) -> Case:
-    """A polygon whose texels or shades reach the end of what they may be; with more than
-    three vertices they are on no plane."""
+    """A polygon whose texels or shades reach the ends of their range; with more than three vertices
+    they are on no plane."""
     points = long_triangle(rng, HEIGHT) if rng.random() < 0.3 else convex(rng)
     size = tuple(rng.choice((1, 2, 8, 100, 256, 1000)) for _ in range(2))
     low, high = sorted(rng.choice((0, 0, 255, rng.randrange(256))) for _ in range(2))
     room = [256 * 65536 * side // max(size) for side in size]
-    inset = min(model.INSET * 256 // max(size) + 1, *room)  # lines just need not be held
+    inset = min(model.INSET * 256 // max(size) + 1, *room)  # lines with this inset need no clamp
     vertices = tuple(
         (*p[:2], *(rng.choice((0, end, inset, end - inset, rng.randint(0, end))) for end in room),
          *p[4:]) for p in textured(rng, points, (low, high)))
@@ -120,7 +120,7 @@ def check_held(rng: random.Random, origin: str) -> list[str]:
 
 
 def row_case(rng: random.Random, origin: str) -> Case:
-    """An upright rectangle whose lines take a row of the map, or up to a texel more or less."""
+    """An upright rectangle whose lines cover one row of the map, or up to a texel more or less."""
     x, y = (rng.randrange(side // 2 * ONE) for side in (WIDTH, HEIGHT))
     right, bottom = x + rng.randrange(ONE, WIDTH * ONE), y + rng.randrange(ONE, HEIGHT * ONE)
     ends = [rng.choice((0, end)) + rng.choice((0, rng.randint(-ONE, ONE))) for end in (0, 256 * ONE)]
@@ -172,8 +172,8 @@ def check_splitting(rng: random.Random, origin: str) -> list[str]:
 
 
 def uneven_case(rng: random.Random, origin: str) -> Case:
-    """A polygon whose vertices say any s, t, shade and w, with any mapper, perspective and edges; a
-    few are planar."""
+    """A polygon whose vertices have arbitrary s, t, shade and w, with any mapper, perspective and
+    edges; a few are planar."""
     points, mapper = convex(rng, 4), rng.choice((*REPEATING, "arbitrary", "gouraud", "lit_gouraud"))
     settings = any_settings(rng, 4, gradients="plane", mapper=mapper)
     deep = mapper == "affine" and rng.random() < 0.5
@@ -206,18 +206,18 @@ def check_clipping(rng: random.Random, origin: str) -> list[str]:
     return clipping(Case(origin, vertices, WIDTH, HEIGHT, model.Settings(edges)))
 
 
-#: name: what draws a case by chance and returns its complaints
+#: name: function that draws a random case and returns its complaints
 CHECKS = {name.removeprefix("check_"): function for name, function in list(globals().items())
           if name.startswith("check_")}
 
 
 def check(name: str, seed: int, number: int) -> list[str]:
-    """The complaints of one random case, which depends on nothing but these three."""
+    """Returns the complaints of one random case, which depends only on these three arguments."""
     rng = random.Random(f"{name} {seed} {number}")
     return CHECKS[name](rng, f"{name}, seed {seed}, number {number}")
 
 
 def complaints(name: str, seed: int, count: int) -> Iterator[str]:
-    """Those of so many cases."""
+    """Yields the complaints of ``count`` cases."""
     for number in range(count):
         yield from check(name, seed, number)

@@ -53,7 +53,7 @@ OBJECTS = (("affine", THIRDS), ("flat", PLANE),
 
 
 def steps_scene(folder, frames: int = 1) -> Scene:
-    """The scene, made in a folder, of which one object moves."""
+    """Compiles the scene in a folder; one of its objects moves."""
     save_noise(folder, 5, noise=(64, 64))
     text = TEXT.format(frames=frames) + "".join(
         f'[[objects]]\nmaterial = "{name}"\n{lines}\n' for name, lines in OBJECTS)

@@ -7,8 +7,9 @@ from tmap.ideal import ideal, perspective
 
 
 def off_surface(vertices, texel: Fraction) -> Iterator[tuple[str, Fraction, Fraction]]:
-    """(what, how far off, the most that rounding explains) of 1/w, u and v at each vertex (x, y, u,
-    v, w), in units; ``texel``: the rounding of u and v. Derived in tools/tmap/corpus/hard_depths.py."""
+    """Yields (what, error, the most that rounding explains) of 1/w, u and v at each vertex (x, y,
+    u, v, w), in units; ``texel``: the rounding of u and v. Derived in
+    tools/tmap/corpus/hard_depths.py."""
     three = [vertices[k] for k in ideal.corners(vertices)]
     points = [v[:2] for v in three]
     parts = [ideal.Plane(points, [int(k == n) for n in range(3)]) for k in range(3)]

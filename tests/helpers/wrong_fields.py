@@ -1,4 +1,4 @@
-"""Files in which one field cannot be, as test_guest_input gives them to the guest."""
+"""Files with one invalid field, for test_guest_input, which gives them to the guest."""
 
 import zlib
 
@@ -9,12 +9,13 @@ from tmap.scene_file.scene_file import Scene
 
 SHAPES = layout.load()
 M32 = 0xFFFFFFFF
-#: File, place, value, field.
+#: File, offset, value, field.
 Row = tuple[bytes, int, int, str]
 
 
 def changed(data: bytes, at: int, value: int, header: str, summed: str) -> bytes:
-    """A file with one longword replaced, and the checksum right again where that is covered."""
+    """Returns the file with one longword replaced; the checksum is updated if it covers that
+    place."""
     fields = SHAPES.struct(header).fields
     start, place = fields[summed]["offset"], fields["checksum"]["offset"]
     out = bytearray(data[:at] + (value & M32).to_bytes(4, "big") + data[at + 4:])
@@ -25,19 +26,20 @@ def changed(data: bytes, at: int, value: int, header: str, summed: str) -> bytes
 
 
 def lengths(header: str, data: bytes) -> list[int]:
-    """How much of a file is left where it is cut: in its header and behind it."""
+    """The lengths to which a file is truncated: within its header and behind it."""
     return [3, SHAPES.struct(header).size - 1, SHAPES.struct(header).size, len(data) // 2,
             len(data) - 1]
 
 
 class WrongFields:
-    """Values that a scene's fields cannot have, each a row added to ``rows``."""
+    """Adds files with invalid values of a scene's fields to ``rows``."""
 
     def __init__(self, scene: Scene, rows: list[Row]) -> None:
         self.data, self.rows = scene_file.write(scene), rows
 
     def entry(self, table: str, index: int, field: str, *values: int, said: str = "") -> None:
-        """One row of a table: named by its struct and the field, if ``said`` gives no other name."""
+        """Adds invalid values for one row of a table; the name is struct.field unless ``said`` is
+        given."""
         struct = SHAPES.struct(scene_file.TABLES[table])
         at = SHAPES.struct("scene_header").unpack(self.data)[f"{table}_at"]
         at += index * struct.size + struct.fields[field]["offset"]

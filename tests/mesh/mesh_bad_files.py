@@ -1,4 +1,4 @@
-"""Scene files whose meshes, instances or views cannot be: file, place, value, field."""
+"""Scene files with invalid meshes, instances or views: file, offset, value, field."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ UNIT = 1 << 30
 
 
 def wrong_meshes() -> list[Row]:
-    """As wrong_pipes of glide_bad_files."""
+    """Returns rows like those of wrong_pipes in glide_bad_files."""
     made = mesh_cases.boxes(1)
     made.textures = [Texture(np.zeros((8, 8), np.uint8)),
                      Texture(np.zeros((30, 7), np.uint8), "linear")]

@@ -1,6 +1,8 @@
-"""The hard meshes: drawn on the emulated Amiga as the model draws them, and held to exact faces.
+"""The hard meshes: the emulated Amiga draws them as the model does, within the bounds of exact
+faces.
 
-``make test`` draws a quarter of each case's ways, chosen by its name; HARD_CASES=all draws all.
+``make test`` draws a quarter of the combinations of each case, chosen by its name; HARD_CASES=all
+draws all.
 """
 
 import os
@@ -23,24 +25,26 @@ from tmap.scene_file import meshes, scene_file
 CASES = hard_meshes.cases()
 BY_NAME = {case.name: case for case in CASES}
 PART = 1 if os.environ.get("HARD_CASES") == "all" else 4
-#: Nothing of them is to be seen, or all of it within rounding.
+#: Cases that show nothing, or only what rounding explains.
 UNSEEN = {"mesh_face_1_unit_behind_the_near_plane", "mesh_beside_the_view", "mesh_ball_within_a_pixel",
           "mesh_wall_4_units_aside"} | {
     f"mesh_plane_{where}_the_eye"
     for where in ("1_unit_above", "through", "1_unit_below", "64_units_below")} | {
     f"mesh_leaning_{lean}_units_above" for lean in (1, 64)}
-#: The eye is so near to the face's plane that its planes of 1/w are not sure: it is drawn affine.
+#: The eye is so near to the face's plane that its planes of 1/w are not precise enough: it is drawn
+#: affine.
 UNSURE = {"mesh_wall_4_units_aside_askew"}
 
 
 def chosen(case) -> list:
-    """The ways that are run."""
+    """The combinations to draw."""
     ways = combinations(case)
     return [(case, s) for s in random.Random(case.name).sample(ways, ceil(len(ways) / PART))]
 
 
 def test_every_case_is_the_models_and_keeps_its_bound() -> None:
-    """Frames bit for bit; every pixel and texel as near to the exact faces as is derived."""
+    """Frames are the model's bit for bit; every pixel and texel is as near to the exact faces as
+    derived."""
     drawings = [drawing for case in CASES for drawing in chosen(case)]
     rows = hard_report.measure_meshes(drawings, "a1200-fast")
     wrong = [f"{hard_mesh_report.called(*drawing)}: {row.complaint}"
@@ -49,12 +53,12 @@ def test_every_case_is_the_models_and_keeps_its_bound() -> None:
     shown = {row.case for row in rows if row.pixels}
     assert shown == BY_NAME.keys() - UNSEEN
     assert sum(row.texel_bound is not None for row in rows) > len(rows) / 3
-    assert max(row.worst_ratio or 0 for row in rows) > 0.1  # the bounds are not idle
+    assert max(row.worst_ratio or 0 for row in rows) > 0.1  # the bounds are not too wide
 
 
 def test_families_are_what_the_scenes_need() -> None:
-    """Near planes, faces seen along themselves, guard bands, horizons, walls past the eye, tiny and huge
-    faces, order, normals: each a family, all names different."""
+    """Near planes, faces seen edge on, guard bands, horizons, walls past the eye, tiny and huge
+    faces, order, normals: each is a family; all names differ."""
     families = {family.__name__: len(list(family())) for family in hard_meshes.FAMILIES}
     assert families.keys() == {"near_planes", "edge_on", "guard_bands", "horizons", "grazing",
                                "tiny_and_huge", "orders", "normals"}
@@ -76,13 +80,13 @@ def test_scenes_are_what_the_format_takes() -> None:
 
 
 def scene_of(name: str):
-    """A case drawn flat."""
+    """A scene of the case with its first combination."""
     return hard_mesh_report.scene(BY_NAME[name], combinations(BY_NAME[name])[:1],
                                   np.zeros((256, 256), np.uint8))
 
 
 def borders_of(name: str) -> set[int]:
-    """The borders that corners of a case are outside of, by the model."""
+    """The borders that corners of a case are outside of, according to the model."""
     made = scene_of(name)
     points = mesh.transform(made, made.points.tolist(), made.views[0].tolist())
     depths = [mesh.depths(p.x, p.y, p.w, made.near_plane) for p in points]
@@ -97,12 +101,13 @@ def borders_of(name: str) -> set[int]:
     ("mesh_edge_inside_the_guard_band", set()), ("mesh_edge_on_the_guard_band", set()),
     ("mesh_edge_outside_the_guard_band", {2}), ("mesh_ball_of_small_faces", set())])
 def test_borders_are_crossed_as_the_names_say(name: str, borders: set[int]) -> None:
-    """Near, left, right, above, below; a unit decides."""
+    """Borders are near, left, right, above, below; a unit decides."""
     assert borders_of(name) == borders
 
 
 def test_planes_near_the_eye_are_what_the_names_say() -> None:
-    """Seen from the front where the eye is above them by more than rounding, whatever is between."""
+    """Planes are seen from the front if the eye is above them by more than rounding; within
+    rounding either is right."""
     for name, height in (("mesh_plane_1_unit_above_the_eye", -1), ("mesh_plane_through_the_eye", 0),
                          ("mesh_plane_1_unit_below_the_eye", 1), ("mesh_plane_64_units_below_the_eye", 64)):
         made = scene_of(name)
@@ -115,14 +120,14 @@ def test_planes_near_the_eye_are_what_the_names_say() -> None:
 
 
 def test_only_planes_that_are_not_sure_are_drawn_affine() -> None:
-    """Of all hard meshes one: a wall 1/16,000 beside the eye."""
+    """Of all hard meshes this is one: a wall 1/16,000 beside the eye."""
     fine = [s for s in combinations(CASES[0]) if s.perspective == "fine"]
     kinds = "mesh_wall", "mesh_near", "mesh_floor", "mesh_ring"
     grazing = [case for case in CASES if case.name.startswith(kinds)]
     assert {case.name for case in grazing if judge(case, fine)[0].unsure} == UNSURE
 
 
-WRONG = {  # what a wrong renderer makes of a corner: the way to it
+WRONG = {  # the errors that a wrong renderer adds to a corner
     "beside by 1/16 pixel": lambda x: (4096, 0, 0, 0, 0, 0),
     "below by 1/16 pixel": lambda x: (0, 4096, 0, 0, 0, 0),
     "deeper by 1/64 on the right": lambda x: (0, 0, 0, 0, 0, 1024 * (x > 64 << 16)),
@@ -132,7 +137,7 @@ WRONG = {  # what a wrong renderer makes of a corner: the way to it
 
 @pytest.mark.parametrize("wrong", WRONG)
 def test_a_wrong_renderer_is_found(wrong: str, monkeypatch) -> None:
-    """By the judge of faces alone, in one case or another."""
+    """The comparison with exact faces alone finds the error, in at least one case."""
     right = mesh.faces_of
 
     def changed(*arguments):
@@ -146,7 +151,7 @@ def test_a_wrong_renderer_is_found(wrong: str, monkeypatch) -> None:
 
 
 def test_a_face_too_many_or_left_out_is_found(monkeypatch) -> None:
-    """Drawn from the back, or not drawn."""
+    """A face drawn although seen from the back, and a visible face not drawn."""
     box = BY_NAME["mesh_box_before_a_wall"]
     flat = combinations(box)[:1]
     assert not judge(box, flat)[0].complaint
@@ -156,7 +161,7 @@ def test_a_face_too_many_or_left_out_is_found(monkeypatch) -> None:
 
 
 def test_cracks_are_found() -> None:
-    """A face taken out of a box around the eye."""
+    """Removes each face of a box around the eye."""
     box = BY_NAME["mesh_box_around_the_eye"]
     flat = combinations(box)[:1]
     assert not judge(box, flat)[0].complaint
@@ -169,7 +174,7 @@ def test_cracks_are_found() -> None:
 
 
 def test_limits_are_the_formats() -> None:
-    """The family's own constants."""
+    """The family's constants are those of the format."""
     limits = layout.load().constants
     assert hard_meshes.REACH == limits["MESH_REACH"]
     assert hard_meshes.NEAREST * meshes.ONE == limits["W_MIN"]

@@ -1,4 +1,5 @@
-"""Points of meshes against exact numbers, within the bounds that tools/tmap/ideal/mesh.py derives."""
+"""Points of meshes compared with exact numbers, within the bounds that tools/tmap/ideal/mesh.py
+derives."""
 
 from fractions import Fraction
 from types import SimpleNamespace
@@ -52,7 +53,7 @@ def test_projection_is_within_its_bound(reach, away):
                 off = max(abs(Fraction(a, ONE) - b) for a, b in zip(made.screen, right))
                 assert off <= bound, (k, point)
                 worst, seen = max(worst, float(off / Fraction(bound))), seen + 1
-    assert seen > 100 and worst > 0.1  # the bound is not idle
+    assert seen > 100 and worst > 0.1  # the bound is not too wide to test anything
 
 
 def test_environment_and_shade_are_within_their_bound():
@@ -88,7 +89,7 @@ def as_exact(vertex) -> tuple:
 
 @pytest.mark.parametrize("near", [256, ONE, 999 * ONE + 1])
 def test_what_the_near_plane_cuts_is_within_half_a_unit(near):
-    """x and y at most as large as the near plane is far, so that no other border cuts."""
+    """x and y are at most as large as the near plane's distance, so that no other border cuts."""
     random, cuts = np.random.default_rng(near), 0
     for _ in range(200):
         face = [tuple(int(random.integers(-most, most + 1)) for most in
@@ -105,8 +106,9 @@ def test_what_the_near_plane_cuts_is_within_half_a_unit(near):
 
 @pytest.mark.parametrize("near", [256, 5000, ONE])
 def test_whatever_is_cut_lies_inside_and_on_the_screen(near):
-    """All borders, any size and place, depths from 1/256 to nearly 16,384 in one polygon: what is
-    left lies within a unit of the borders, stays convex in number, and its screen is small."""
+    """All borders, any size and place, depths from 1/256 to nearly 16,384 in one polygon: the
+    clipped polygon is within a unit of the borders, has no more corners than a convex one can, and
+    is small on the screen."""
     random, scene, widest = np.random.default_rng(near), about(13, near), 0.0
     for most in (0.01, 1, 100, 4000, 16000):
         for _ in range(200):
@@ -125,7 +127,7 @@ def test_whatever_is_cut_lies_inside_and_on_the_screen(near):
 
 
 def test_shared_edges_are_cut_at_the_same_points():
-    """Two triangles with an edge in common, which runs the other way round in the second."""
+    """Two triangles share an edge, which runs in the opposite direction in the second."""
     random, shared = np.random.default_rng(3), 0
     for _ in range(400):
         a, b, c, d = random_face(random, 20, 4)
@@ -141,8 +143,8 @@ def test_shared_edges_are_cut_at_the_same_points():
 
 
 def test_back_faces_of_a_cube():
-    """From any place outside, at least one face of a cube is seen and at most three, those whose
-    planes the eye is beyond."""
+    """From any place outside, one to three faces of a cube are visible: those whose planes the eye
+    is beyond."""
     random = np.random.default_rng(4)
     corners = [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
     faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]

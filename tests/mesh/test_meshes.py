@@ -1,6 +1,7 @@
-"""Meshes on the emulated A1200: the model's frames, bit for bit; and scenes against exact numbers.
+"""Meshes on the emulated A1200 are the model's frames, bit for bit; scenes are compared with exact
+numbers.
 
-``make test`` takes some frames of each scene from all its length; SCENES=all takes every one.
+``make test`` takes some frames of each scene, spread over its length; SCENES=all takes every one.
 """
 
 import os
@@ -27,8 +28,9 @@ EVERY = 1 if os.environ.get("SCENES") == "all" else 13
 
 def assert_models(scenes: dict, results: tuple = (0,), part: float = 0.75,
                   more: tuple = ()) -> dict[str, list[np.ndarray]]:
-    """Each frame of each scene is the model's, whose frames are given back; at least a part of them
-    shows more than one colour. ``more``: (name, form) of what is drawn in other forms too."""
+    """Asserts that each frame of each scene is the model's, and that at least a fraction ``part``
+    of them shows more than one colour; returns the model's frames. ``more``: (name, form) of
+    further drawings."""
     right = {name: [model.render(scene, number) for number in range(scene.frames)]
              for name, scene in scenes.items()}
     drawings = [*((name, "addx") for name in scenes), *more]
@@ -46,7 +48,7 @@ def assert_models(scenes: dict, results: tuple = (0,), part: float = 0.75,
 
 
 def test_scenes_are_the_models():
-    """The scenes with meshes; every frame shows something else."""
+    """The scenes with meshes; every frame shows something different."""
     scenes = {}
     for name in NAMES:
         scene = compile_scene(SCENES / f"{name}.toml")
@@ -63,14 +65,14 @@ def test_scenes_are_the_models():
 
 
 def fractions(rows) -> list:
-    """Numbers as they are, rows of them as lists."""
+    """Numbers as fractions; rows of them as lists."""
     return [Fraction(row) if np.ndim(row) == 0 else fractions(row) for row in rows]
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_scenes_are_as_exact_as_is_derived(name: str, monkeypatch) -> None:
-    """Every pixel, texel and shade of their faces, against exact faces before the camera as it was before
-    its numbers were rounded."""
+    """Every pixel, texel and shade of their faces is compared with exact faces before the camera,
+    before its numbers were rounded."""
     seen, rounding = [], objects.Space.view
 
     def view(self, *arguments):
@@ -91,11 +93,12 @@ def test_scenes_are_as_exact_as_is_derived(name: str, monkeypatch) -> None:
             assert not found.complaint, f"frame {number}: {found.complaint}"
             total.merge(found)
     assert total.faces >= 4 and total.pixels > 10000 and not total.unsure
-    assert total.texel_ratio > 0.1  # the bounds are not idle
+    assert total.texel_ratio > 0.1  # the bounds are not too wide to test anything
 
 
 def test_random_meshes_are_the_models():
-    """Cubes of every kind of material, before, in and behind the camera; some in plain forms too."""
+    """Cubes of every kind of material, before, around and behind the camera; some in plain forms
+    too."""
     scenes = {f"seed {seed}": mesh_cases.boxes(seed) for seed in range(12)}
     plain = list(scenes)[:PLAIN]
     cut = sum(len(vertices) > 4 for name in plain for number in range(scenes[name].frames)
@@ -105,16 +108,17 @@ def test_random_meshes_are_the_models():
 
 
 def test_hostile_meshes_are_the_models():
-    """Faces of random points, dented and bent, with numbers of any size; many lie behind the camera."""
+    """Faces of random points, concave and bent, with numbers of any size; many are behind the
+    camera."""
     assert_models({f"seed {seed}": mesh_cases.hostile(seed) for seed in range(24)},
                   results=(0, 2, 3), part=0.25)
 
 
 def test_many_faces_at_one_depth_keep_their_order():
-    """40 squares on one another, nearer ones later, several at the same depth."""
+    """40 overlapping squares, several at the same depth: far ones are drawn first."""
     random = np.random.default_rng(5)
     scene = mesh_cases.base(random)
-    scene.guard = 6  # 64 pixels for a unit at a depth of one: several are seen
+    scene.guard = 6  # a unit at a depth of one is 64 pixels: several squares are visible
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
     depths = random.integers(2, 6, 40).tolist()
     centres = random.uniform(-1.5, 1.5, (40, 2)).tolist()
@@ -128,7 +132,7 @@ def test_many_faces_at_one_depth_keep_their_order():
     row = [0] * 25
     row[0] = row[4] = row[8] = 1 << 30
     scene.views = np.array([row, row, row])
-    scene.views[:, 9] = [ONE, 0, -ONE]  # so that no one hides all others
+    scene.views[:, 9] = [ONE, 0, -ONE]  # so that no instance hides all others
     scene.instances = [mesh_cases.Instance(0, k, 0, k, 1, 0) for k in range(3)]
     drawn = mesh.polygons_at(scene, 0)
     assert len(np.unique(model.render(scene, 0))) > 1

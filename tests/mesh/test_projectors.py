@@ -1,4 +1,4 @@
-"""Faces in space whose second unit has coordinates of its own: listed, or thrown by a projector."""
+"""Faces in space whose second unit has separate coordinates: listed, or computed by a projector."""
 
 import math
 from dataclasses import replace
@@ -17,8 +17,8 @@ from tmap.ideal.mesh import CUT, camera_error, off_screen, screen_error
 from tmap.model import model
 
 ONE = 65536
-CLAMP_W = 8  # of a unit's mode
-GUARD = 6  # of 64x48 pixels, seen by 60 degrees
+CLAMP_W = 8  # bit of a unit's mode
+GUARD = 6  # for 64x48 pixels and a field of view of 60 degrees
 WIDTH, HEIGHT = 64, 48
 HEAD = f"""\
 width = {WIDTH}
@@ -75,25 +75,25 @@ def make(folder, *args, **kinds):
 
 
 def halves(scene, obj) -> tuple[np.ndarray, np.ndarray]:
-    """An object's corners, and the second unit's; numbers as TOML has them."""
+    """An object's corners and those of its second unit, in the units of the TOML file."""
     corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices] / ONE
     return corners[:obj.vertices // 2], corners[obj.vertices // 2:]
 
 
 def area(corners: np.ndarray) -> float:
-    """Pixels inside a polygon on the screen."""
+    """The area of a polygon on the screen, in pixels."""
     x, y = corners[:, 0], corners[:, 1]
     return abs(x @ np.roll(y, 1) - y @ np.roll(x, 1)) / 2
 
 
 def border(corners: np.ndarray) -> float:
-    """The length of its sides, pixels."""
+    """The length of a polygon's outline, in pixels."""
     return np.hypot(*(corners[:, :2] - np.roll(corners[:, :2], 1, axis=0)).T).sum()
 
 
 def test_listed_coordinates(folder):
-    """On a wall that stands across: the corners where geometry has them, w the camera's; meshes'
-    bound of the screen and half a unit of the file."""
+    """A wall at right angles to the view: the corners are where geometry puts them, w is the
+    camera's; within the bound of meshes on the screen plus half a unit of the file."""
     scene = make(folder, WALL + "uvs1 = [[[0, 64], [32, 64], [32, 0], [0, 0]]]")
     first, second = halves(scene, scene.objects[0])
     focal = WIDTH / 2 / np.tan(np.pi / 6)  # 60 degrees
@@ -106,9 +106,9 @@ def test_listed_coordinates(folder):
 
 
 def test_a_projector_in_the_camera_shows_its_picture_undistorted(folder):
-    """However the face stands, cut at the borders: s and t go with x and y, w is 1. x and y have
-    meshes' bound, four times that in s and t; S Q, T Q and Q are rounded six times to 2^-24, so s
-    is off by 6/2^25 (1 + |s|) / Q, and the file's numbers by half a unit."""
+    """However the face is turned, cut at the borders: s and t are proportional to x and y, and w is
+    1. x and y have the bound of meshes, s and t four times that; S Q, T Q and Q are rounded six
+    times to 2^-24, so s is off by 6/2^25 (1 + |s|) / Q, and the file's numbers by half a unit."""
     tilted = "points = [[-9, -2, 1], [3, -2, 3], [5, 2, -7], [-9, 2, -6]]\nfaces = [[0, 1, 2]]\n" \
              "uvs = [[[0, 0], [256, 0], [256, 256]]]\n"
     camera = "[projectors.lamp]\neye = [0, 0, 4]\ntarget = [0, 0, 0]\n"
@@ -124,7 +124,8 @@ def test_a_projector_in_the_camera_shows_its_picture_undistorted(folder):
 
 
 def test_nothing_is_shown_behind_a_projector(folder):
-    """It looks to the right before the middle of a wall: left of it there is its first texel."""
+    """The projector looks to the right in front of the middle of a wall: left of it the wall shows
+    the first texel."""
     scene = make(folder, WALL + LAMP, SIDEWAYS, CLAMPED)
     _, second = halves(scene, scene.objects[0])
     assert np.sign(second[:, 5]).tolist() == [-1, 1, 1, -1]
@@ -137,7 +138,7 @@ def test_nothing_is_shown_behind_a_projector(folder):
 
 
 def test_the_window_needs_its_clamp():
-    """In its first frame the scene would have another window where w is below 0."""
+    """Without clamp_w the scene's first frame would show a second window where w is below 0."""
     scene = compile_scene(SCENES / "glide_window.toml", 1)
     words = scene.glide_units.copy()
     words[:, 0] &= ~CLAMP_W
@@ -146,7 +147,8 @@ def test_the_window_needs_its_clamp():
 
 
 def test_a_face_is_cut_next_to_the_plane_of_its_projector(folder):
-    """The parts cover it, up to the rounding of all corners: 1/65536 by the length of the sides."""
+    """The parts cover the face, up to the rounding of all corners: 1/65536 times the length of the
+    sides."""
     scene = make(folder, WALL + "uvs1 = [[[0, 0], [1, 0], [1, 1], [0, 1]]]")
     whole, _ = halves(scene, scene.objects[0])
     scene = make(folder, RIGHT + LAMP, SIDEWAYS, CLAMPED)
@@ -160,7 +162,8 @@ def test_a_face_is_cut_next_to_the_plane_of_its_projector(folder):
 
 
 def test_what_moves(folder):
-    """Frame by frame: the camera, the projector, the object; each frame is one polygon."""
+    """The camera, the projector or the object moves from frame to frame; each frame is one
+    polygon."""
     lamp = "[projectors.lamp]\neye = [0, 0, 3]\ntarget = [0, 0, 0]\n" \
            "keys = [{ frame = 0 }, { frame = 2, target = [2, 0, 0] }]\n"
     scene = make(folder, WALL + LAMP, lamp, frames=3)
@@ -176,7 +179,7 @@ def test_what_moves(folder):
 
 
 def test_far_faces_are_drawn_first(folder):
-    """Of one object, by their greatest depth."""
+    """The faces of one object are sorted by their greatest depth."""
     two = "points = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, -1, -1], [1, -1, -1], [1, 1, -1]]\n" \
           "faces = [[0, 1, 2], [3, 4, 5]]\nuvs = [[[0, 0], [1, 0], [1, 1]]]\n"
     scene = make(folder, two + "uvs1 = [[[0, 0], [1, 0], [1, 1]]]")
@@ -184,7 +187,7 @@ def test_far_faces_are_drawn_first(folder):
 
 
 def test_uneven_coordinates_make_triangles(folder):
-    """Of either unit, and of both then."""
+    """Coordinates of either unit that are not planar cut the face for both units."""
     uneven = "[[[0, 256], [256, 256], [100, 0], [0, 0]]]"
     for obj in (WALL + f"uvs1 = {uneven}",
                 WALL.replace(WALL[WALL.index("[[["):-1], uneven)
@@ -194,8 +197,8 @@ def test_uneven_coordinates_make_triangles(folder):
 
 
 def test_faces_meet_those_of_meshes():
-    """Nothing shows between the wall's halves, of which one is a mesh: from frame 8 on there is
-    nothing but wall to be seen."""
+    """Of the wall's halves one is a mesh. From frame 8 on the wall fills the frame: no background
+    shows between the halves."""
     scene = compile_scene(SCENES / "glide_wall.toml")
     for number in range(8, scene.frames):
         found = np.argwhere(model.render(scene, number) == scene.background).tolist()
@@ -203,7 +206,7 @@ def test_faces_meet_those_of_meshes():
 
 
 def test_meshes_keep_their_place_among_some_frames():
-    """Between polygons of which there are others in each frame."""
+    """Meshes stay between polygons that differ from frame to frame."""
     whole = compile_scene(SCENES / "glide_lightmap.toml", 3)
     some = some_frames(whole, [0, 2])
     assert len(some.objects) < len(whole.objects) and some.instances
@@ -215,7 +218,7 @@ RING = [[round(turn(k * math.pi / 16), 6) for turn in (math.cos, math.sin)] for 
 
 
 def test_too_many_corners(folder):
-    """32 of them, and the borders make two of each one that is just beyond them."""
+    """A face of 32 corners; each corner just beyond a border becomes two."""
     points = [[9 * x, 9 * y, 0] for x, y in RING]
     obj = f"points = {points}\nfaces = [{list(range(32))}]\nuvs = [{RING}]\nuvs1 = [{RING}]"
     far = make(folder, obj.replace(", 0]", ", -30]"))

@@ -1,4 +1,4 @@
-"""Meshes, camera and light in a scene's TOML: what the compiler makes of them, what it refuses."""
+"""Meshes, camera and light in a scene's TOML: the compiler's output and its error messages."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from tmap.model import mesh as model_mesh
 from tmap.scene_file import scene_file
 
 ONE, UNIT = 65536, 1 << 30
-NOISE = 2.0 ** -50  # of cosines and the like in floating point
+NOISE = 2.0 ** -50  # error of cosines and the like in floating point
 GOOD = """\
 width = 64
 height = 48
@@ -72,7 +72,7 @@ def folder(tmp_path):
 def make(folder, text=GOOD, frames=None):
     (folder / "scene.toml").write_text(text)
     made = compile_scene(folder / "scene.toml", frames)
-    scene_file.write(made)  # which checks it all
+    scene_file.write(made)  # write checks the whole scene
     return made
 
 
@@ -82,7 +82,7 @@ def changed(old: str, new: str) -> str:
 
 
 def placed(line: str) -> str:
-    """GOOD with another line in its last object, the one from a file."""
+    """GOOD with another line in its last object, the one whose mesh is a file."""
     return GOOD + line + "\n"
 
 
@@ -97,7 +97,7 @@ def test_content(folder):
     assert (made.guard, made.near_plane) == (6, ONE // 8) and not made.objects
     square, mesh = made.meshes
     assert (square.points, square.corners, square.faces) == (4, 4, 1)
-    assert (mesh.points, mesh.corners, mesh.faces) == (5, 7, 2)  # the square stays one
+    assert (mesh.points, mesh.corners, mesh.faces) == (5, 7, 2)  # the square stays in one piece
     assert made.faces[0].tolist() == [0, 0, UNIT, 0, 0, 4]
     assert made.corners[:4, 2:].tolist() == [[0, 128 * ONE], [256 * ONE, 128 * ONE],
                                              [256 * ONE, 0], [0, 0]]
@@ -111,11 +111,11 @@ def test_content(folder):
 
 
 def test_on_the_screen(folder):
-    """Up is up, right is right, and the map is upright."""
+    """On the screen up is up, right is right, and the map is upright."""
     (_, corners), *_ = model_mesh.polygons_at(make(folder), 0)
     low_left, low_right, high_right, _ = corners
     half = 64 / 2 / np.tan(np.pi / 6) / 10
-    error = screen_error(6, 10, 1) + 0.5 / ONE  # meshes' bound, and the file's rounding
+    error = screen_error(6, 10, 1) + 0.5 / ONE  # the bound of meshes, and the file's rounding
     check_within(np.array(low_left[:2]) / ONE, (32 - half, 24 + half), error, "low left: x, y")
     check_within(np.array(high_right[:2]) / ONE, (32 + half, 24 - half), error, "high right: x, y")
     assert low_left[2:4] == (0, 128 * ONE) and high_right[2:4] == (256 * ONE, 0)
@@ -123,7 +123,7 @@ def test_on_the_screen(folder):
 
 
 def test_texture_coordinates_of_a_file(folder):
-    """v runs upwards; the shorter side of the map has less than 256."""
+    """v runs upwards; the shorter side of the map has fewer than 256 units."""
     made = make(folder, on_file("wall"))
     mesh = made.meshes[1]
     corners = made.corners[mesh.corner:mesh.corner + 4, 2:].tolist()
@@ -131,13 +131,13 @@ def test_texture_coordinates_of_a_file(folder):
 
 
 def test_same_meshes_are_stored_once(folder):
-    """However often they are placed."""
+    """A mesh is stored once, however often it is placed."""
     made = make(folder, GOOD + GOOD[GOOD.index("[[objects]]"):])
     assert len(made.instances) == 4 and len(made.meshes) == 2
 
 
 def test_normals(folder):
-    """Of the file, of faces, and the means of faces."""
+    """Normals of the file, of faces, and the means of faces."""
     def normals(line):
         made = make(folder, on_file("glow", line))
         mesh = made.meshes[-1]
@@ -153,7 +153,7 @@ def test_normals(folder):
 
 
 def test_lit_faces_show_their_light(folder):
-    """Seen from where the light comes from they are as bright as can be; half is ambient."""
+    """Seen from the direction of the light, faces have full brightness; half of it is ambient."""
     text = on_file("glow", 'normals = "faces"') + \
         "[light]\ndirection = [0, 0, -3]\nambient = 0.5\n"
     made = make(folder, text)
@@ -168,8 +168,8 @@ def test_lit_faces_show_their_light(folder):
 
 
 def test_what_needs_triangles_gets_them(folder):
-    """Where it is asked for, by gradients of triangles, where s and t or the points lie on no
-    plane."""
+    """Faces become triangles on request, with gradients of triangles, or if s and t or the points
+    are not on a plane."""
     def faces(text):
         made = make(folder, text)
         mesh = made.meshes[-1]
@@ -178,7 +178,7 @@ def test_what_needs_triangles_gets_them(folder):
     assert faces(GOOD) == [4, 3] and faces(placed("triangles = true")) == [3, 3, 3]
     assert faces(on_file("fan")) == [3, 3, 3]
     (folder / "mesh.obj").write_text(OBJ.replace("vt 1 1", "vt 1 0.9"))
-    assert faces(on_file("wall")) == [3, 3, 3]  # s and t lie on no plane
+    assert faces(on_file("wall")) == [3, 3, 3]  # s and t are not on a plane
     scanline = changed('wall = { texture = "wall" }',
                        'wall = { texture = "wall", gradients = "scanline" }')
     assert faces(scanline.replace('material = "red"', 'material = "wall"')) == [4, 3]
@@ -204,7 +204,7 @@ def test_motion(folder):
 
 
 def test_camera_keys(folder):
-    """On straight ways between keys, which stand in order."""
+    """The camera moves along straight lines between keys, which must be in order."""
     keys = "keys = [{ frame = 0 }, { frame = 4, eye = [0, 0, 6] }]"
     made = make(folder, changed("eye = [0, 0, 10]", "eye = [0, 0, 10]\n" + keys))
     check_within(made.views[:8, 11] / ONE, [10, 9, 8, 7, 6, 6, 6, 6], 0.5 / ONE, "depth: frame")
@@ -213,7 +213,8 @@ def test_camera_keys(folder):
 
 
 def test_rotations_take_the_shortest_way():
-    """From one to the other, the middle as far from either; half a turn, too."""
+    """Rotations go from one to the other by the shortest way, with the middle equally far from
+    both; half a turn too."""
     random = np.random.default_rng(6)
     for _ in range(50):
         first, second = (space.rotated(random.uniform(-360, 360, 3)) for _ in range(2))
@@ -226,7 +227,7 @@ def test_rotations_take_the_shortest_way():
 
 
 def test_double_sided_faces_are_seen_from_behind(folder):
-    """Others are not."""
+    """Double-sided faces are seen from behind, others are not."""
     behind = changed("eye = [0, 0, 10]", "eye = [0, 0, -10]")
     assert model_mesh.polygons_at(make(folder, behind), 0) == []
     both = make(folder, behind + "two_sided = true\n")
@@ -234,13 +235,13 @@ def test_double_sided_faces_are_seen_from_behind(folder):
 
 
 def test_twisted_quadrilaterals_of_a_mesh_are_cut_in_two():
-    """The knot's of 384 points: two triangles for each."""
+    """The knot of 384 points has two triangles for each."""
     made = compile_scene(SCENES / "environment.toml", 1)
     assert made.meshes[0].points == 384 and made.meshes[0].faces == 768
 
 
 def obj(text: str):
-    """Changes the OBJ file of a folder before the scene is made."""
+    """Returns a function that changes the folder's OBJ file before the scene is made."""
     return lambda folder: (folder / "mesh.obj").write_text(text)
 
 
@@ -325,7 +326,7 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
      "objects[0]: needs exactly one of sides, vertices, rectangle, mesh, points"),
 ])
 def test_refused(folder, text, prepare, message):
-    """One line that names file and field."""
+    """The error is one line that names file and field."""
     if prepare:
         prepare(folder)
     with pytest.raises(UserError) as caught:
@@ -335,7 +336,7 @@ def test_refused(folder, text, prepare, message):
 
 
 def test_too_many_views(folder, monkeypatch):
-    """The object that is one too many is named."""
+    """The error names the first object that exceeds the limit."""
     monkeypatch.setattr(objects.Space, "view", lambda *_: [0] * 25)
     text = GOOD.replace("frames = 8", "frames = 1000") + \
         '[[objects]]\nmaterial = "red"\nmesh = "mesh.obj"\n' * 64
@@ -344,7 +345,8 @@ def test_too_many_views(folder, monkeypatch):
 
 
 def test_too_many_points_together(folder):
-    """Sixteen of 4,096 points are not too many, and a polygon parts them from the next."""
+    """Sixteen meshes of 4,096 points are not too many, and a polygon separates them from the
+    next."""
     points = "".join(f"v {k % 64} {k // 64} 0\n" for k in range(4096))
     faces = "".join(f"f {k} {k + 1} {k + 65} {k + 64}\n" for k in range(1, 4032) if k % 64)
     (folder / "mesh.obj").write_text(points + faces)
@@ -358,7 +360,7 @@ def test_too_many_points_together(folder):
 
 @pytest.mark.parametrize("seed", range(4))
 def test_any_bytes_as_a_mesh_are_read_or_refused(folder, seed):
-    """Text that looks like an OBJ file, and noise; some of it behind a good one."""
+    """Text that resembles an OBJ file, and noise; some of it after a valid file."""
     random = np.random.default_rng(seed)
     words = np.array(["v", "f", "vt", "vn", "1", "-1", "2", "0.5", "1/1", "3//2", "1e9", "nan", "\n",
                       "\n", "x", "\\", "usemtl", "mtllib wall.png", "o", "l", "s", "9" * 30, "\0"])

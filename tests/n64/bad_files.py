@@ -1,4 +1,4 @@
-"""Scene files whose primitives, as the texture engine's, cannot be: file, place, value, field."""
+"""Scene files with invalid primitives of the texture engine: file, offset, value, field."""
 
 import numpy as np
 
@@ -28,14 +28,14 @@ def primitives() -> Scene:
 
 
 def boxes() -> Scene:
-    """Meshes, and a material they cannot have."""
+    """Meshes, and a material that meshes cannot have."""
     scene = with_engine(mesh_cases.boxes(1))
     scene.materials = [Material()] * 6 + [Material("n64", unit=0, primitive="coloured")]
     return scene
 
 
 def wrong_primitives() -> list[Row]:
-    """As wrong_pipes of glide_bad_files."""
+    """Returns rows like those of wrong_pipes in glide_bad_files."""
     rows: list[Row] = []
     entry = WrongFields(primitives(), rows).entry
     entry("materials", 0, "primitive", 4, M32)

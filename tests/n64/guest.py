@@ -1,4 +1,4 @@
-"""Command words by hand, and the guest's texture engine asked step by step."""
+"""Builds command words by hand, and sends operations to the guest's texture engine."""
 
 from tests.helpers import vector_guest
 from tmap.build import layout
@@ -19,7 +19,7 @@ def image(format: int, size: int, width: int, address: int) -> Words:
 def tile(n: int, format: int, size: int, line: int = 0, tmem: int = 0, *, palette: int = 0,
          t: tuple[int, int, int, int] = (0, 0, 0, 0),
          s: tuple[int, int, int, int] = (0, 0, 0, 0)) -> Words:
-    """Set tile; axes are (clamp, mirror, mask, shift)."""
+    """Set tile; an axis is (clamp, mirror, mask, shift)."""
     axes = [axis[0] << 9 | axis[1] << 8 | axis[2] << 4 | axis[3] for axis in (t, s)]
     return (0xF5 << 24 | format << 21 | size << 19 | line << 9 | tmem,
             n << 24 | palette << 20 | axes[0] << 10 | axes[1])
@@ -36,7 +36,7 @@ def size(n: int, columns: int, rows: int) -> Words:
 
 
 def modes(**fields: int) -> Words:
-    """Set other modes; filters are on unless said."""
+    """Set other modes; filters are on by default."""
     places = {"cycle": 20, "perspective": 19, "detail": 18, "sharpen": 17, "lod": 16, "tlut": 15,
               "tlut_type": 14, "quad": 13, "mid": 12, "filter0": 11, "filter1": 10,
               "convert_one": 9}
@@ -47,22 +47,22 @@ def modes(**fields: int) -> Words:
 
 
 def texture(max_level: int, first: int) -> Words:
-    """The levels and first tile of what is drawn."""
+    """Set texture: highest level and first tile for drawing."""
     return 0xD7 << 24 | max_level << 11 | first << 8 | 2, 0xFFFFFFFF
 
 
-#: A tile of RGBA 16 that wraps, as a vector line has it behind n.
+#: A tile of RGBA 16 that wraps, as the fields after n in a vector line.
 WRAPPED = (RGBA, BITS_16, 4, 0, 0, 0, 0, 4, 0, 0, 0, 3, 0, 0, 0, 60, 28)
 
 
 def packed(colour: list[int]) -> int:
-    """R G B A as one signed long, as answers have it."""
+    """R G B A as one signed long, the form of answers."""
     value = int.from_bytes(bytes(colour), "big")
     return value - (1 << 32) if value >> 31 else value
 
 
 class Guest(vector_guest.Guest):
-    """Asks the N64's texture engine."""
+    """Sends operations to the N64's texture engine."""
 
     def words(self, *words: Words) -> int:
         """Runs a display list; its answer is (result, command)."""
@@ -80,7 +80,7 @@ def result_name(number: int) -> str:
     return numbers[0] if numbers else str(number)
 
 
-#: All results, to tell their numbers from other constants'.
+#: All results, to distinguish them from other constants with the same number.
 RESULTS = (
     "DONE", "UNKNOWN_COMMAND", "ILLEGAL_PAIR", "IMAGE_MISALIGNED", "IMAGE_4_BIT", "OUTSIDE_DRAM",
     "LOAD_BACKWARDS", "BLOCK_TOO_LARGE", "LOAD_TOO_LARGE", "TLUT_IMAGE", "TLUT_TILE", "TLUT_ROWS",

@@ -1,5 +1,5 @@
-"""Random polygons and rectangles of texture engines: modes, tiles and vertices, each a frame of a
-scene."""
+"""Random polygons and rectangles of texture engines: modes, tiles and vertices, each in one frame
+of a scene."""
 
 import random
 from dataclasses import dataclass, field
@@ -22,24 +22,24 @@ REACH = 1024 * ONE
 W_MAX = 1 << 30
 DRAM_BYTES = 4096 + 512  # all of TMEM, and a TLUT
 KINDS = ("any",) * 8 + ("plain",) * 3 + ("flat",)
-#: What is drawn: of units.PRIMITIVES, or rectangles in copy mode.
+#: Kinds of primitives: those of units.PRIMITIVES, or rectangles in copy mode.
 SHAPES = (("polygons",) * 9 + ("coloured",) * 3 + ("rectangles",) * 2 + ("flipped",) * 2
           + ("copies",) * 4)
 STEPS = (1024, 1024, 1024, 512, 2048, -1024, 0, 1023, 1025)  # of rectangles, s5.10
-#: Codes of colour's inputs A, B, C, D that there are, and alpha's.
+#: Valid codes of the colour inputs A, B, C, D, and of alpha's.
 RGB_CODES = ([0, 1, 1, 2, 2, 3, 4, 5, 6, 15], [0, 1, 1, 2, 3, 4, 5, 7, 15],
              [0, 1, 2, 3, 4, 5, 7, 8, 9, 10, 11, 12, 13, 13, 14, 15, 31], [0, 1, 2, 3, 4, 5, 6, 7])
 ALPHA_CODES = (list(range(8)),) * 4
-#: What one pixel does not differ from the next in.
+#: Codes of inputs that are the same for all pixels.
 CONSTANT_CODES = ([3, 5, 6, 15], [3, 5, 7, 15], [3, 5, 10, 12, 14, 15, 31], [3, 5, 6, 7])
 CONSTANT_ALPHA_CODES = ([3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7])
-PASS = (15, 15, 31)  # nothing, to which D is added
+PASS = (15, 15, 31)  # (0 - 0) * 0, to which D is added
 
 
 @dataclass
 class Case:
     """One polygon or rectangle and the engine that draws it; ``vertices``: (x, y, s, t, shade, w),
-    as a scene's."""
+    as in a scene."""
 
     words: list[tuple[int, int]]
     vertices: list[tuple]
@@ -51,7 +51,7 @@ class Case:
 
 
 def shown(axis: Axis) -> int:
-    """Columns or rows that an axis can show."""
+    """The number of columns or rows that an axis can show."""
     inside = (axis.high >> 2) - (axis.low >> 2) + 1
     if not axis.mask:
         return inside
@@ -59,7 +59,7 @@ def shown(axis: Axis) -> int:
 
 
 def fits(tile: Tile, low_only: bool) -> bool:
-    """Whether all that a tile can show lies in TMEM."""
+    """Returns whether all that a tile can show is inside TMEM."""
     columns, rows = shown(tile.s), shown(tile.t)
     if min(columns, rows) < 1 or columns > 1024 or rows > 256:
         return False
@@ -73,7 +73,7 @@ def fits(tile: Tile, low_only: bool) -> bool:
 
 
 def axis(rng: random.Random, plain: bool) -> Axis:
-    """Any way to go on beyond the edges, ``plain`` without a shift."""
+    """A random axis with any wrapping; ``plain``: without a shift."""
     low = rng.choice((0, 0, 4 * rng.randrange(64), rng.randrange(256)))
     high = low + rng.choice((0, 3, 28, 60, 124, rng.randrange(200)))
     return Axis(rng.randrange(2), rng.randrange(2), rng.choice((0, 1, 2, 3, 4, 5, 5, 6)),
@@ -81,7 +81,7 @@ def axis(rng: random.Random, plain: bool) -> Axis:
 
 
 def tile(rng: random.Random, tlut: bool, plain: bool, copies: bool) -> Tile:
-    """A tile that may be drawn, or copied."""
+    """A random tile that may be drawn, or copied."""
     pairs = sorted(pair for pair in LEGAL if (pair[0] == CI) == tlut
                    and (tlut or not copies or (pair[1] == 2 and pair[0] != YUV)))
     while True:
@@ -94,8 +94,8 @@ def tile(rng: random.Random, tlut: bool, plain: bool, copies: bool) -> Tile:
 
 
 def cycle_codes(rng: random.Random, kind: str) -> list[list[int]]:
-    """Inputs of colour and alpha of one cycle: all random, the texel as it is or multiplied by
-    a constant, or constants."""
+    """Inputs of colour and alpha of one cycle: all random, the texel alone or multiplied by a
+    constant, or constants."""
     if kind == "texel":
         return [[*PASS, 1], [7, 7, 7, 1]]
     if kind == "plain":
@@ -113,13 +113,13 @@ def combine_word(cycles: list[list[list[int]]]) -> tuple[int, int]:
 
 
 def without_shade(cycle: list[list[int]]) -> list[list[int]]:
-    """A cycle's inputs, the environment where shade was."""
+    """A cycle's inputs with shade replaced by the environment colour."""
     (a, b, c, d), alpha = ([5 if code == 4 else code for code in codes] for codes in cycle)
     return [[a, b, 12 if c == 11 else c, d], alpha]
 
 
 def modes(rng: random.Random, words: List, kind: str, shape: str) -> dict:
-    """Sets modes; those that the plain mappers may draw, or any, by ``KINDS``."""
+    """Sets random modes: any, or only those of the plain mappers, according to ``KINDS``."""
     colour = [rng.randrange(256) for _ in range(8)]
     chosen = {"cycles": rng.choice(("one", "two")), "perspective": rng.randrange(2),
               "detail": rng.choice(list(DETAILS)), "lod": rng.randrange(2),
@@ -156,7 +156,8 @@ def modes(rng: random.Random, words: List, kind: str, shape: str) -> dict:
 
 
 def written_vertices(rng: random.Random, steady: bool) -> list[tuple]:
-    """Corners as people write them, over some of the tile or all; ``steady``: a w for all."""
+    """Corners as people write them, over part of the tile or all of it; ``steady``: with one w for
+    all."""
     points = written.outline(rng, WIDTH, HEIGHT)
     texels = written.texels(rng, points, [rng.choice((8, 16, 32, 33, 64, 128)) for _ in "st"])
     texels = [tuple(min(max(c, -REACH // 2), REACH // 2 - 1) for c in st) for st in texels]
@@ -167,8 +168,8 @@ def written_vertices(rng: random.Random, steady: bool) -> list[tuple]:
 
 
 def vertices(rng: random.Random, steady: bool) -> list[tuple]:
-    """Corners round a middle, some of them beyond the frame, or as people write them; ``steady``: a w
-    for all."""
+    """Corners round a centre, some beyond the frame, or corners as people write them; ``steady``:
+    with one w for all."""
     if rng.random() < written.SHARE:
         return written_vertices(rng, steady)
     count = rng.choice((3, 3, 4, 4, 5, 7))
@@ -201,8 +202,8 @@ def vertices(rng: random.Random, steady: bool) -> list[tuple]:
 
 
 def axis_steps(rng: random.Random, pixels: int, many: int, four: bool) -> tuple[int, int]:
-    """Start (s10.5) and step (s5.10) of a coordinate that stays where it may over so many pixels,
-    ``many`` of them a step; ``four``: mostly four texels a step."""
+    """Random start (s10.5) and step (s5.10) of a coordinate that stays in range over ``pixels``
+    pixels, at ``many`` pixels a step; ``four``: mostly four texels a step."""
     while True:
         start = rng.choice((0, 32 * rng.randrange(-64, 64), rng.randrange(-1600, 1600),
                             rng.randrange(-1 << 15, 1 << 15)))
@@ -217,7 +218,7 @@ def axis_steps(rng: random.Random, pixels: int, many: int, four: bool) -> tuple[
 
 
 def rectangle(rng: random.Random, shape: str) -> list[tuple]:
-    """The two vertices of a rectangle, some of it beyond the frame."""
+    """The two vertices of a rectangle, some of which is beyond the frame."""
     spans = []
     for side in (WIDTH, HEIGHT):
         low = rng.choice((0, rng.randrange(side), rng.randrange(-16, side - 8)))
@@ -232,7 +233,7 @@ def rectangle(rng: random.Random, shape: str) -> list[tuple]:
 
 
 def coloured(rng: random.Random, corners: list[tuple]) -> list[tuple]:
-    """Vertices with colours instead of shades, signed as the file has them."""
+    """Vertices with colours instead of shades, signed as in the file."""
     same = rng.randbytes(4)
     is_same = rng.randrange(3) == 0
     return [(*v[:4], int.from_bytes(same if is_same else rng.randbytes(4), "big", signed=True),
@@ -240,7 +241,7 @@ def coloured(rng: random.Random, corners: list[tuple]) -> list[tuple]:
 
 
 def case(seed: int, number: int, pixels: str) -> Case:
-    """A polygon or rectangle by its seed and number, for a format of frames."""
+    """The polygon or rectangle of a seed and a number, for a frame format."""
     rng = random.Random(f"{seed}, {number}")
     shape = rng.choice(SHAPES)
     if shape == "copies" and pixels != "rgba5551":
@@ -253,7 +254,7 @@ def case(seed: int, number: int, pixels: str) -> Case:
     words.set_tile(7, RGBA, 2, 0, 0)
     words.load_block(7, 0, 0, 2047, 0)
     if tlut:
-        if not copies or rng.randrange(4):  # else the four copies of entries differ
+        if not copies or rng.randrange(4):  # otherwise the four copies of entries differ
             words.load_tlut_pal256(4096)
         words.texture_lut(rng.choice(("rgba16", "ia16")))
     found = modes(rng, words, kind, shape)
@@ -274,8 +275,8 @@ def case(seed: int, number: int, pixels: str) -> Case:
 
 
 def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
-    """The cases as a scene: one a frame, each by its own engine; and a dot in a corner, so that
-    no frame has one colour only."""
+    """A scene of the cases, one a frame, each with a separate engine; a dot in a corner ensures
+    that no frame has only one colour."""
     rng = np.random.default_rng(seed)
     texels = rng.integers(0, 256, DRAM_BYTES, np.uint8)
     materials, objects, corners, units, lists, words = [], [], [], [], [], []

@@ -1,4 +1,4 @@
-"""The model run over the text of reference data."""
+"""Runs the model over the text of reference data."""
 
 from pathlib import Path
 
@@ -17,7 +17,7 @@ from tmap.vectors.vector_text import Line, xorshift
 
 FOLDER = ROOT / "tests" / "vectors"
 DRAM_BYTES = 1 << 20
-RANDOM = slice(0x1000, 0x9000)  # bytes of DRAM that are filled at random
+RANDOM = slice(0x1000, 0x9000)  # bytes of DRAM filled at random
 FIELDS = {"persp_tex_en": "perspective", "detail_tex_en": "detail", "sharpen_tex_en": "sharpen",
           "tex_lod_en": "lod", "en_tlut": "tlut", "tlut_type": "tlut_type", "sample_type": "quad",
           "mid_texel": "mid", "bi_lerp0": "filter0", "bi_lerp1": "filter1",
@@ -38,14 +38,14 @@ def fnv(data: bytes) -> int:
 
 
 class Reference:
-    """Runs lines: commands change the state, questions are answered."""
+    """Runs lines: commands change the state, questions return answers."""
 
     def __init__(self):
         self.state = State(dram=np.zeros(DRAM_BYTES, np.uint8), checked=False)
         self.state.modes.filter0 = self.state.modes.filter1 = 1  # until a line says otherwise
 
     def answer(self, line: Line) -> list[int] | None:
-        """A question's answer, numbers as the file writes them; None of other commands."""
+        """Returns a question's answer, numbers as in the file; None for other commands."""
         return getattr(self, f"run_{line.command}")(*line.arguments)
 
     def run_tmemrand(self, seed):
@@ -107,8 +107,8 @@ class Reference:
 
 
 def differences(path: Path):
-    """(line, answer) of the questions of a file that the model answers otherwise, and how many
-    questions there are."""
+    """Returns (line, answer) of the questions of a file whose answers differ from the file's, and
+    the number of questions."""
     reference, wrong, count = Reference(), [], 0
     for line in read(path):
         answer = reference.answer(line)

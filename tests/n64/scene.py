@@ -30,7 +30,7 @@ def smooth(side: int) -> np.ndarray:
 
 
 def memory(*textures: images.Texture) -> tuple[np.ndarray, list[int], list[int]]:
-    """DRAM with textures, where they and their palettes lie."""
+    """DRAM with textures, and the addresses of them and of their palettes."""
     dram, places, palettes = bytearray(64), [], []
     for texture in textures:
         places.append(len(dram))
@@ -44,7 +44,7 @@ def memory(*textures: images.Texture) -> tuple[np.ndarray, list[int], list[int]]
 
 def unit(texture: images.Texture, mode: str = "point", block: bool = True, s: Wrap | None = None,
          t: Wrap | None = None, cycle: Cycle = TEXEL0, **modes) -> State:
-    """A unit with a texture in tile 0 that wraps, drawn as it is in one-cycle mode."""
+    """A unit with a texture in tile 0 that wraps, drawn unchanged in one-cycle mode."""
     dram, (place,), (palette,) = memory(texture)
     words = List()
     s, t = (given if given is not None else Wrap(mask=side.bit_length() - 1)

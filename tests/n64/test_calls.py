@@ -1,5 +1,5 @@
-"""The calls in C and tools/tmap/n64/words.py, which know nothing of each other, write the same words; and
-some that were worked out by hand."""
+"""The C calls and tools/tmap/n64/words.py, which are independent of each other, write the same
+words; some words are computed by hand."""
 
 import random
 from dataclasses import dataclass
@@ -13,18 +13,18 @@ from tmap.n64.combiner import ALPHA_NAMES, RGB_NAMES
 from tmap.n64.state import LEGAL
 from tmap.n64.words import CONVERTS, CYCLES, DETAILS, FILTERS, TLUTS, Cycle, List, Wrap
 
-PAIRS = 8  # of words that there is room for
+PAIRS = 8  # size of the buffer for words, in pairs
 ROUNDS = 25
-ANY = 0x3FFFFFFF  # of a first word: the calls set the two bits above, as the manual does
-ZEROES = (15, 15, 31, 7), (7, 7, 7, 7)  # the combiner's codes of 0, of colour and alpha
+ANY = 0x3FFFFFFF  # mask of a first word: the calls set the upper two bits, as the manual does
+ZEROES = (15, 15, 31, 7), (7, 7, 7, 7)  # the combiner's codes of 0, for colour and alpha
 #: Values of the manual's modes in C, in the order of the tools' names.
 DETAIL_CODES = dict(zip(DETAILS, (0, 1, 2)))
 LUT_CODES = dict(zip(TLUTS, (0, 2, 3)))
 FILTER_CODES = dict(zip(FILTERS, (0, 2, 3)))
 CONVERSION_CODES = dict(zip(CONVERTS, (6, 0, 5)))
 
-#: Arguments of a texture: image, format, size, width, height, sl, tl, sh, th, palette, then
-#: wrap, mask and shift of s and of t, tmem, tile.
+#: Arguments of a texture: image, format, size, width, height, sl, tl, sh, th, palette, then wrap,
+#: mask and shift of s and of t, tmem, tile.
 TEXTURES = {
     # 32x32 RGBA 16, mirrored in s, clamped in t
     ("TEXTURE_BLOCK", 0x123450, RGBA, BITS_16, 32, 32, 0, 0, 0, 0, 0, 1, 5, 0, 2, 0, 0): (
@@ -55,7 +55,7 @@ TEXTURES = {
         0xFD88001F, 0x00001000, 0xF5880200, 0x07000000, 0xE6000000, 0, 0xF4010010, 0x0702E02C,
         0xE7000000, 0, 0xF5800200, 0x00000000, 0xF2020010, 0x0005C02C),
 }
-#: And the other calls: arguments to words.
+#: Further calls: arguments to words.
 BY_HAND = TEXTURES | {
     ("TLUT_16", 3, 0x2000): (
         0xFD100000, 0x00002000, 0xE8000000, 0, 0xF5000130, 0x07000000, 0xE6000000, 0,
@@ -88,29 +88,29 @@ BY_HAND = TEXTURES | {
 
 
 class Calls:
-    """Calls of both: name and arguments in C, and the words of the tools."""
+    """Random calls: name and arguments in C, and the words of the tools."""
 
     def __init__(self, seed: int) -> None:
         self.random = random.Random(seed)
         self.made: list[tuple[str, list[int], list[tuple[int, int]]]] = []
 
     def below(self, end: int) -> int:
-        """0 to end - 1, often one of these two."""
+        """A random number from 0 to end - 1, often one of these two."""
         return self.random.choice((0, end - 1, *(self.random.randrange(end) for _ in range(4))))
 
     def add(self, name: str, arguments: list[int], method, *values, **named) -> None:
-        """A call in C by name, and one of ``List``."""
+        """Adds a call in C by name, and the equivalent call of ``List``."""
         words = List()
         method(words, *values, **named)
         self.made.append((name, arguments, words.words))
 
     def wrap(self) -> tuple[list[int], Wrap]:
-        """An axis as the calls and the tools have it."""
+        """A random axis in the forms of the calls and of the tools."""
         wrap = Wrap(self.below(2), self.below(2), self.below(16), self.below(16))
         return [wrap.clamp << 1 | wrap.mirror, wrap.mask, wrap.shift], wrap
 
     def textures(self) -> None:
-        """Both ways to load one."""
+        """Both ways to load a texture."""
         form, size = self.random.choice(sorted(LEGAL))
         width, height = 16 << self.below(3), 1 + self.below(16)
         palette, tmem, tile = self.below(16), self.below(512), self.below(8)
@@ -134,7 +134,7 @@ class Calls:
                  address)
 
     def loads(self) -> None:
-        """Palettes and the plain words."""
+        """Palettes, and commands of a single word."""
         address, palette, tile = 8 * self.below(1 << 21), self.below(16), self.below(8)
         edges = [self.below(4096) for _ in range(4)]
         count = self.below(256) + 1
@@ -175,7 +175,7 @@ class Calls:
 
 
 def ask_call(guest: Guest, name: str, arguments: list[int], room: int = PAIRS) -> int:
-    """The answer's number: result, pairs, words."""
+    """Adds a call; returns the index of its answer: result, pairs, words."""
     return guest.ask("CALL", room, layout.load().constants[f"VECTOR_CALL_{name}"], *arguments,
                      numbers=2 + 2 * PAIRS)
 
@@ -188,12 +188,12 @@ def words_of(answer: list[int]) -> list[tuple[int, int]]:
 
 
 def text(words: list[tuple[int, int]]) -> str:
-    """For messages."""
+    """Words as text, for messages."""
     return " ".join(f"{hi:08x}:{lo:08x}" for hi, lo in words)
 
 
 def ask_by_hand() -> Guest:
-    """Each of BY_HAND, then with room for a pair less than it writes."""
+    """Each of BY_HAND, then again with room for one pair less than it writes."""
     guest = Guest()
     for (name, *arguments), words in BY_HAND.items():
         for room in (PAIRS, len(words) // 2 - 1):
@@ -211,8 +211,8 @@ def ask_calls(calls: Calls) -> Guest:
 
 @dataclass
 class Modes:
-    """Random calls that change modes: name, what is chosen, the tools' words, which say all modes;
-    ``first``: those that say how modes stand before."""
+    """Random calls that change modes: name, choice, the tools' words, which set all modes;
+    ``first``: the words that set the initial modes."""
 
     guest: Guest
     first: tuple[int, int]
@@ -220,7 +220,7 @@ class Modes:
 
 
 def ask_modes() -> Modes:
-    """The calls, of which each is told some modes alone; at last texture levels."""
+    """Random calls, each of which sets only some modes; finally texture levels."""
     chosen, words = random.Random(12), List()
     words.texture_convert("filter")
     found = Modes(Guest(), words.words[0], [])
@@ -245,7 +245,7 @@ def ask_modes() -> Modes:
 
 @pytest.fixture(scope="module")
 def asked() -> dict:
-    """Random calls, those that change modes, and the answers of one boot."""
+    """Random calls, calls that change modes, and the answers, from one boot."""
     calls = Calls(11)
     for _ in range(ROUNDS):
         calls.textures()
@@ -257,8 +257,8 @@ def asked() -> dict:
 
 
 def test_calls_write_the_manuals_words(asked) -> None:
-    """Loads with their syncs, tiles, modes, colours: words worked out by hand. One pair of room
-    less: none is written."""
+    """Loads with their syncs, tiles, modes, colours: the words are those computed by hand. With
+    room for one pair less nothing is written."""
     answers = asked["answers"]["by hand"]
     for n, (call, words) in enumerate(BY_HAND.items()):
         assert words_of(answers[2 * n]) == list(zip(words[::2], words[1::2])), (
@@ -268,7 +268,7 @@ def test_calls_write_the_manuals_words(asked) -> None:
 
 
 def test_calls_and_tools_write_the_same_words(asked) -> None:
-    """Random loads, tiles, constants; of a first word's upper two bits the calls set both."""
+    """Random loads, tiles, constants; the calls set both upper bits of a first word."""
     for (name, arguments, words), answer in zip(asked["calls"].made, asked["answers"]["calls"],
                                                 strict=True):
         found = words_of(answer)
@@ -278,8 +278,8 @@ def test_calls_and_tools_write_the_same_words(asked) -> None:
 
 
 def test_calls_and_tools_set_the_same_modes(asked) -> None:
-    """The calls change some modes and the tools all: after a call the tools' word changes
-    nothing, which the modes' generation tells."""
+    """The calls set some modes, the tools all of them: the tools' word after a call changes
+    nothing, so the modes' generation stays the same."""
     changes, guest = asked["changes"], Guest()
     guest.words(changes.first)
     guest.ask("GENERATIONS", 0, numbers=3)

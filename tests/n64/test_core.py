@@ -1,4 +1,5 @@
-"""The texture engine in C: named errors, syncs, generations; asked on the emulated machine."""
+"""The texture engine in C: named errors, syncs, generation counters; tested on the emulated
+machine."""
 
 import pytest
 from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, FULL_SYNC, I, IA, LOAD_SYNC,
@@ -40,7 +41,7 @@ def combine(rgb: tuple[int, int, int, int]) -> tuple[int, int]:
             | 7)
 
 
-#: Refused commands: what for, words of which the last is refused; None: all are done.
+#: Words of which the last is refused, and with which error; None if all are accepted.
 LOADS = [
     ("UNKNOWN_COMMAND", ((0x10 << 24, 0),)),
     ("UNKNOWN_COMMAND", ((0xE3 << 24 | 1 << 8 | 31, 0),)),  # modes beyond the word
@@ -57,7 +58,7 @@ LOADS = [
     ("ILLEGAL_PAIR", block(YUV, BITS_8, 64)),
     ("ILLEGAL_PAIR", block(5, BITS_16, 64)),
     ("ILLEGAL_PAIR", (image(RGBA, BITS_32, 1, AT), tile(7, RGBA, BITS_16), BLOCK)),
-    (None, block(I, BITS_16, 64)),  # another size's view
+    (None, block(I, BITS_16, 64)),  # a view with another size
     ("IMAGE_MISALIGNED", block(RGBA, BITS_16, 64, at=AT + 4)),
     ("IMAGE_MISALIGNED", (image(RGBA, BITS_16, 1, AT + 2), tile(7, RGBA, BITS_4, 0, HALF),
                           edges(0xF0, 7, 0, 0, 60, 0))),
@@ -86,12 +87,12 @@ LOADS = [
     ("COMBINE_INPUT", (combine((1, 6, 4, 7)),)),
     ("COMBINE_INPUT", (combine((1, 15, 6, 7)),)),
 ]
-#: Those that would hang the hardware, or read what is not there: refused unchecked too.
+#: Errors that would hang the hardware or read beyond the DRAM: refused even without checks.
 ALWAYS = {"IMAGE_4_BIT", "OUTSIDE_DRAM", "TLUT_ROWS", "TLUT_IMAGE"}
 
 
 def ask_loads() -> Guest:
-    """Of each of LOADS: hash before, checked result and command, hash after; unchecked result and
+    """For each of LOADS: hash before, checked result and command, hash after; unchecked result and
     command."""
     guest = Guest()
     for _, words in LOADS:
@@ -110,7 +111,8 @@ def ask_loads() -> Guest:
 @pytest.mark.parametrize("number", range(len(LOADS)),
                          ids=[f"{n}-{name or 'done'}" for n, (name, _) in enumerate(LOADS)])
 def test_commands_that_are_refused(number: int, answers) -> None:
-    """By name, at their command, with nothing changed; what is just within limits is done."""
+    """The result names the error and the command, and nothing is changed; words just within limits
+    are accepted."""
     name, words = LOADS[number]
     _, before, (code, place), after, (unchecked, _) = answers["loads"][5 * number:5 * number + 5]
     assert result_name(code) == (name or "DONE")
@@ -119,7 +121,7 @@ def test_commands_that_are_refused(number: int, answers) -> None:
     assert result_name(unchecked) == (name if name in ALWAYS else "DONE")
 
 
-#: Tiles for drawing: what is wrong, modes, words; None: nothing.
+#: Tiles for drawing: the error or None, modes, words.
 DRAWN = [
     (None, {}, (tile(0, RGBA, BITS_16, 8), size(0, 32, 32))),
     ("ILLEGAL_PAIR", {}, (tile(0, RGBA, BITS_8, 8), size(0, 32, 32))),
@@ -149,7 +151,8 @@ DRAWN = [
 
 
 def ask_drawing() -> Guest:
-    """Of each of DRAWN: result of its words, of the check of drawing, of the same unchecked."""
+    """For each of DRAWN: result of its words, of the check before drawing, of the same check
+    unchecked."""
     guest = Guest()
     for _, fields, words in DRAWN:
         guest.do("RESET")
@@ -162,7 +165,7 @@ def ask_drawing() -> Guest:
 
 
 def test_tiles_that_cannot_be_drawn(answers) -> None:
-    """Drawing's check names what is wrong with the tile it uses; unchecked nothing is."""
+    """The check before drawing names the error of the tile in use; unchecked it accepts all."""
     for n, (name, *case) in enumerate(DRAWN):
         (code, _), (checked,), (unchecked,) = answers["drawing"][3 * n:3 * n + 3]
         assert code == 0, (case, result_name(code))
@@ -171,8 +174,8 @@ def test_tiles_that_cannot_be_drawn(answers) -> None:
 
 
 def ask_mipmap() -> Guest:
-    """Without detail and with it, each of eight tiles bad by turns: result of the words, of the
-    check of drawing."""
+    """Without and with detail, makes each of the eight tiles invalid in turn: result of the words,
+    of the check before drawing."""
     guest = Guest()
     for detail in (0, 1):
         for bad in range(8):
@@ -185,18 +188,19 @@ def ask_mipmap() -> Guest:
 
 
 def test_all_tiles_of_a_mipmap_are_looked_at(answers) -> None:
-    """From the first to the last level, with detail one more; not the one behind."""
+    """Tiles from the first to the last level are checked, with detail one more, but not the
+    next."""
     for detail in (0, 1):
         wrong = [n for n in range(8) if answers["mipmap"][16 * detail + 2 * n + 1] != [0]]
         assert wrong == sorted(n % 8 for n in range(6, 9 + detail)), f"detail {detail}"
 
 
-#: Coordinates, 16.16, and whether they are out of range.
+#: Coordinates, 16.16, and 1 if they are out of range.
 OUTSIDE_RANGE = {-1024 << 16: 0, (-1024 << 16) - 1: 1, (1024 << 16) - 1: 0, 1024 << 16: 1}
 
 
 def ask_coordinates() -> Guest:
-    """Of each coordinate: the check's result where it is s, and where it is t."""
+    """For each coordinate: the check's result for it as s and as t."""
     guest = Guest()
     guest.do("CHECKED", 1)
     for value in OUTSIDE_RANGE:
@@ -206,16 +210,17 @@ def ask_coordinates() -> Guest:
 
 
 def test_coordinates_out_of_range(answers) -> None:
-    """-1024.0 to 1023.96875 texels are within; s and t alike."""
+    """The range is -1024.0 to 1023.96875 texels, for s and t alike."""
     wrong = result("COORDINATE_RANGE")
     assert answers["coordinates"] == [[wrong * outside] for outside in OUTSIDE_RANGE.values()
                                       for _ in "st"]
 
 
-#: A load as the manual's call has it, with its syncs.
+#: A load as the manual's macro writes it, with its syncs.
 CALL = (IMAGE, tile(7, RGBA, BITS_16), LOAD_SYNC, BLOCK, PIPE_SYNC, tile(0, RGBA, BITS_16, 8),
         size(0, 32, 32))
-#: Lists after a primitive that read tile 0 (and 1): result, command that is refused.
+#: Lists after a primitive that read tile 0 (and 1): result, number of the last command run or
+#: refused.
 AFTER_DRAWING = [
     ("DONE", len(CALL) - 1, CALL),
     ("NO_LOAD_SYNC", 2, CALL[:2] + CALL[3:]),
@@ -226,7 +231,7 @@ AFTER_DRAWING = [
     ("NO_TILE_SYNC", 1, (LOAD_SYNC, edges(0xF4, 0, 0, 0, 60, 0))),
     ("NO_TILE_SYNC", 1, (LOAD_SYNC, size(0, 32, 32))),
     ("NO_TILE_SYNC", 0, (tile(1, RGBA, BITS_16),)),
-    ("DONE", 0, (tile(2, RGBA, BITS_16),)),  # nobody reads it
+    ("DONE", 0, (tile(2, RGBA, BITS_16),)),  # no primitive reads it
     ("DONE", 1, (TILE_SYNC, size(0, 32, 32))),
     ("NO_PIPE_SYNC", 2, (LOAD_SYNC, TILE_SYNC, modes())),
     ("NO_PIPE_SYNC", 0, ((0xE3 << 24 | 12 << 8 | 0, 1 << 19),)),
@@ -241,8 +246,8 @@ AFTER_DRAWING = [
 
 
 def ask_syncs() -> Guest:
-    """Of each of AFTER_DRAWING: results and commands of the words before and of its own, strict
-    after drawing, not strict, strict before any drawing."""
+    """For each of AFTER_DRAWING: results and commands of the words before and of its own words:
+    strict after drawing, not strict, strict before any drawing."""
     guest = Guest()
     for _, _, words in AFTER_DRAWING:
         for strict, drawn in ((1, 1), (0, 1), (1, 0)):
@@ -256,7 +261,8 @@ def ask_syncs() -> Guest:
 
 
 def test_missing_syncs(answers) -> None:
-    """Strict: each is told at its command; not strict, and before any drawing, none is due."""
+    """If strict, each missing sync is reported at its command; if not strict, or before any
+    drawing, no sync is required."""
     for n, (name, place, words) in enumerate(AFTER_DRAWING):
         _, told, _, loose, _, early = answers["syncs"][6 * n:6 * n + 6]
         assert (result_name(told[0]), told[1]) == (name, place), words
@@ -264,7 +270,7 @@ def test_missing_syncs(answers) -> None:
         assert (result_name(early[0]), early[1]) == ("DONE", len(words) - 1), words
 
 
-#: Words one after the other, and what of TMEM, tile 0 and modes grows by each.
+#: Successive words, and how much each increases the generations of TMEM, tile 0 and modes.
 GROWTH = [
     (tile(0, RGBA, BITS_16, 8), (0, 1, 0)), (tile(0, RGBA, BITS_16, 8), (0, 0, 0)),
     (size(0, 32, 32), (0, 1, 0)), (size(0, 32, 32), (0, 0, 0)),
@@ -277,7 +283,7 @@ GROWTH = [
 
 
 def ask_generations() -> Guest:
-    """Before the first of GROWTH and after each."""
+    """Reads the generations before the first of GROWTH and after each."""
     guest = Guest()
     guest.do("RESET")
     guest.ask("GENERATIONS", 0, numbers=3)
@@ -288,7 +294,7 @@ def ask_generations() -> Guest:
 
 
 def test_generations(answers) -> None:
-    """They grow by each real change, and not by words that say what is so already."""
+    """Generations grow with each real change, and not if words repeat the current state."""
     numbers = answers["generations"]
     for n, (words, grown) in enumerate(GROWTH):
         found = tuple(b - a for a, b in zip(numbers[n], numbers[n + 1]))
@@ -296,7 +302,7 @@ def test_generations(answers) -> None:
 
 
 def ask_texts() -> Guest:
-    """Of each result, and of the number behind the last."""
+    """The text of each result, and of the number after the last."""
     guest = Guest()
     for name in (*RESULTS, "RESULTS"):
         guest.ask("RESULT_TEXT", result(name), numbers=64)
@@ -304,7 +310,7 @@ def ask_texts() -> Guest:
 
 
 def test_every_result_has_its_text(answers) -> None:
-    """Of which a few are known; none twice, none too long."""
+    """Some texts are known; all differ, and none is too long."""
     known = {"DONE": "done", "IMAGE_4_BIT": "4-bit image in a load",
              "TLUT_ROWS": "TLUT load over more than one row",
              "SPLIT_HIGH": "low part of RGBA 32 or YUV texels in the high half of TMEM",
@@ -318,7 +324,7 @@ def test_every_result_has_its_text(answers) -> None:
 
 @pytest.fixture(scope="module")
 def answers() -> dict[str, list[list[int]]]:
-    """One boot for all tests."""
+    """Answers of all tests, from one boot."""
     return vector_guest.run_all({
         "loads": ask_loads(), "drawing": ask_drawing(), "mipmap": ask_mipmap(),
         "coordinates": ask_coordinates(), "syncs": ask_syncs(), "generations": ask_generations(),

@@ -1,5 +1,5 @@
-"""Decoded tiles of the texture engine: every texel and quad is what the general way finds; when
-tiles are decoded anew."""
+"""Decoded tiles of the texture engine: every texel and quad equals the general way's result; tiles
+are decoded again only when needed."""
 
 import random
 from collections.abc import Iterator
@@ -12,7 +12,7 @@ from tests.helpers import vector_guest
 
 NEXT, CHROMA = 1, 2  # quads
 RGBA_TLUT, IA_TLUT = {"tlut": 1}, {"tlut": 1, "tlut_type": 1}
-#: Format, size, modes; the last ones no manual allows.
+#: Format, size, modes; no manual allows the last ones.
 FORMATS = {
     "RGBA 16": (RGBA, BITS_16, {}), "RGBA 32": (RGBA, BITS_32, {}), "YUV": (YUV, BITS_16, {}),
     "IA 4": (IA, BITS_4, {}), "IA 8": (IA, BITS_8, {}), "IA 16": (IA, BITS_16, {}),
@@ -22,7 +22,7 @@ FORMATS = {
     "CI 4 as it is": (CI, BITS_4, {}), "RGBA 8": (RGBA, BITS_8, {}), "I 16": (I, BITS_16, {}),
     "IA 32": (IA, BITS_32, {}), "RGBA 16 by TLUT": (RGBA, BITS_16, RGBA_TLUT),
     "IA 8 by TLUT": (IA, BITS_8, RGBA_TLUT), "format 6": (6, BITS_4, {})}
-#: Clamp, mirror, mask; texels between the edges; columns or rows to look at.
+#: Clamp, mirror, mask; texels between the edges; columns or rows to test.
 AXES = {
     "wrap": (0, 0, 3, 8, 8), "wrap, long": (0, 0, 5, 5, 32), "mirror": (0, 1, 2, 4, 8),
     "one, mirrored": (0, 1, 0, 1, 3), "clamp": (1, 0, 0, 11, 13), "no mask": (0, 0, 0, 7, 9),
@@ -35,8 +35,8 @@ ROUNDS = 5
 
 
 def tiles() -> Iterator[tuple[str, dict[str, int], tuple[int, ...], tuple[int, int]]]:
-    """Name, modes, fields of a line `tile` behind n, columns and rows to look at: each format with
-    ROUNDS of everything else, no pair of axes' forms twice."""
+    """Yields name, modes, the fields of a line `tile` after n, columns and rows to test: each
+    format in ROUNDS combinations of the other settings, no pair of axis settings twice."""
     chosen = random.Random(11)
     pairs = [(s, t) for s in AXES for t in AXES]
     chosen.shuffle(pairs)
@@ -44,7 +44,7 @@ def tiles() -> Iterator[tuple[str, dict[str, int], tuple[int, ...], tuple[int, i
         form, (format, size, more) = list(FORMATS.items())[number % len(FORMATS)]
         across, down = pairs[number % len(pairs)]
         if format == YUV and AXES[across][1]:
-            across = "clamp"  # mirrored chroma is nobody's: c/n64/polygons/yuv.c
+            across = "clamp"  # mirrored chroma is undefined: c/n64/polygons/yuv.c
         line, tmem = chosen.choice(LINES), chosen.choice(PLACES)
         (*s, columns, wide), (*t, rows, high) = AXES[across], AXES[down]
         sl, tl = chosen.randrange(12), chosen.randrange(12)
@@ -55,8 +55,8 @@ def tiles() -> Iterator[tuple[str, dict[str, int], tuple[int, ...], tuple[int, i
 
 @dataclass
 class Compared:
-    """Questions for a texel (``which`` 0) or a quad's result (1) at a place by both ways, the
-    answers beside each other from ``answer`` on; ``mask``: the bits that count."""
+    """One comparison: a texel (``which`` 0) or a quad's result (1) at a place, computed both ways;
+    the two answers follow each other from index ``answer`` on; ``mask``: the bits to compare."""
 
     name: str
     s: int
@@ -67,7 +67,8 @@ class Compared:
 
 
 class Everything:
-    """All texels and quads of ``tiles``: what was asked, and the answers' numbers of decoding."""
+    """All texels and quads of ``tiles``: the comparisons, and the indices of the answers of
+    decoding."""
 
     def __init__(self) -> None:
         self.guest, self.random = Guest(), random.Random(12)
@@ -81,7 +82,7 @@ class Everything:
 
     def compare(self, name: str, s: int, t: int, which: int, mask: int,
                 at: int | None = None) -> None:
-        """``at``: where the quad's fraction is, if it is not s."""
+        """``at``: the coordinate with the quad's fraction, if it is not s."""
         answer = self.guest.ask("DECODED", 0, s if at is None else at, t, numbers=2)
         self.guest.ask("SAMPLE", 0, s, t, 0, numbers=4)
         self.asked.append(Compared(name, s, t, which, mask, answer))
@@ -92,7 +93,7 @@ class Everything:
 
     def add(self, name: str, more: dict[str, int], tile: tuple[int, ...],
             size: tuple[int, int]) -> None:
-        """A tile: point sampled, in both triangles and in the middle of each quad."""
+        """Adds a tile: point sampled, in both triangles and in the middle of each quad."""
         is_yuv, chosen, (wide, high) = tile[0] == YUV, self.random, size
         low_s, low_t = (8 * edge for edge in tile[13:15])
         corners = [(32 * i + low_s, 32 * j + low_t) for j in range(high) for i in range(wide)]
@@ -111,7 +112,7 @@ class Everything:
             self.add_chroma(name, tile, corners)
 
     def add_chroma(self, name: str, tile: tuple[int, ...], corners: list[tuple[int, int]]) -> None:
-        """Quads of a YUV tile's U and V, which two texels share."""
+        """Adds quads of a YUV tile's U and V, which two texels share."""
         chosen = self.random
         self.guest.words(modes(quad=1))
         self.decode(f"{name}, chroma", CHROMA)
@@ -124,14 +125,14 @@ class Everything:
 
 
 def long_of(colour: list[int]) -> int:
-    """R G B A as one unsigned long; 9 bits are cut to 8."""
+    """R G B A as one unsigned long; 9-bit channels are cut to 8."""
     return int.from_bytes(bytes(channel & 255 for channel in colour), "big")
 
 
 def test_every_texel_and_quad(asked) -> None:
-    """Point sampled, in both triangles and in the middle of each quad: n64_decode's against
-    n64_sample's, of tiles in every format, wrapped, mirrored, clamped, of any size, which go round
-    TMEM's end or have rows of an odd number of words."""
+    """n64_decode agrees with n64_sample when point sampled, in both triangles and in the middle of
+    each quad, for tiles in every format, wrapped, mirrored, clamped, of any size, including tiles
+    that wrap at TMEM's end or have rows of an odd number of words."""
     every, answers = asked["everything"], asked["answers"]["everything"]
     for name, at in every.decoded:
         assert (result_name(answers[at][0]), answers[at][3]) == ("DONE", 1), name
@@ -145,7 +146,7 @@ def test_every_texel_and_quad(asked) -> None:
                         f"{each.t / 32} is {found:08x}, expected {expected:08x}", pytrace=False)
 
 
-#: Tiles as a vector line has them behind n: format, size, line, tmem, palette, clamp, mirror,
+#: Tiles, as the fields after n in a vector line: format, size, line, tmem, palette, clamp, mirror,
 #: mask, shift of s, of t, sl, tl, sh, th.
 TILES = {
     "wrapped RGBA 16": WRAPPED,
@@ -161,11 +162,12 @@ TLUT_TILES = {
     "CI 4": (CI, BITS_4, 2, 32, 5, 0, 0, 5, 0, 0, 1, 3, 0, 0, 0, 88, 40),
     "CI 8": (CI, BITS_8, 4, 32, 0, 1, 1, 4, 0, 1, 0, 5, 0, 0, 0, 100, 130),
 }
-RANDOM_PLACES = 60  # of each tile
+RANDOM_PLACES = 60  # for each tile
 
 
 def ask_places() -> tuple[Guest, list[tuple[str, int, int, int]]]:
-    """Tiles at random places, far outside too; of each its name, s, t and first answer."""
+    """Tiles at random places, some far outside; returns for each its name, s, t and first
+    answer."""
     chosen, guest, asked = random.Random(5), Guest(), []
     guest.do("TMEM_RANDOM", 99)
     guest.do("TLUT_RANDOM", 98)
@@ -188,7 +190,7 @@ def ask_places() -> tuple[Guest, list[tuple[str, int, int, int]]]:
 
 
 def test_places_far_and_near(asked) -> None:
-    """At random coordinates texels are those of point sampling, quads' results those of the
+    """At random coordinates texels equal those of point sampling, and quads' results those of the
     filter, three-point and average; for wrap, mirror, clamp, shifts, TLUT, all formats."""
     for name, s, t, first in asked["places"]:
         _, plain, filtered, _, middle, average, _, point = (
@@ -198,8 +200,7 @@ def test_places_far_and_near(asked) -> None:
             assert found == packed(expected), f"{name}: {what} at s {s / 32}, t {t / 32}"
 
 
-#: What is done before a tile is decoded, or nothing; what of quads is asked for; whether it is
-#: decoded anew.
+#: Change before decoding, or None; whether quads are needed; whether the tile is decoded again.
 SMALLER = (*WRAPPED[:7], 3, *WRAPPED[8:])
 SAME = 0xF5 << 24 | BITS_16 << 19 | 4 << 9, 3 << 14 | 4 << 4
 STEPS = [(("TMEM_RANDOM", 1), 0, 1), (None, 0, 0), (("WORDS", *SAME), 0, 0), (None, 1, 1),
@@ -220,13 +221,13 @@ def ask_steps() -> Guest:
 
 
 def test_tiles_are_decoded_anew_only_after_a_change(asked) -> None:
-    """Of the tile itself, TMEM, TLUT mode; quads when they are first asked for."""
+    """A change of the tile itself, TMEM or TLUT mode; quads also at their first use."""
     answers = asked["answers"]["steps"]
     for n, (change, quads, made) in enumerate(STEPS):
         code, columns, rows, found, _ = answers[n]
         assert (result_name(code), found) == ("DONE", made), (n, change, quads)
         assert (columns, rows) == (3 if 7 <= n < 12 else 4, 3), n
-    assert answers[-1][4] == answers[3][4]  # memory is used again
+    assert answers[-1][4] == answers[3][4]  # the memory is reused
 
 
 def ask_large() -> Guest:
@@ -241,14 +242,15 @@ def ask_large() -> Guest:
 
 
 def test_tiles_that_cannot_be_decoded(asked) -> None:
-    """Larger than anything TMEM holds; what was decoded before is unharmed."""
+    """A tile that repeats over more than TMEM can hold is refused; the tile decoded before is
+    unharmed."""
     names = [(result_name(answer[0]), answer[3]) for answer in asked["answers"]["large"]]
     assert names == [("DONE", 1), ("DECODE_TOO_LARGE", 0), ("DONE", 0)]
 
 
 @pytest.fixture(scope="module")
 def asked() -> dict:
-    """What all tests ask, and the answers, of one boot."""
+    """The questions of all tests and their answers, from one boot."""
     every, (guest, places) = Everything(), ask_places()
     return {"everything": every, "places": places, "answers": vector_guest.run_all({
         "everything": every.guest, "places": guest, "steps": ask_steps(), "large": ask_large()})}

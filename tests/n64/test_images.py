@@ -1,4 +1,4 @@
-"""Pictures in the texture formats: there and back, through DRAM and through TMEM."""
+"""Pictures in the texture formats: encoded and decoded, through DRAM and through TMEM."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ FORMATS = [(RGBA, 2), (RGBA, 3), (CI, 0), (CI, 1), (IA, 0), (IA, 1), (IA, 2), (I
 
 
 def grown(picture: np.ndarray) -> np.ndarray:
-    """The picture with alpha at random."""
+    """The picture with random alpha."""
     picture = picture.copy()
     picture[..., 3] = np.random.default_rng(9).integers(0, 256, picture.shape[:2])
     return picture
@@ -28,8 +28,8 @@ def grown(picture: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("form, size", FORMATS)
 @pytest.mark.parametrize("width, height", [(16, 8), (13, 5), (1, 1)])
 def test_what_a_texture_shows_stays(form, size, width, height):
-    """A picture that a format can show is encoded without loss. YUV, whose texels share chroma by
-    twos, only keeps its size: ``test_yuv_is_near`` has the rest."""
+    """A picture that a format can show is encoded without loss. For YUV, whose texels share chroma
+    in pairs, only the size is tested: ``test_yuv_is_near`` has the rest."""
     picture = grown(noise(width, height))
     first = images.encode(picture, form, size)
     shown = images.decode(first)
@@ -42,7 +42,7 @@ def test_what_a_texture_shows_stays(form, size, width, height):
 
 
 def test_all_16_bit_colours_are_exact():
-    """Each of RGBA's texels is what its colour is encoded as."""
+    """Each RGBA texel is decoded and encoded to the same value."""
     values = np.arange(65536).reshape(256, 256)
     texture = images.Texture(RGBA, 2, 256, 256, 256, values.astype(">u2").tobytes())
     assert images.encode(images.decode(texture), RGBA, 2) == texture
@@ -51,9 +51,9 @@ def test_all_16_bit_colours_are_exact():
 @pytest.mark.parametrize("form, size, bits", [(RGBA, 2, 5), (RGBA, 3, 8), (IA, 2, 8), (IA, 1, 4),
                                               (IA, 0, 3), (I, 1, 8), (I, 0, 4)])
 def test_formats_are_as_near_as_their_bits_allow(form, size, bits):
-    """Bits are repeated to make 8: what two values differ by is at most 255 / (2^bits - 1) rounded
-    up, and from one of them nothing is farther than half of that. Intensities are of grey
-    pictures, whose own they are."""
+    """Bits are repeated to make 8: two neighbouring values differ by at most 255 / (2^bits - 1)
+    rounded up, so the nearest one is within half of that. Intensity formats use grey pictures,
+    which they can represent."""
     picture = noise(64, 64)
     if form in (IA, I):
         picture[..., 1] = picture[..., 2] = picture[..., 0]
@@ -62,13 +62,13 @@ def test_formats_are_as_near_as_their_bits_allow(form, size, bits):
 
 
 def test_yuv_is_near():
-    """Of a grey picture only the rounding of Y is lost, 298/256 of half a step, and half a step of
-    the result: less than 2. A colour has U and V rounded besides, which count up to 445/256, and
-    is rounded before it is multiplied, too: (1/2 + 445/512 + 1/2) 298/256 + 1/2 is less than 3."""
+    """A grey picture loses only the rounding of Y, 298/256 of half a step, and half a step of the
+    result: less than 2. In a colour U and V are rounded too, with weights up to 445/256, and the
+    sum is rounded before it is multiplied: (1/2 + 445/512 + 1/2) 298/256 + 1/2 is less than 3."""
     picture = np.repeat(np.arange(256, dtype=np.uint8).reshape(16, 16, 1), 4, -1)
     picture[..., 3] = 255
     check_within(images.decode(images.encode(picture, YUV, 2)), picture, 1, "grey: row, column")
-    pairs = np.repeat(smooth(32)[:, ::2], 2, 1)  # two texels share their chroma
+    pairs = np.repeat(smooth(32)[:, ::2], 2, 1)  # pairs of texels share their chroma
     check_within(images.decode(images.encode(pairs, YUV, 2)), pairs, 2, "row, column, channel")
 
 
@@ -83,8 +83,8 @@ def test_tmem_shows_what_dram_holds(form, size, block):
 
 
 def test_yuv_through_tmem():
-    """The samples of both loads, converted, make the texture's colours by the combiner's
-    multiplication."""
+    """Samples of both loads, converted and multiplied in the combiner, are the texture's
+    colours."""
     texture = images.encode(noise(32, 16), YUV, 2)
     for block in (True, False):
         state = unit(texture, block=block, filter0=0, filter1=0)
@@ -97,13 +97,13 @@ def test_yuv_through_tmem():
 
 
 def rms(shown: np.ndarray, picture: np.ndarray) -> float:
-    """How far colours are off."""
+    """The root mean square error of colours."""
     return np.sqrt(((shown.astype(float) - picture) ** 2).mean())
 
 
 @pytest.mark.parametrize("size, count, fixed", [(0, 16, (2, 4, 2)), (1, 256, (8, 8, 4))])
 def test_palettes(size, count, fixed):
-    """Few colours are exact; of many a palette is nearer than one of fixed steps."""
+    """Few colours are exact; for many, a palette is nearer than one of fixed steps."""
     few = noise(count, 1)[0][np.random.default_rng(1).integers(0, count, (16, 16))]
     texture = images.encode(few, CI, size)
     check_equal(images.decode(texture), images.decode(images.encode(few, RGBA, 2)))
@@ -116,7 +116,7 @@ def test_palettes(size, count, fixed):
 
 @pytest.mark.parametrize("size", [0, 1])
 def test_palettes_of_alpha(size):
-    """Entries of IA16 are nearer than fixed steps of intensity and alpha."""
+    """Palettes of IA16 are nearer than fixed steps of intensity and alpha."""
     picture = grown(smooth(64))
     shown = images.decode(images.encode(picture, CI, size, ia=True))
     grey = images.decode(images.encode(picture, IA, 2))
@@ -126,7 +126,7 @@ def test_palettes_of_alpha(size):
 
 
 def test_transparency_of_palettes():
-    """What cannot be seen has an entry of its own."""
+    """Transparent texels have a separate entry."""
     picture = smooth(64)
     picture[:32, :, 3] = 0
     for size in (0, 1):
@@ -134,7 +134,8 @@ def test_transparency_of_palettes():
 
 
 def test_sixteen_palettes():
-    """In one TLUT, each read by a tile of its own; there are no more, and CI 4 alone has them."""
+    """Sixteen palettes fit into one TLUT, each read by a separate tile; a 17th is refused, as is
+    any format but CI 4."""
     textures = [images.encode(noise(4, 4, seed), CI, 0) for seed in range(16)]
     tlut = images.join_palettes(textures)
     dram, places, _ = memory(*textures)
@@ -156,7 +157,7 @@ def test_sixteen_palettes():
 
 
 def test_levels_are_means_of_four():
-    """Of two where a side has one texel already; sides have to have halves."""
+    """Of two if a side has only one texel; other sides must be even."""
     levels = images.chain(noise(8, 2), 4)
     assert [level.shape[:2] for level in levels] == [(2, 8), (1, 4), (1, 2), (1, 1)]
     mean = levels[0][:2, 2:4].astype(int).sum((0, 1)) + 2 >> 2
@@ -168,7 +169,7 @@ def test_levels_are_means_of_four():
 
 @pytest.mark.parametrize("form, size", [(RGBA, 2), (I, 0), (CI, 1)])
 def test_levels_in_tmem(form, size):
-    """Each in a tile of its own with the shift of its level; CI ones as indices."""
+    """Each level is in a separate tile with the shift of its level; CI levels as indices."""
     textures = [images.encode(p, form, size) for p in images.chain(noise(32, 16), 6)]
     dram, places, _ = memory(*textures)
     state, words = State(dram=dram), List()
@@ -197,7 +198,7 @@ def test_chains_that_do_not_fit(sizes, first, message):
 
 
 def test_files(tmp_path):
-    """Pictures are read as they are; one that is not there is named."""
+    """Pictures are read unchanged; the error names a missing file."""
     picture = grown(noise(16, 8))
     Image.fromarray(picture).save(tmp_path / "a.png")
     check_equal(images.read("a.png", tmp_path, "here", 16, 8), picture)

@@ -1,4 +1,4 @@
-"""The texture unit's model: reference data, and hand-made examples of each rule."""
+"""The texture unit's model: reference data, and worked examples of each rule."""
 
 import numpy as np
 import pytest
@@ -50,7 +50,8 @@ def test_bad_text(text, message):
 
 
 def test_unreadable_files(tmp_path):
-    """Packed ones that are none or cut off, bytes that are no text; lines are read one by one."""
+    """Compressed files that are invalid or truncated, bytes that are not text; lines are read one
+    by one."""
     path = tmp_path / "x.gz"
     with pytest.raises(UserError, match="x.gz: cannot be read"):
         list(read(path))
@@ -68,7 +69,7 @@ def test_unreadable_files(tmp_path):
 
 
 def test_xorshift():
-    """Many numbers at once are those of single steps, of which the first by hand."""
+    """Many numbers at once equal those of single steps; the first is computed by hand."""
     assert xorshift_step(1) == 270369
     x, numbers = 5, []
     for _ in range(1000):
@@ -78,13 +79,13 @@ def test_xorshift():
 
 
 def ramp() -> State:
-    """A unit whose byte n of TMEM is n & 255 in the lower half, ~n & 255 in the upper one."""
+    """A unit in which byte n of TMEM is n & 255 in the lower half, ~n & 255 in the upper one."""
     n = np.arange(4096)
     return State(tmem=np.where(n < 2048, n, ~n).astype(np.uint8))
 
 
 def test_places_of_texels():
-    """Rows lie a line apart, odd ones with the halves of their words exchanged."""
+    """Rows are one line apart; in odd rows the halves of each word are exchanged."""
     state = State()
     state.tmem[::2], state.tmem[1::2] = np.arange(2048) >> 8, np.arange(2048) & 255
     s, row = np.array([0, 0, 2, 3]), np.array([0, 1, 1, 1])
@@ -95,12 +96,13 @@ def test_places_of_texels():
 
 
 def test_halves_of_wide_texels():
-    """Red and green lie in the lower half of TMEM, blue and alpha in the upper one."""
+    """Red and green are in the lower half of TMEM, blue and alpha in the upper one."""
     assert list(fetch(ramp(), Tile(RGBA, 3, line=1), 1, 0)) == [2, 3, 255 - 2, 255 - 3]
 
 
 def test_palette_entry():
-    """An index of 4 bits behind the tile's palette: entries lie four times in the upper half."""
+    """The 4-bit index follows the tile's palette number; each entry is stored four times in the
+    upper half."""
     state = State()
     state.tmem[0] = 0x50
     state.tmem[0x9A8:0x9AA] = 0xAB, 0xCD
@@ -150,14 +152,14 @@ ZERO = 7
 
 
 def combined(state, texel0=(0,) * 4, texel1=(0,) * 4, shade=None, fraction=0) -> list[int]:
-    """One pixel's colour."""
+    """The combined colour of one pixel."""
     arrays = [np.array(c) for c in (texel0, texel1)]
     shade = None if shade is None else np.array(shade)
     return list(combine(state, Sources(*arrays, shade, np.array(fraction))))
 
 
 def test_modulate():
-    """Products are rounded; one cycle has the second one's inputs."""
+    """Products are rounded; one-cycle mode uses the second cycle's inputs."""
     mode = Inputs(1, 8, 4, ZERO)  # (texel0 - 0) * shade + 0
     alpha = Inputs(1, ZERO, 4, ZERO)
     state = State(combine=Combine((Inputs(), mode), (Inputs(), alpha)))
@@ -166,14 +168,16 @@ def test_modulate():
 
 
 def test_interpolation_of_levels():
-    """By the level's fraction, which may be negative; results are colours."""
+    """Levels are interpolated by the level's fraction, which may be negative; results stay in
+    range."""
     first = Inputs(2, 1, 13, 1)  # (texel1 - texel0) * LOD fraction + texel0
     alpha = Inputs(2, 1, 0, 1)
     second = Inputs(8, 8, 31, 0)  # combined
     state = State(combine=Combine((first, second), (alpha, Inputs(ZERO, ZERO, ZERO, 0))))
     state.modes.cycle = TWO_CYCLES
     assert combined(state, (100,) * 4, (200,) * 4, fraction=64) == [125] * 4
-    # with sharpen the fraction is negative: away from the coarser level, and it stays a colour
+    # with sharpen the fraction is negative: away from the coarser level, and the result stays in
+    # range
     assert combined(state, (100,) * 4, (200,) * 4, fraction=0x1C0) == [75] * 4
     assert combined(state, (10, 250, 10, 250), (200, 0, 200, 0), fraction=0x180) == [0, 255, 0, 255]
 
@@ -186,7 +190,7 @@ def test_second_cycle_sees_the_samples_the_other_way_round():
 
 
 def test_combiner_refuses():
-    """Noise, unless nothing is checked, and shade where there is none."""
+    """Noise, unless checks are off, and shade if there is none."""
     with pytest.raises(Misuse, match="no noise") as caught:
         commands.run(State(), 0x3C << 24 | 7 << 20, 0)
     assert caught.value.name == "combine input"

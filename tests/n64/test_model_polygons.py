@@ -1,4 +1,4 @@
-"""Whole polygons and rectangles of the texture unit's model, and how far they are off the ideal."""
+"""Whole polygons and rectangles of the texture unit's model, and their error against the ideal."""
 
 import numpy as np
 import pytest
@@ -28,15 +28,15 @@ def frame(kind=np.uint32) -> np.ndarray:
 
 
 def texture(size: int = 2, width: int = 16, height: int = 16) -> images.Texture:
-    """Noise in RGBA."""
+    """A texture of random RGBA texels."""
     return images.encode(noise(width, height), RGBA, size)
 
 
 @pytest.mark.parametrize("kind", [np.uint16, np.uint32])
 @pytest.mark.parametrize("perspective", [0, 1])
 def test_a_magnified_square_is_point_sampled(kind, perspective):
-    """Texels of 4 x 4 pixels; with perspective W = 0x7fff is a hair below 1, and coordinates may
-    come out a unit too low or high: so s and t start 2 units, a quarter pixel, in."""
+    """Texels of 4 x 4 pixels. With perspective W = 0x7fff is just below 1, and coordinates may be a
+    unit too low or high: so s and t start 2 units, a quarter pixel, in."""
     shown = texture()
     state, found = unit(shown, perspective=perspective), frame(kind)
     corners = square(8, 0, 64, 16, 16)
@@ -48,7 +48,7 @@ def test_a_magnified_square_is_point_sampled(kind, perspective):
 
 
 def test_parts_beyond_the_frame_are_cut():
-    """What is left is the same part of the whole."""
+    """The visible part equals the same part of the whole polygon."""
     shown = texture()
     state, whole, part = unit(shown), np.zeros((128, 128), np.uint32), frame()
     draw(state, whole, square(32, 32, 64, 16, 16))
@@ -57,7 +57,7 @@ def test_parts_beyond_the_frame_are_cut():
 
 
 def test_values_far_from_zero_wrap():
-    """Iterators count modulo 2^32: 2048 texels."""
+    """Iterators count modulo 2^32: they wrap after 2048 texels."""
     state, one, other = unit(texture()), frame(), frame()
     corners = square(0, 0, 64, 16, 16)
     draw(state, one, corners)
@@ -66,14 +66,15 @@ def test_values_far_from_zero_wrap():
 
 
 def test_shade_is_interpolated_and_cut():
-    """Of each pixel, and by it texels are multiplied; there is none where none is read."""
+    """Shade is interpolated for each pixel and multiplied with the texel; it is not computed if the
+    combiner does not read it."""
     state, found = unit(texture(), cycle=TEXEL0_SHADE), frame()
     corners = square(0, 0, 64, 16, 16)
     colours = [(0, 255, 10, 255), (255, 255, 10, 255), (255, 0, 10, 255), (0, 0, 10, 255)]
     corners = [v._replace(colour=c) for v, c in zip(corners, colours)]
     shade = prepare(state, found, corners).shade.reshape(64, 64, 4)
     step = np.arange(64)
-    # a gradient rounded to 1/65536 may lower what is whole by one
+    # a gradient rounded to 1/65536 may make a whole number one lower
     check_within(shade[..., 0], 255 * step // 64, 1, "red: row, column")
     check_within(shade[..., 1], 255 - 255 * step[:, None] / 64, 1, "green: row, column")
     assert set(np.unique(shade[..., 2])) <= {9, 10}
@@ -84,13 +85,13 @@ def test_shade_is_interpolated_and_cut():
 
 
 def test_polygons_that_draw_nothing():
-    """Too few corners, no area, beyond the frame, texels too far apart; a w of 0 is refused."""
+    """Too few corners, no area, beyond the frame, too large a range of s; a w of 0 is refused."""
     state, found = unit(texture()), frame()
     corners = square(0, 0, 64, 16, 16)
     assert draw(state, found, corners[:2]) == 0
     assert draw(state, found, [v._replace(x=0) for v in corners]) == 0
     assert draw(state, found, square(WIDTH, 0, 8, 1, 1)) == 0
-    assert draw(state, found, square(0, 0, 64, 1025, 1)) == 0  # texels differ too much
+    assert draw(state, found, square(0, 0, 64, 1025, 1)) == 0  # s has too large a range
     assert not found.any() and not state.pending
     state.modes.perspective = 1
     with pytest.raises(UserError, match="a vertex's w is 0"):
@@ -98,7 +99,7 @@ def test_polygons_that_draw_nothing():
 
 
 def test_modes_that_draw_no_polygons():
-    """Copy and fill mode; palette's texels without a palette."""
+    """Copy and fill mode; indexed texels without a palette."""
     for cycle in (2, 3):
         state = unit(texture(), "point", cycle=TEXEL0)
         state.modes.cycle = cycle
@@ -111,7 +112,7 @@ def test_modes_that_draw_no_polygons():
 
 
 def test_drawing_leaves_syncs_pending():
-    """Where the unit is strict the next load has to begin with its syncs."""
+    """If the unit is strict, the next load must begin with its syncs."""
     state = unit(texture())
     state.strict = True
     draw(state, frame(), square(0, 0, 8, 8, 8))
@@ -127,8 +128,8 @@ def test_drawing_leaves_syncs_pending():
 
 @pytest.mark.parametrize("flip", [False, True])
 def test_rectangles(flip):
-    """Half a texel a pixel across and one down; flipped, s goes down; cut at the left and upper
-    border."""
+    """Half a texel a pixel across and one down; flipped, so that s runs down; cut at the left and
+    upper border."""
     shown = texture()
     state, found = unit(shown), frame()
     rectangle(state, found, (4, 8, 36, 24), 0, 2 * 32, 3 * 32, 0x200, 0x400, flip)
@@ -143,7 +144,7 @@ def test_rectangles(flip):
 
 
 def test_an_aligned_rectangle_averages():
-    """Fractions of one half: each pixel is the mean of four texels."""
+    """At fractions of one half each pixel is the mean of four texels."""
     shown = texture(3, 8, 8)
     state, found = unit(shown, "average"), frame()
     rectangle(state, found, (0, 0, 4, 4), 0, 16, 16, 0x800, 0x800)
@@ -152,7 +153,7 @@ def test_an_aligned_rectangle_averages():
 
 @pytest.mark.parametrize("form, size", [(RGBA, 2), (CI, 0), (CI, 1)])
 def test_copied_rectangles(form, size):
-    """Texels go to 16-bit frames as they are; cut at the left border."""
+    """Texels are copied unchanged to 16-bit frames; cut at the left border."""
     shown = images.encode(noise(16, 16), form, size)
     state, found = unit(shown), frame(np.uint16)
     state.modes.cycle = COPY
@@ -166,7 +167,7 @@ def test_copied_rectangles(form, size):
 
 
 def test_rectangles_that_cannot_be():
-    """Copies into 32 bits or of wide texels, perspective, shade."""
+    """Copies into 32-bit frames or of wide texels, perspective, shade."""
     state = unit(texture(3))
     state.modes.cycle = COPY
     with pytest.raises(Misuse, match="frames of 16 bits"):
@@ -205,14 +206,14 @@ def drawn(state: State, corners: list[Vertex]):
     return at.x, at.y, picture(found)[at.y, at.x]
 
 
-#: How far the divide's reciprocal may be off, of itself.
+#: The largest relative error of the divide's reciprocal.
 TABLE = 1 / 6430
 
 
 def units(corners: list[Vertex], perspective: bool) -> float:
-    """How far a coordinate may be off the exact one, in 1/32 texel: it is cut (1), and before
-    that, with S and W cut to 16 bits: S by 1, W by 1 of 32767 where it is nearest, which weigh
-    more by the ratio of depths; and the reciprocal's error."""
+    """The largest error of a coordinate, in 1/32 texel: 1 for its own rounding down, plus the
+    errors of S and W, which are cut to 16 bits before, S by 1, W by 1 of 32767 where it is nearest
+    (weighted by the ratio of depths), plus the reciprocal's error."""
     if not perspective:
         return 1
     ratio = max(v.w for v in corners) / min(v.w for v in corners)
@@ -221,7 +222,7 @@ def units(corners: list[Vertex], perspective: bool) -> float:
 
 
 def steepest(state: State) -> float:
-    """The most that neighbouring texels of tile 0 differ in a channel, across one axis."""
+    """The largest difference between neighbouring texels of tile 0 in a channel, along one axis."""
     tile = state.tiles[0]
     t, s = np.mgrid[:1 << tile.t.mask, :1 << tile.s.mask]
     texels = fetch(state, tile, s, t)[..., :3]
@@ -230,8 +231,8 @@ def steepest(state: State) -> float:
 
 @pytest.mark.parametrize("perspective", [0, 1])
 def test_three_point_filter_is_as_near_as_coordinates_are(perspective):
-    """Its surface is continuous: along each axis a coordinate's error is worth as much of the
-    steepest step between two texels, and the result's rounding 1/2 more."""
+    """The filtered surface is continuous: along each axis a coordinate's error changes the colour
+    by that fraction of the steepest step between two texels; rounding the result adds 1/2."""
     state = unit(images.encode(smooth(32), RGBA, 3), "bilerp", perspective=perspective)
     corners = floor(WIDTH, HEIGHT, 2, 6, 60) if perspective else square(0, 0, 64, 30, 30)
     x, y, colours = drawn(state, corners)
@@ -242,7 +243,7 @@ def test_three_point_filter_is_as_near_as_coordinates_are(perspective):
 
 
 def test_point_sampling_shows_the_exact_texel():
-    """Wherever the exact coordinate lies far enough from a texel's edge."""
+    """Only where the exact coordinate is far enough from a texel's edge."""
     state = unit(images.encode(noise(32, 32), RGBA, 3), perspective=1)
     corners = floor(WIDTH, HEIGHT, 2, 6, 60)
     x, y, colours = drawn(state, corners)
@@ -257,8 +258,8 @@ def test_point_sampling_shows_the_exact_texel():
 
 
 def test_levels_of_detail_are_near_the_ideal():
-    """Between two levels of a smooth picture little is lost: the mean error lies well below what
-    the finest level alone, point sampled, is off."""
+    """Between two levels of a smooth picture little is lost: the mean error is well below that of
+    the finest level alone, point sampled."""
     state = mip_mapped(32, 5)
     corners = floor(WIDTH, HEIGHT, 1, 8, 96)
     x, y, colours = drawn(state, corners)
@@ -270,7 +271,7 @@ def test_levels_of_detail_are_near_the_ideal():
 
 
 def test_ideal_coordinates():
-    """A square's are known; fractions as fine as asked for."""
+    """The exact coordinates of a square are known."""
     corners = square(0, 0, 64, 48, 16)
     x, y = np.array([0, 1, 63, 10]), np.array([0, 5, 63, 7])
     s, t = n64.Surface(corners, False).at(x, y)
@@ -284,7 +285,8 @@ def test_ideal_coordinates():
 @pytest.mark.parametrize("wrap", [Wrap(mask=4), Wrap(mask=4, mirror=1), Wrap(clamp=1),
                                   Wrap(mask=4, shift=2), Wrap(mask=4, shift=14)])
 def test_ideal_samples_are_the_hardwares_at_whole_coordinates(how, wrap):
-    """Of every fourth texel far beyond the tile: nothing is between texels there."""
+    """Every fourth texel, also far beyond the tile; at whole coordinates the filters do not
+    blend."""
     state = unit(texture(3), "point" if how == "point" else "bilerp", s=wrap, t=wrap)
     s, t = np.mgrid[-40:41, -40:41].reshape(2, -1)
     found = sample(state, 0, s * 128, t * 128)
@@ -293,7 +295,7 @@ def test_ideal_samples_are_the_hardwares_at_whole_coordinates(how, wrap):
 
 
 def test_ideal_refuses():
-    """Unknown filters, and what lies behind the viewer."""
+    """Unknown filters, and points behind the viewer."""
     with pytest.raises(UserError, match="filter 'cubic'"):
         n64.sample(unit(texture()), 0, *[Coordinate(np.zeros(1, int), np.zeros(1))] * 2,
                    "cubic")

@@ -1,4 +1,4 @@
-"""The modes that are priced: what they are meant to draw, how far they are off, what is said of it."""
+"""The modes with prices: their pictures, their errors, and their table."""
 
 from dataclasses import replace
 
@@ -21,13 +21,13 @@ from tmap.scene_file.scene_file import IDENTITY
 from tmap.scene_file.units import state_at
 
 N = 65536
-#: How far a coordinate is off at most, in texels: one that is cut to 1/32, and with perspective
-#: S and W cut to 16 bits and the reciprocal's error (tests/n64/test_model_polygons.py: units).
+#: The largest error of a coordinate, in texels: cut to 1/32, and with perspective S and W cut to 16
+#: bits and the reciprocal's error (tests/n64/test_model_polygons.py: units).
 CUT, STEEPEST = 1 / 32, 100 * 2 * np.pi / 32  # of the smooth picture, a texel
 
 
 def test_modes_show_what_their_names_say() -> None:
-    """Every format is there; names are used once; polygons are large and show several colours."""
+    """Every format has a mode; names are unique; polygons are large and show several colours."""
     assert len({mode.title for mode in EVERY.values()}) == len(EVERY)
     assert {name for names in FORMATS.values() for name in names} <= EVERY.keys()
     for mode in EVERY.values():
@@ -36,8 +36,8 @@ def test_modes_show_what_their_names_say() -> None:
 
 
 def test_far_and_near_cross_levels() -> None:
-    """Level of detail is priced where it chooses: from less than a texel a pixel to level 3, or
-    to more than one."""
+    """Prices of levels of detail include their choice: distances range from less than a texel a
+    pixel to level 3, or to more than one texel."""
     for name, most in (("trilinear", 8), ("sharpen", 1), ("detail", 1)):
         mode = EVERY[name]
         found = n64_errors.pixels_of(mode, "noise")
@@ -47,8 +47,9 @@ def test_far_and_near_cross_levels() -> None:
 
 @pytest.mark.parametrize("name", ["trilinear", "sharpen", "detail"])
 def test_ideal_levels_are_the_hardwares(name) -> None:
-    """For distances that 1/32 texel can hold, tiles are the same and fractions nearer than 1/256,
-    what is cut; where both tiles are one the fraction does not matter."""
+    """For distances that are multiples of 1/32 texel the tiles are the same, and fractions differ
+    by less than 1/256, which is cut off; if both tiles are the same the fraction does not
+    matter."""
     state = state_at(scene_of(EVERY[name]), 0, FIRST)
     lod = np.arange(1, 1 << 11)
     tile0, tile1, fraction = choose(state, lod, np.zeros(lod.size, bool))
@@ -62,7 +63,7 @@ def test_ideal_levels_are_the_hardwares(name) -> None:
 
 @pytest.mark.parametrize("name", [mode.name for mode in MODES if not mode.name.startswith("yuv")])
 def test_ideal_combiner_is_near_the_hardwares(name) -> None:
-    """A cycle rounds by 1/2, and 255/256 where 255/255 is meant takes 1 at most."""
+    """A cycle rounds by 1/2; using 255/256 instead of 255/255 costs 1 at most."""
     state = state_at(scene_of(EVERY[name]), 0, FIRST)
     rng = np.random.default_rng(5)
     texel0, texel1, shade = rng.integers(0, 256, (3, 500, 4))
@@ -75,22 +76,22 @@ def test_ideal_combiner_is_near_the_hardwares(name) -> None:
 
 @pytest.mark.parametrize("name", ["threepoint", "threepoint_rgba32", "wrap", "modulate_primitive"])
 def test_errors_are_within_what_coordinates_may_be_off(name) -> None:
-    """On the smooth picture, whose texels are rounded to 5 bits (8 / 2 more a step): both axes'
-    cut, the filter's rounding and the combiner's."""
+    """On the smooth picture, whose texels are rounded to 5 bits (8 / 2 more a step): the sum of the
+    cut of both axes, the filter's rounding and the combiner's."""
     error = n64_errors.error_of(EVERY[name], KINDS[0])
     assert 0 < error.rms <= error.most <= 2 * CUT * (STEEPEST + 9) + 0.5 + 1.5
 
 
 @pytest.mark.parametrize("name", ["copy", "point", "copy_16", "point_16", "point_ci8"])
 def test_point_sampling_without_perspective_is_exact(name) -> None:
-    """On both pictures, in frames of both widths."""
+    """Exact on both pictures, in frames of both widths."""
     for kind in KINDS:
         mode_points.check(EVERY[name], n64_errors, kind, lambda on: on.surface)
 
 
 def test_pages_keep_all_bits_of_u() -> None:
-    """Where v wraps in a line too: this quadrilateral has pixels whose u lies less than 1/65536
-    from a texel's edge, and lines on which t goes through 0."""
+    """Holds too if v wraps within a line: this quadrilateral has pixels whose u is less than
+    1/65536 from a texel's edge, and lines on which t crosses 0."""
     corners = [(843658, -792746, 0, 0), (10613762, 1150574, 64 * N, 0),
                (9642102, 6035626, 64 * N, 32 * N), (-128002, 4092306, 0, 32 * N)]
     whole = scene_of(EVERY["point"])
@@ -107,7 +108,7 @@ def test_pages_keep_all_bits_of_u() -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys) -> None:
-    """All of them."""
+    """The table has all modes."""
     mode_tables.check(tmp_path, capsys, "n64", list(EVERY.values()))
 
 

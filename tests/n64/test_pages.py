@@ -6,15 +6,15 @@ from tests.helpers.guest_runs import Asked
 from tests.helpers.engine_scenes import compiled, many_text, save_noise
 
 PIXELS = ("rgba5551", "rgba8888")
-SIDE = 40  # pixels of a polygon's place
+SIDE = 40  # pixels of a polygon's cell
 TILE = 'image = "noise.png", width = 12, height = 16'
 CLAMPED = 's.wrap = "clamp", t.wrap = "clamp"'
-#: First and last t of the polygons drawn one after the other: the rows grow on both sides, stay,
-#: and are more than memory was there for; of pages that repeat at last all.
+#: First and last t of successive polygons: the rows grow on both sides, stay, and exceed the memory
+#: reserved before; pages that repeat finally need all rows.
 ENDING = ((5, 9), (2, 6), (6, 14), (5, 9), (-9, 6), (4, 40), (-80, 70))
 FOR_EVER = (*ENDING, (-300, 200), (5, 9))
 CONVERTED = 'convert = "convert", combine = "convert"'
-#: Name to engine, and what is shown of it.
+#: Name: engine, ranges of t.
 ENGINES = {
     "wrap": (f'tiles = [{{ {TILE}, format = "rgba16", s.wrap = "clamp" }}]', FOR_EVER),
     "mirror": (f'tiles = [{{ {TILE}, format = "i8", s.wrap = "clamp", t.wrap = "mirror" }}]',
@@ -33,7 +33,7 @@ ENGINES = {
 
 @pytest.fixture(scope="module")
 def drawn(tmp_path_factory):
-    """By the frames' format a scene of all engines and what became of it, of one boot."""
+    """By frame format: a scene of all engines and its result, from one boot."""
     folder = tmp_path_factory.mktemp("pages")
     save_noise(folder, 6, noise=(16, 12))
     asked = {pixels: Asked(compiled(folder, text_of(pixels))) for pixels in PIXELS}
@@ -41,7 +41,8 @@ def drawn(tmp_path_factory):
 
 
 def text_of(pixels: str) -> str:
-    """Polygons of one engine beside each other, drawn one after the other; each at rows of its own."""
+    """Polygons of one engine are beside each other, drawn one after the other; each engine has a
+    separate row of cells."""
     columns = max(len(ranges) for _, ranges in ENGINES.values())
     text = many_text(SIDE * columns, SIDE * len(ENGINES), pixels, (engine for engine, _ in ENGINES.values()))
     for n, (_, ranges) in enumerate(ENGINES.values()):
@@ -55,7 +56,7 @@ def text_of(pixels: str) -> str:
 
 @pytest.mark.parametrize("pixels", PIXELS)
 def test_rows_are_made_as_they_are_needed(drawn, pixels):
-    """The model's pictures, by the plain mappers alone."""
+    """The pictures are the model's, drawn by the plain mappers alone."""
     asked, done = drawn[pixels]
     guest_runs.check(f"{pixels}; {SIDE} lines each of {', '.join(ENGINES)}", asked, done)
     for name, material in zip(ENGINES, done.executed):

@@ -1,5 +1,5 @@
-"""Which polygons of a texture engine are drawn by passes, and that these are the model's: YUV in
-its modes, texels straight into 16-bit pixels, the second cycle's texel alone."""
+"""Which polygons of a texture engine are drawn by passes, and that they are the model's: YUV in its
+modes, texels written directly to 16-bit pixels, the second cycle's texel alone."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from tests.helpers.guest_runs import Asked
 from tests.helpers.engine_scenes import compiled, many_text, save_noise
 
 PIXELS = ("rgba5551", "rgba8888")
-COLUMNS, SIDE, GAP = 5, 22, 26  # engines a row; pixels of a triangle, of its place
+COLUMNS, SIDE, GAP = 5, 22, 26  # engines a row; pixels of a triangle, of its cell
 YUV = 'image = "noise.png", format = "yuv16", width = 16, height = 16'
 RGBA = 'image = "noise.png", format = "rgba16", width = 16, height = 16'
 SHADE = '{ rgb = [["0", "0", "0", "combined"], ["texel0", "environment", "shade", "texel1"]], ' \
@@ -22,11 +22,11 @@ WILD = "k = [255, -256, -256, 255, -200, 255]"
 
 
 def tiles(tile: str, other: str | None = None) -> str:
-    """Two tiles, the second one the same."""
+    """Two tiles; the second equals the first unless given."""
     return f"tiles = [{{ {tile} }}, {{ {other or tile} }}]"
 
 
-#: Name to engine, and what it is to be drawn by.
+#: Name: engine, 1 if it must be drawn by passes.
 ENGINES = {
     "point": ('perspective = true, convert = "convert", combine = "convert", ' + tiles(YUV), 1),
     "wild": (f'perspective = true, convert = "convert", combine = "convert", {WILD}, '
@@ -77,7 +77,7 @@ ENGINES = {
 
 
 def corners(n: int, engine: str) -> str:
-    """Vertices of the engine's triangle, with w and shade where it reads them."""
+    """Vertices of the engine's triangle, with w and shade if the engine reads them."""
     left, top = 3 + GAP * (n % COLUMNS), 2 + GAP * (n // COLUMNS)
     rows = [[left + 0.3, top, -5.3, 3.1], [left + SIDE, top + 1.6, 22.4, -7.7],
             [left + 4.2, top + SIDE, 21.9, 38.2]]
@@ -88,7 +88,7 @@ def corners(n: int, engine: str) -> str:
 
 @pytest.fixture(scope="module")
 def drawn(tmp_path_factory):
-    """By the frames' format a scene of all engines and what became of it, of one boot."""
+    """By frame format: a scene of all engines and its result, from one boot."""
     folder = tmp_path_factory.mktemp("passes")
     save_noise(folder, 9, noise=(16, 16))
     asked = {pixels: Asked(compiled(folder, text_of(pixels))) for pixels in PIXELS}
@@ -106,7 +106,7 @@ def text_of(pixels: str) -> str:
 
 @pytest.mark.parametrize("pixels", PIXELS)
 def test_passes_are_the_models(drawn, pixels):
-    """Each triangle is the model's, drawn as it is to be."""
+    """Each triangle is the model's, and is drawn by passes only if it should be."""
     asked, done = drawn[pixels]
     places = {name: (GAP * (n % COLUMNS), GAP * (n // COLUMNS)) for n, name in enumerate(ENGINES)}
     frame, = guest_runs.check(f"{pixels}; from these pixels on {places}", asked, done)

@@ -1,4 +1,5 @@
-"""Whole pixels of the texture engine in C: samples and the combiner together, by sums of their own."""
+"""Whole pixels of the texture engine in C: samples and the combiner together, compared with
+separate sums."""
 
 import random
 
@@ -23,7 +24,7 @@ def combine(first, second) -> tuple[int, int]:
 
 
 def blend(a: int, b: int, c: int, d: int) -> int:
-    """The combiner's sum for values that are not negative but C; clamped."""
+    """The combiner's sum for values of which only C may be negative; clamped."""
     value = ((a - b) * c + (d << 8) + 128 >> 8) & 511
     return 0 if value >= 384 else 255 if value >= 256 else value
 

@@ -20,7 +20,7 @@ PIXELS = ("rgba5551", "rgba8888")
 
 
 def lines(each: Case) -> list[str]:
-    """All there is to know of a polygon."""
+    """Describes a polygon completely."""
     is_rectangle = each.primitive in RECTANGLES
     raw = "st" if is_rectangle else ("shade",) * (each.primitive == "coloured")
     return [f"  modes {each.modes}, edges {each.edges}, clip {each.clip}",
@@ -34,7 +34,7 @@ SEED = POLYGONS.seed
 
 
 def test_the_polygons_differ() -> None:
-    """The generator reaches what it should: formats, modes, samples, edges beyond the frame."""
+    """The generator covers formats, modes, samples and edges beyond the frame."""
     cases = POLYGONS.first("rgba5551")
     made = scene(cases, SEED, "rgba5551")
     formats = {(t.format, t.size) for each in cases for t in each.tiles}
@@ -52,7 +52,7 @@ def test_the_polygons_differ() -> None:
 
 
 def check_rectangles(cases: list[Case]) -> None:
-    """Rectangles of each kind, cut by every side of the frame, copies of whole lines among them."""
+    """Rectangles of each kind, cut by every side of the frame, including copies of whole lines."""
     found = [each for each in cases if each.primitive in RECTANGLES]
     assert {each.primitive for each in cases} == set(PRIMITIVES)
     edges = np.array([[c >> 16 for v in each.vertices for c in v[:2]] for each in found])
@@ -69,7 +69,7 @@ def check_rectangles(cases: list[Case]) -> None:
 
 @pytest.mark.parametrize("pixels", PIXELS)
 def test_frames_are_the_models(pixels: str) -> None:
-    """Each polygon in a frame of its own, by the rules of lowering."""
+    """Each polygon has a separate frame, drawn with the rules of lowering."""
     rules, spans = POLYGONS.check(pixels)
     if not POLYGONS.asked("CASE"):
         assert rules >= {"n64_flat", "n64_plain", "n64_passes", "equal_shades", "constant_w"}, rules

@@ -1,4 +1,5 @@
-"""Rectangles and colours of scenes with texture engines: what TOML may say, and what it becomes."""
+"""Rectangles and vertex colours of scenes with texture engines: valid TOML, and its compiled
+form."""
 
 from dataclasses import replace
 
@@ -30,12 +31,12 @@ def folder(tmp_path):
 
 
 def picture(folder) -> np.ndarray:
-    """The noise as RGBA 16 has it, uint8 [32, 32, 4]."""
+    """The noise as shown by RGBA 16, uint8 [32, 32, 4]."""
     return images.decode(images.encode(images.read("noise.png", folder, "x", 32, 32), 0, 2))
 
 
 def shown(scene, number: int = 0) -> np.ndarray:
-    """A frame's colours by the model, uint8 [48, 64, 4]."""
+    """A frame's colours as drawn by the model, uint8 [48, 64, 4]."""
     return scene.pixel.colours(model.render(scene, number))
 
 
@@ -54,7 +55,7 @@ def test_a_rectangle_shows_its_texels(folder, flip):
 
 
 def test_a_copied_rectangle_shows_its_texels(folder):
-    """A texel a pixel, in the frame's own format; the file has the step of four pixels."""
+    """One texel a pixel, in the frame's own format; the file stores the step of four pixels."""
     scene = make(folder, COPY, BOX + "\ntexel = [-2, 7]", pixels="rgba5551")
     y, x = np.mgrid[:16, :20]
     assert np.array_equal(shown(scene)[6:22, 4:24], picture(folder)[y + 7, (x - 2) % 32])
@@ -62,7 +63,7 @@ def test_a_copied_rectangle_shows_its_texels(folder):
 
 
 def test_rectangles_move_by_whole_pixels(folder):
-    """To the nearest one; the picture goes with them."""
+    """Positions are rounded to the nearest pixel; the texture moves with the rectangle."""
     scene = make(folder, ONE, BOX + "\nmove = [1.4, -0.5]\ncentre = [0.25, 0]", frames=4)
     assert (scene.poses[:, 4:] >> 16).tolist() == [[0, 0], [2, 0], [3, -1], [4, -1]]
     first = shown(scene)[6:22, 4:24]
@@ -70,7 +71,7 @@ def test_rectangles_move_by_whole_pixels(folder):
 
 
 def test_colours_of_corners(folder):
-    """A byte each in the file; a triangle of one colour is drawn as its shade would be."""
+    """Each channel is a byte in the file; a triangle of one colour looks like one of that shade."""
     scene = make(folder, SHADED, CORNERS + "\n" + COLOURS)
     assert [value & 0xFFFFFFFF for value in scene.vertices[:, 4].tolist()] == [
         0xFF0000FF, 0x00FF0080, 0x0000FFFF]
@@ -85,7 +86,7 @@ def test_colours_of_corners(folder):
 
 
 def test_a_material_of_several_kinds_becomes_several(folder):
-    """Of one engine, each with a name in the figures."""
+    """The materials share one engine; each has a different name in the figures."""
     text = scene_of(SHADED, CORNERS.replace("]]", ", 255]]").replace("], ", ", 255], "))
     for more in (CORNERS + "\n" + COLOURS, CORNERS + "\n" + COLOURS, "sides = 5\nradius = 9"):
         text += f'[[objects]]\nmaterial = "it"\n{more}\n'
@@ -144,12 +145,12 @@ def rectangle(more: str = "", box: str = BOX) -> str:
      'materials.it.n64.tiles[0].format: "i8": copy mode is for rgba16, ia16, ci4, ci8'),
 ])
 def test_refused(folder, engine, obj, message):
-    """One line that names file and field."""
+    """The error is one line that names file and field."""
     check_refused(folder, scene_of(engine, obj, pixels="rgba5551"), message)
 
 
 def test_refused_by_other_scenes(folder):
-    """Copy mode has 16-bit frames; other materials have neither colours nor rectangles."""
+    """Copy mode needs 16-bit frames; other materials have neither colours nor rectangles."""
     with pytest.raises(UserError, match='n64.cycles: "copy" is for scenes in rgba5551'):
         make(folder, COPY, BOX)
     for obj, field in ((BOX, "rectangle"), (CORNERS + "\n" + COLOURS, "colours")):
@@ -158,7 +159,7 @@ def test_refused_by_other_scenes(folder):
 
 
 def test_the_pages_example(folder):
-    """It compiles as it stands, and moves."""
+    """The page's example compiles unchanged, and its picture moves."""
     text = (ROOT / "c" / "n64" / "README.md").read_text()
     example = text.split("```")[3].removeprefix("toml")
     (folder / "scene.toml").write_text(HEAD.format(frames=2, pixels="rgba5551")
@@ -168,7 +169,8 @@ def test_the_pages_example(folder):
 
 
 def test_the_guest_refuses_what_the_compiler_does(folder):
-    """A scene file whose rectangles an engine does not draw: one line that says why."""
+    """A scene file with rectangles that an engine does not draw: the error is one line with the
+    reason."""
     good = make(folder, ONE, BOX)
     deep = make(folder, "perspective = true, " + ONE, CORNERS.replace("]]", ", 1]]").replace(
         "], ", ", 1], "))

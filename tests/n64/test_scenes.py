@@ -1,4 +1,4 @@
-"""Scenes with texture engines: what TOML may say, what it becomes, and the guest's frames."""
+"""Scenes with texture engines: valid TOML, its compiled form, and the guest's frames."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are o
 @pytest.fixture(scope="module")
 def drawn() -> dict[str | None, dict[str, tuple]]:
     """By the rules that are off, then by name: a scene, the model's frames and the guest's digests,
-    all of one boot."""
+    all from one boot."""
     scenes = {name: compile_scene(SCENES / f"{name}.toml", 1 + (name in MOVING)) for name in NAMES}
     right = {name: [model.render(scene, number) for number in range(scene.frames)]
              for name, scene in scenes.items()}
@@ -56,18 +56,18 @@ def check_frames(name: str, found: tuple, count: int, off: str | None) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_frames_are_the_models(name: str, drawn) -> None:
-    """With all rules of lowering; where lists run each frame, two frames."""
+    """With all rules of lowering; two frames if lists run each frame."""
     check_frames(name, drawn[None][name], 1 + (name in MOVING), None)
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_frames_are_the_models_without_rules(name: str, drawn) -> None:
-    """The first of them."""
+    """The first frame only."""
     check_frames(name, drawn["all"][name], 1, "all")
 
 
 def test_a_frame_of_one_colour_fails():
-    """Where the model shows more."""
+    """A frame of one colour is an error if the model shows more."""
     scene = compile_scene(SCENES / "n64_wall.toml", 1)
     empty = np.full((scene.height, scene.width), scene.background, np.uint16)
     with pytest.raises(UserError, match="frame 0: one colour only"):
@@ -77,8 +77,8 @@ def test_a_frame_of_one_colour_fails():
 @pytest.mark.parametrize("texels", TEXELS)
 @pytest.mark.parametrize("load", ["block", "tile"])
 def test_every_format_shows_its_picture(folder, texels, load):
-    """A texel a pixel: the picture as tmap.n64.images reads it back, which goes neither through
-    display lists nor through TMEM."""
+    """One texel a pixel: the expected picture is read back by tmap.n64.images, which uses neither
+    display lists nor TMEM."""
     side = 16 if texels == "yuv16" else 32 if texels != "rgba32" else 16
     tile = (f'image = "noise.png", format = "{texels}", width = {side}, height = {side}, '
             f'load = "{load}"')
@@ -104,7 +104,8 @@ def test_odd_sizes_and_parts(folder):
 
 
 def test_a_tile_slides_and_palettes_change(folder):
-    """Whole texels a frame: each frame is the first one, moved; palettes follow the frame."""
+    """The tile slides by whole texels: each frame is the first one, moved. Palettes follow the
+    frame."""
     scene = make(folder, f"tiles = [{{ {TILE}, slide = [3, -2] }}]", frames=40)
     first = model.render(scene, 0)[:32, :32]
     for number in (1, 7, 39):
@@ -121,9 +122,8 @@ def test_a_tile_slides_and_palettes_change(folder):
 
 
 def test_levels_are_means(folder):
-    """Level 2 drawn on its own: each texel covers 4x4 texels of the picture, and is what is left
-    of their mean after two roundings and 5 bits of quantisation: 2 * 0.5 + 255 / 62 away at
-    most."""
+    """Level 2 drawn alone: each texel covers 4x4 texels of the picture, and differs from their mean
+    by two roundings and 5 bits of quantisation: at most 2 * 0.5 + 255 / 62."""
     scene = make(folder, f"tile = 2, tiles = [{{ {TILE}, levels = 4 }}]")
     found = scene.pixel.colours(model.render(scene, 0)[:32, :32])[..., :3].astype(float)
     picture = images.read("noise.png", folder, "x", 32, 32)[..., :3].astype(float)
@@ -133,7 +133,7 @@ def test_levels_are_means(folder):
 
 
 def test_equal_engines_and_texels_are_there_once(folder):
-    """Two materials of one engine; tiles that share DRAM and TMEM."""
+    """Two materials share one engine; tiles share DRAM and TMEM."""
     engine = f"cycles = 2, combine = 'interference', tiles = [{{ {TILE} }}, {{ {TILE}, s.shift = 1 }}]"
     text = scene_of(engine) + SQUARE.replace("vertices", '[[objects]]\nmaterial = "other"\nvertices')
     other = f'[materials.other]\nedges = "exact"\nn64 = {{ {engine} }}\n'
@@ -147,7 +147,7 @@ def test_equal_engines_and_texels_are_there_once(folder):
 
 
 def test_tiles_have_places_of_their_own(folder):
-    """Split texels in both halves, others where there is room, and one at its own place."""
+    """Split texels are in both halves, others where there is room, and one at its given place."""
     kinds = ['format = "i8", height = 8, width = 16', 'format = "rgba32", height = 8, width = 8',
              'format = "ia16", height = 8, tmem = 40', 'format = "i4", height = 16']
     tiles = ", ".join(f'{{ image = "noise.png", {kind} }}' for kind in kinds)
@@ -241,12 +241,12 @@ MESSAGES = [
 
 @pytest.mark.parametrize("engine, message", MESSAGES)
 def test_refused(folder, engine, message):
-    """One line that names file and field."""
+    """The error is one line that names file and field."""
     check_refused(folder, scene_of(engine), f"materials.it.{message}")
 
 
 def test_old_words_name_the_new_ones(folder):
-    """A table ``tx`` and the mapper "unit" are of scene files before."""
+    """A table ``tx`` and the mapper "unit" are from older scene files."""
     text = scene_of(f"tiles = [{{ {TILE} }}]")
     check_refused(folder, text.replace("n64 = {", "tx = {"), "materials.it.tx: is called n64 now")
     check_refused(folder, text.replace("n64 = {", 'mapper = "unit", n64 = {'),
@@ -269,12 +269,12 @@ def test_old_words_name_the_new_ones(folder):
      "objects[0].vertices: t of two corners: 1024 texels apart or more"),
 ])
 def test_refused_besides(folder, kinds, message):
-    """What does not fit the scene, the material or the vertices."""
+    """Values that do not fit the scene, the material or the vertices."""
     check_refused(folder, scene_of(ONE, **kinds), message)
 
 
 def test_the_pages_example(folder):
-    """It compiles, and what it says of vertices is right."""
+    """The example compiles, and its vertices are as the page describes."""
     text = (ROOT / "c" / "n64" / "README.md").read_text()
     example = text.split("```")[1].removeprefix("toml")
     example = example.replace("n64/pavement.png", "noise.png")
@@ -288,7 +288,7 @@ def test_the_pages_example(folder):
 
 
 def test_vertices_have_what_the_engine_takes(folder):
-    """w with perspective, a shade where the combiner reads it, from 0 to 255."""
+    """w with perspective, a shade from 0 to 255 if the combiner reads it."""
     corners = [[0, 0, 0, 0, 1, 0], [32, 0, 32, 0, 2, 255], [32, 32, 32, 32, 2, 255]]
     engine = "perspective = true, combine = 'modulate', " + ONE
     scene = make(folder, engine, f"vertices = {corners}")

@@ -1,4 +1,4 @@
-"""The texture engine on the emulated machine against reference data, number by number."""
+"""The texture engine on the emulated machine compared with reference data, number by number."""
 
 import gzip
 from pathlib import Path
@@ -9,9 +9,9 @@ from tmap.base.paths import ROOT
 from tmap.vectors import n64_text, vectors
 
 FILES = sorted((ROOT / "tests" / "vectors").glob("tx_*.txt.gz"))
-QUESTIONS = 1000  # of each file
+QUESTIONS = 1000  # in each file
 
-#: Worked out by hand.
+#: Computed by hand.
 EXAMPLES = """\
 # RGBA 16, line 2: rows lie 16 bytes apart, odd ones have their halves swapped
 tile 0 0 2 2 0 0 0 0 0 0 0 0 0 0 0 0 60 60
@@ -58,7 +58,7 @@ persp 1 -1 0 = 0 0 32767 32767
 
 @pytest.fixture(scope="module")
 def checked(tmp_path_factory) -> dict[str, vectors.File]:
-    """All files after one boot, by name; besides, the examples and a copy with wrong answers."""
+    """All files after one boot, by name, including the examples and a copy with a wrong answer."""
     folder = tmp_path_factory.mktemp("vectors")
     (folder / "examples.txt").write_text(EXAMPLES)
     lines = gzip.decompress(FILES[0].read_bytes()).decode().splitlines()
@@ -72,7 +72,7 @@ def checked(tmp_path_factory) -> dict[str, vectors.File]:
 
 
 def test_the_reference_data_is_there() -> None:
-    """Each kind, some twice."""
+    """One file of each kind, for some kinds two."""
     assert [path.name.removesuffix(".txt.gz") for path in FILES] == [
         "tx_copy", "tx_copy_any", "tx_load", "tx_load_any", "tx_lod2", "tx_persp", "tx_sample",
         "tx_sample_any", "tx_yuv"]
@@ -80,7 +80,7 @@ def test_the_reference_data_is_there() -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
 def test_every_answer_is_exact(path: Path, checked) -> None:
-    """No number that counts differs."""
+    """No compared number differs."""
     file = checked[path.name]
     assert len(file.questions) == QUESTIONS
     assert not file.wrong, "\n".join([*vectors.report(file), f"again: scripts/tmap vectors {path}"])
@@ -92,7 +92,8 @@ def test_examples_worked_out_by_hand(checked) -> None:
 
 
 def test_a_wrong_answer_is_noticed(checked) -> None:
-    """It alone, told with its line, what was asked, expected and found; unpacked files do."""
+    """Only that answer is reported, with its line, the question, the expected and the found
+    numbers; uncompressed files work."""
     assert not checked["plain.txt"].wrong
     file = checked["wrong.txt"]
     right = {line.number: line for line in n64_text.read(FILES[0])}

@@ -1,4 +1,4 @@
-"""Command words: the manual's macros, their readable lines, and what cannot be encoded."""
+"""Command words: the manual's macros, their readable lines, and values that cannot be encoded."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from tmap.n64.words import Cycle, List, Wrap
 
 
 def test_load_texture_block():
-    """The manual's macro as lines, one of its words by hand."""
+    """The manual's macro as lines; one of its words computed by hand."""
     words = List()
     words.load_texture_block(0x1000, RGBA, 2, 32, 16, s=Wrap(mask=5), t=Wrap(1, 1, 4, 2))
     assert listing(words.words).splitlines() == [
@@ -34,7 +34,7 @@ def test_load_texture_block():
     (RGBA, 3, 32, 3, 32 * 8 - 1, 128, 8), (IA, 0, 48, 2, 48 * 8 // 4 - 1, 683, 3),
     (YUV, 2, 32, 2, 32 * 8 - 1, 256, 4)])
 def test_blocks_of_sizes(form, size, width, load_size, last, dxt, row):
-    """What is loaded as which size, up to which texel, with which dxt; the words of a row."""
+    """The size used for the load, the last texel, dxt, and the words of a row."""
     words = List()
     words.load_texture_block(8, form, size, width, 8, 5, tmem=17, tile=3)
     image, load, _, block, _, draw, edges = words.words
@@ -45,7 +45,7 @@ def test_blocks_of_sizes(form, size, width, load_size, last, dxt, row):
 
 
 def test_load_texture_tile_of_4_bits():
-    """Loaded as texels of 8 bits, half as many."""
+    """Loaded as half as many texels of 8 bits."""
     words = List()
     words.load_texture_tile(0, CI, 0, 64, (16, 2, 31, 9))
     assert [line(*word) for word in words.words[3:4]] == ["load tile 7: (8, 2) to (15.5, 9)"]
@@ -54,7 +54,7 @@ def test_load_texture_tile_of_4_bits():
 
 
 def test_load_tlut():
-    """16 entries behind those of three other palettes in the upper half of TMEM, with syncs."""
+    """16 entries after those of three other palettes in the upper half of TMEM, with syncs."""
     words = List()
     words.load_tlut_pal16(3, 0x100)
     assert [line(*word).split(":")[0] for word in words.words] == [
@@ -65,7 +65,7 @@ def test_load_tlut():
 
 
 def test_modes():
-    """All fields in one word, at the manual's places; run, they are the modes."""
+    """All fields in one word, at the manual's places; running it sets the modes."""
     words = List()
     for call, choice in ((words.texture_perspective, True), (words.texture_detail, "sharpen"),
                          (words.texture_lod, True), (words.texture_lut, "ia16"),
@@ -83,7 +83,7 @@ def test_modes():
 
 
 def test_combine():
-    """Both cycles' inputs at the manual's places, read back, as a line."""
+    """Both cycles' inputs at the manual's places, read back, and as a line."""
     words = List()
     zero = ("0", "0", "0", "texel0")
     words.combine_mode(Cycle(("texel1", "texel0", "lod fraction", "texel0"), zero),
@@ -100,7 +100,7 @@ def test_combine():
 
 
 def test_colours_and_constants():
-    """Run, they are the state's; read, they are what was said."""
+    """Running the words sets the state; reading them gives the arguments."""
     words = List()
     words.set_convert(175, -43, -89, 222, 114, 42)
     words.prim_colour(7, 130, (1, 2, 3, 4))
@@ -142,7 +142,7 @@ def test_colours_and_constants():
     (lambda w: w.texture(8, 0), "highest level: 8"),
 ])
 def test_refusals(call, message):
-    """What does not fit a field, or would not do what it says."""
+    """Values that do not fit a field, or calls that would not do what they say."""
     with pytest.raises(UserError, match=message):
         call(List())
 
@@ -155,8 +155,8 @@ def test_unknown_inputs_of_the_combiner():
 
 @pytest.mark.parametrize("operation", range(64))
 def test_random_words_are_read(operation):
-    """Every word has a line, whatever its other bits: of a known command it begins with the name, of
-    others it is the word."""
+    """Every word has a line, whatever its other bits: for a known command it begins with the name,
+    for others it is the word."""
     rng = np.random.default_rng(operation)
     for hi, lo in rng.integers(0, 1 << 32, (30, 2)).tolist():
         hi = hi & ~(63 << 24) | operation << 24

@@ -1,4 +1,4 @@
-"""Affine polygons whose s or t goes by y alone: u or v stands still along a line."""
+"""Affine polygons whose s or t depends on y alone: u or v is constant along a line."""
 
 #: Polygons: vertices [x, y, s, t] where s or t depends on y alone.
 FLOORS = {
@@ -12,5 +12,5 @@ FLOORS = {
 
 
 def turned(corners: list[list[float]]) -> list[list[float]]:
-    """s and t changed over."""
+    """Exchanges s and t."""
     return [[x, y, t, s] for x, y, s, t in corners]

@@ -1,7 +1,8 @@
-"""``python tests/polygon/host_digests.py PART ..``: digests of what is made here, as JSON; PARTS has the parts.
+"""``python tests/polygon/host_digests.py PART ..``: prints digests of what the tools make, as JSON;
+PARTS has the parts.
 
-tests/polygon/test_hosts.py asks for them under several settings, each of which has to have its own process:
-libraries look at the processor once, when they are loaded.
+tests/polygon/test_hosts.py runs it under several settings, each in a separate process: libraries
+check the processor only once, when they are loaded.
 """
 
 import hashlib
@@ -26,7 +27,7 @@ from tmap.n64 import images as n64_images
 from tmap.n64.state import YUV
 from tmap.scene_file import scene_file
 
-import numpy as np  # behind tools, which limit its threads
+import numpy as np  # after tools, which limit its threads
 
 Made = Iterator[tuple[str, bytes]]
 
@@ -38,7 +39,8 @@ def scenes() -> Made:
 
 
 def textures() -> Made:
-    """Pictures, their levels by each filter, and their texels in the formats that are fits."""
+    """Pictures, their levels by each filter, and the tables, palettes and textures fitted to
+    them."""
     for kind in modes.KINDS:
         picture = modes.picture(kind, 0, modes.SIDE, True)
         yield f"picture {kind}", picture.tobytes()
@@ -53,7 +55,7 @@ def textures() -> Made:
 
 
 def inputs() -> Made:
-    """What committed figures are measured on."""
+    """The inputs for which committed figures are measured."""
     for name in (*polygon_sets.SHAPES, *polygon_sets.DEPTHS):
         yield f"polygons {name}", repr(polygon_sets.polygons(name)).encode()
     for name, picture in dither_errors.maps().items():
@@ -70,7 +72,8 @@ def files() -> Made:
 
 
 def probes() -> Made:
-    """What does depend on the processor: settings that change nothing test nothing."""
+    """Results that do depend on the processor. If a setting does not change them, it tests
+    nothing."""
     numbers = np.random.default_rng(1).normal(size=(100, 100))
     yield "BLAS", (numbers @ numbers).tobytes()
     yield "libm", np.array([math.sin(x) for x in numbers.flat]).tobytes()

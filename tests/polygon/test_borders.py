@@ -1,8 +1,8 @@
-"""Texel borders that lie exactly on pixel centres show the texel that begins there.
+"""A texel border exactly on a pixel centre shows the texel that begins there.
 
-A pixel's centre and a texel's border both lie at whole numbers, so an enlarged picture, a sprite or a
-panel has such pixels in every column. What is expected is worked out in fractions from the figure's own
-numbers.
+A pixel's centre and a texel's border are both at whole numbers, so an enlarged picture, a sprite or
+a panel has such pixels in every column. The expected texels are computed in fractions from the
+figure's own numbers.
 """
 
 import itertools
@@ -32,14 +32,14 @@ SCALES = [Fraction(1, n) for n in (1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 13)] + [
 #: The corner of the figure at which s and t begin, and whether s runs down instead of across.
 TURNS = list(itertools.product((False, True), (False, True), (False, True)))
 LIT = ("lit", "lit_gouraud")
-OTHERS = ["affine", "arbitrary", "tiled", "columns", "lit"]  # have gradients that are no plane's
+OTHERS = ["affine", "arbitrary", "tiled", "columns", "lit"]  # their gradients are not a plane's
 MAPPERS = ["affine", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud", "dithered"]
-SIDE = {"arbitrary": (96, 80), "columns": (128, 64)}  # the others': 256x256
+SIDE = {"arbitrary": (96, 80), "columns": (128, 64)}  # the other maps are 256x256
 
 
 @dataclass(frozen=True)
 class Figure:
-    """A rectangle of whole pixels that shows texels ``first`` on, ``scale`` texels a pixel."""
+    """A rectangle of whole pixels that shows texels from ``first`` on, ``scale`` texels a pixel."""
 
     left: int
     top: int
@@ -50,14 +50,14 @@ class Figure:
     turn: tuple[bool, bool, bool]
 
     def ways(self, i, j):
-        """Pixels from the corner where s and t begin, in the direction of s and of t."""
+        """Pixels from the corner where s and t begin, in the directions of s and t."""
         from_right, from_below, turned = self.turn
         across = self.left + self.width - i if from_right else i - self.left
         down = self.top + self.height - j if from_below else j - self.top
         return (down, across) if turned else (across, down)
 
     def vertices(self, longer: int) -> list[tuple]:
-        """Corners (x, y, s, t, shade, w), 16.16, clockwise from the left upper one."""
+        """Corners (x, y, s, t, shade, w), 16.16, clockwise from the upper left one."""
         corners = ((0, 0), (self.width, 0), (self.width, self.height), (0, self.height))
         found = []
         for x, y in corners:
@@ -68,8 +68,8 @@ class Figure:
 
 
 def figures(mapper: str) -> list[Figure]:
-    """Figures of all scales and turns, of random sizes, places and texels. Where maps do not repeat, and
-    where code is generated, which does not draw u that wraps, they stay inside the map."""
+    """Figures of all scales and turns, with random sizes, places and texels. They stay inside maps
+    that do not repeat, and inside the map for generated code, which does not draw u that wraps."""
     rng = np.random.default_rng(len(mapper))
     sides, repeats = SIDE.get(mapper, (256, 256)), mapper not in ("arbitrary", "generated")
     found = []
@@ -87,7 +87,7 @@ def figures(mapper: str) -> list[Figure]:
 
 
 def shown(mapper: str, parts: list[list[tuple]], settings: Settings) -> np.ndarray:
-    """The texel (u, v) that each pixel of a frame shows, [2][y][x]; -1 where none."""
+    """The texel (u, v) that each pixel of a frame shows, [2][y][x]; -1 if not drawn."""
     width, height = SIDE.get(mapper, (256, 256))
     texture = np.arange(width * height).reshape(height, width)
     light = np.tile(np.arange(width * height), (64, 1)) if mapper in LIT else None
@@ -100,8 +100,8 @@ def shown(mapper: str, parts: list[list[tuple]], settings: Settings) -> np.ndarr
 
 
 def wanted(mapper: str, figure: Figure) -> np.ndarray:
-    """The same of the figure's pixels, exactly. A map of any size does not repeat: beyond its far
-    border is its last texel."""
+    """The expected texels of the figure's pixels, exactly. A map of any size does not repeat:
+    beyond its far border is its last texel."""
     j, i = np.mgrid[figure.top:figure.top + figure.height, figure.left:figure.left + figure.width]
     n, d = figure.scale.numerator, figure.scale.denominator
     exact = np.stack(figure.ways(i, j)) * n + np.reshape(figure.first, (2, 1, 1)) * d
@@ -131,8 +131,8 @@ def cut(vertices: list[tuple]) -> list[list[tuple]]:
 
 @pytest.mark.parametrize("mapper", MAPPERS)
 def test_planes_show_the_texel_that_begins_on_a_border(mapper: str) -> None:
-    """Scales, offsets, flips and turns by quarters; whole, and cut along a diagonal, where generated
-    code would drop the fractions of lines' starts."""
+    """Scales, offsets, flips and quarter turns; whole, and cut along a diagonal, which generated
+    code would get wrong by dropping the fractions of lines' starts."""
     for k, figure in enumerate(figures(mapper)):
         settings = Settings(edges=("integer", "subpixel", "exact")[k % 3], mapper=mapper)
         vertices = figure.vertices(max(SIDE.get(mapper, (256, 256))))
@@ -142,7 +142,7 @@ def test_planes_show_the_texel_that_begins_on_a_border(mapper: str) -> None:
 
 @pytest.mark.parametrize("mapper", OTHERS)
 def test_other_gradients_do_too(mapper: str) -> None:
-    """Two divides a polygon, of two triangles, and two a scanline."""
+    """Two divides a polygon, of two triangles, and two divides a scanline."""
     for k, figure in enumerate(figures(mapper)):
         vertices = figure.vertices(max(SIDE.get(mapper, (256, 256))))
         edges = ("integer", "subpixel", "exact")[k % 3]
@@ -155,14 +155,14 @@ PERSPECTIVES = ("every16", "every8", "pixel", "fine")
 
 
 def deep_shown(vertices: list[tuple], setting: str) -> np.ndarray:
-    """``shown`` of a polygon in perspective."""
+    """``shown`` for a polygon in perspective."""
     return shown("affine", [vertices], Settings("exact", perspective=setting))
 
 
 @pytest.mark.parametrize("setting", PERSPECTIVES)
 def test_floors_show_the_texel_that_begins_on_a_border(setting: str) -> None:
-    """Depth is the same along lines: w of line j is 128 / (128 - j), u is w (i - 160) / n and v is w j / 2
-    texels at every pixel, exactly."""
+    """Depth is constant along lines: w of line j is 128 / (128 - j), u is w (i - 160) / n and v is
+    w j / 2 texels at every pixel, exactly."""
     j, i = np.mgrid[:64, 64:256]
     for n in (1, 2, 3, 4, 6, 8, 12, 16):
         corners = []
@@ -178,9 +178,9 @@ def test_floors_show_the_texel_that_begins_on_a_border(setting: str) -> None:
 
 @pytest.mark.parametrize("setting", PERSPECTIVES)
 def test_walls_show_it_where_lines_begin_and_where_they_are_straight(setting: str) -> None:
-    """Depth changes along lines: w of column i, from 64 on, is 128 / (128 - near (i - 64)), u is half a
-    texel a pixel there, v w (j - 60) / n texels: exactly in the first column, and all along line 60,
-    whichever kind of line draws it. Turned round, the deep end is on the left."""
+    """Depth changes along lines: w of column i, from 64 on, is 128 / (128 - near (i - 64)); u is
+    half a texel a pixel there, v is w (j - 60) / n texels. The texels are exact in the first column
+    and all along line 60, for each kind of line. Turned round, the deep end is on the left."""
     j = np.arange(20, 100)
     for n, near, turned in itertools.product((1, 2, 3, 4, 8), (Fraction(1, 4), Fraction(1, 2), Fraction(15, 16)),
                                              (False, True)):
@@ -197,8 +197,8 @@ def test_walls_show_it_where_lines_begin_and_where_they_are_straight(setting: st
 
 
 def deep_polygon(rng: random.Random) -> tuple[list, list]:
-    """x and y of a polygon's corners, and their s, t and w, all 16.16: triangles, and rectangles that show
-    one place of the map, so that s, t and w are on planes."""
+    """x and y of a polygon's corners, and their s, t and w, all 16.16: triangles, and rectangles
+    that show one place of the map, so that s, t and w are on planes."""
     points = written.outline(rng, WIDTH, HEIGHT)
     texels = written.texels(rng, points, (256, 256))
     depths = [max(round(w * ONE), 1) for w in written.depths(rng, points)]
@@ -210,8 +210,8 @@ def deep_polygon(rng: random.Random) -> tuple[list, list]:
 
 
 def test_quotients_of_glides_unit_are_never_below_the_exact_ones() -> None:
-    """In perspective too: s and t of every pixel are those of the corners' s, t and w at least, and no
-    more above than what S and W are, by format and roundings."""
+    """In perspective too, s and t of every pixel are at least the exact ones of the corners' s, t
+    and w, and above by no more than the raised S and W, the format and the rounding explain."""
     rng, seen = random.Random(21), 0
     frame = np.zeros((HEIGHT, WIDTH), np.uint16)
     for number in range(80):
@@ -239,7 +239,8 @@ def test_quotients_of_glides_unit_are_never_below_the_exact_ones() -> None:
 
 
 def test_a_plane_that_is_not_raised_is_caught(monkeypatch) -> None:
-    """Steps to the nearest unit alone fall short: a figure three times as large shows it."""
+    """With steps to the nearest unit alone the texels fall short: a figure three times enlarged
+    shows it."""
     figure = Figure(16, 16, 192, 192, (0, 0), Fraction(1, 3), (False, False, False))
     check("affine", figure, [figure.vertices(256)], Settings())
     monkeypatch.setattr(texturing, "shortfall", lambda *_: 0)

@@ -1,5 +1,5 @@
-"""The range of depths, 1/256 to 16,384: taken at its ends by every kind of scene, refused beyond by
-one line, and drawn right."""
+"""The range of depths, 1/256 to 16,384: every kind of scene accepts its ends and draws them right,
+and refuses depths beyond with one line."""
 
 import math
 
@@ -18,7 +18,7 @@ LEAST, MOST, ONE = 1 / 256, 16384.0, 65536
 WAYS = SETTINGS["perspective"][1:]
 PLACE = "objects[0].vertices"
 OWN = "st1 = [[0, 0], [8, 0], [0, 8]]\nw1 = [1, W, 1]"
-#: Material, the triangle with W as a depth, the scene's pixels.
+#: The material, the triangle with W as its depth, the scene's pixel format.
 TRIANGLE = "vertices = [[0, 0, 0, 0, 1], [32, 0, 32, 0, W], [0, 32, 0, 32, 1]]"
 UNIT = 'image = "noise.png", format = "rgb565"'
 KINDS = {
@@ -46,7 +46,7 @@ def folder(tmp_path):
 @pytest.mark.parametrize("w", [LEAST, MOST])
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_ends_are_taken(folder, kind: str, w: float) -> None:
-    """As the number they are, by the compiler and by what checks a file before it is written."""
+    """The compiler and the check before a file is written accept both ends, unchanged."""
     scene = compiled(folder, text_of(kind, w))
     assert int(w * ONE) in scene.vertices[:, 5].tolist()
     scene_file.write(scene)
@@ -56,7 +56,7 @@ def test_the_ends_are_taken(folder, kind: str, w: float) -> None:
                                math.inf, -1.0, 1e300])
 @pytest.mark.parametrize("kind", list(KINDS)[:3])
 def test_what_lies_beyond_is_refused(folder, kind: str, w: float) -> None:
-    """From the very next number on."""
+    """The next floating-point number beyond an end is refused."""
     check_refused(folder, text_of(kind, w), f"{KINDS[kind][3]}: must be from 0.00390625 to 16384")
 
 
@@ -65,7 +65,7 @@ def test_what_lies_beyond_is_refused(folder, kind: str, w: float) -> None:
     (-math.nextafter(MOST, math.inf), "from -16384 to 16384"),
     (0.0, "1/65536 or more away from 0"), (1e-9, "1/65536 or more away from 0")])
 def test_a_second_units_depths_may_be_negative(folder, w: float, said: str) -> None:
-    """They are behind a projector then; 0 is its own place."""
+    """Negative depths are behind a projector; only numbers near 0 have no meaning."""
     kind = "Glide's second unit"
     check_refused(folder, text_of(kind, w), f"{KINDS[kind][3]}: must be {said}")
     assert -(1 << 30) in compiled(folder, text_of(kind, -MOST)).vertices[:, 5].tolist()
@@ -74,13 +74,13 @@ def test_a_second_units_depths_may_be_negative(folder, w: float, said: str) -> N
 @pytest.mark.parametrize("vertex, place", [("[16384, 0, 32, 0, 1]", "[1][0]"), ("[32, -16384, 32, 0, 1]", "[1][1]"),
                                            ("[32, 0, 16384, 0, 1]", "[1][2]"), ("[32, 0, 32, nan, 1]", "[1][3]")])
 def test_places_end_before(folder, vertex: str, place: str) -> None:
-    """Each number of a vertex has a range of its own."""
+    """Each number of a vertex has its own range."""
     text = text_of("affine", MOST).replace("[32, 0, 32, 0, 16384.0]", vertex)
     check_refused(folder, text, f"{PLACE}{place}: must be from -16383 to 16383")
 
 
 def polygons() -> list[list[tuple[int, ...]]]:
-    """Triangles of a frame's size, and squares flat in space, with both ends of the range."""
+    """Triangles as large as a frame, and squares flat in space, with both ends of the range."""
     near, far, made = int(LEAST * ONE), int(MOST * ONE), []
     corners = [(3 * ONE, 5 * ONE), (90 * ONE + 77, 11 * ONE), (40 * ONE, 60 * ONE + 4321)]
     for k in range(3):
@@ -96,7 +96,8 @@ def polygons() -> list[list[tuple[int, ...]]]:
 
 
 def test_both_ends_in_one_polygon_are_drawn_right() -> None:
-    """Each perspective on the emulated machine is the model, and the model within the bounds."""
+    """With each perspective setting the emulated machine draws the model's pixels, and the model is
+    within its bounds."""
     kinds = [Material("affine", "exact", perspective=way, texture=0) for way in WAYS]
     noise = np.random.default_rng(3).integers(0, 256, (256, 256), dtype=np.uint8)
     objects, vertices = [], []

@@ -1,4 +1,5 @@
-"""Dithered points: how far they are moved, that the pattern is the frame's, what it gains."""
+"""Dithered points: how far they are moved, that the pattern is fixed to the frame, and how much it
+gains."""
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from tmap.setup.dithered import EIGHTH, MOST, MOVES
 
 SETTINGS = model.Settings(edges="exact", mapper="dithered")
 SIZE = 64
-#: x, y, u and v: a square whose map is turned, beyond the frame on all sides.
+#: x, y, u and v: a square with a turned map, larger than the frame on all sides.
 SQUARE = [(x << 16, y << 16, 40000 * x + 9000 * y, 38000 * y - 9000 * x)
           for x, y in ((-5, -9), (70, -9), (70, 81), (-5, 81))]
 
@@ -27,8 +28,8 @@ def drawn(*polygons, width: int = SIZE, height: int = SIZE) -> np.ndarray:
 
 
 def test_moves_part_a_texel_evenly() -> None:
-    """Along each axis the four of any 2x2 pixels lie in the middles of its quarters, and there is
-    one in each quarter of its square; so the mean of them is the place itself."""
+    """Along each axis the four offsets of any 2x2 pixels are in the middles of the texel's
+    quarters, with one in each quarter of its square; so their mean is zero."""
     for k in (0, 1):
         assert sorted(MOVES[..., k].ravel()) == [-3, -1, 1, 3]
     assert {(u > 0, v > 0) for u, v in MOVES.reshape(-1, 2).tolist()} == {
@@ -37,7 +38,7 @@ def test_moves_part_a_texel_evenly() -> None:
 
 
 def test_places_are_moved_by_no_more() -> None:
-    """u and v of every pixel are those that the line's steps lead to, moved as its x and y say."""
+    """u and v of every pixel are those of the line's steps, moved by the offset of its x and y."""
     made = model.set_up(SQUARE, SIZE, SIZE, True, SETTINGS, (256, 256))
     for y, line in enumerate(made.lines):
         found = model.coordinates(line, "dithered", y)
@@ -47,7 +48,8 @@ def test_places_are_moved_by_no_more() -> None:
 
 
 def test_the_pattern_is_the_frames() -> None:
-    """Two triangles show what their square does; a frame that cuts more off shows the same."""
+    """Two triangles show the same as their square; a frame that cuts more off shows the same
+    pixels."""
     whole = drawn(SQUARE)
     assert np.array_equal(drawn(SQUARE[:3], [SQUARE[0], *SQUARE[2:]]), whole)
     assert np.array_equal(drawn(SQUARE, width=40, height=33), whole[:33, :40])
@@ -57,8 +59,8 @@ def test_the_pattern_is_the_frames() -> None:
 
 @pytest.mark.parametrize("kind", dither_errors.maps())
 def test_means_gain_where_texels_are_large(kind: str) -> None:
-    """What the README says: means of 2x2 pixels are nearer to the filter's than those of points are
-    where texels are 4 pixels long and more, not where they are 2; single pixels never are."""
+    """The README's claim: means of 2x2 dithered pixels are nearer to the filter's than means of
+    points if texels are 4 pixels long or more, but not if they are 2; single pixels never are."""
     for scale in dither_errors.SCALES:
         found = dither_errors.errors(dither_errors.maps()[kind], scale)
         (points, of_points), (dithered, of_dithered) = found["points"], found["dithered"]
@@ -67,8 +69,9 @@ def test_means_gain_where_texels_are_large(kind: str) -> None:
 
 
 def test_a_unit_draws_what_the_mapper_does() -> None:
-    """The scene's picture by the plain mapper and, 128 lines below, by Glide's unit. Each rounds the
-    picture's colours to 5 and 6 bits in its own way: by a step of 8 more or less."""
+    """The scene has the picture by the plain mapper and, 128 lines below, by Glide's unit. Each
+    rounds the picture's colours to 5 and 6 bits in its own way: they differ by a step of 8 at
+    most."""
     scene = compile_scene(SCENES / "dithered.toml", 1)
     frame = scene.pixel.colours(model.render(scene, 0)).astype(int)
     mapper, unit = frame[:128, 160:], frame[128:, 160:]

@@ -1,4 +1,5 @@
-"""The rotator and the lit scene: as the model has them, and what they need of it."""
+"""The rotator and the lit scene: they equal the model's, and have the features they are meant to
+show."""
 
 import numpy as np
 
@@ -11,7 +12,8 @@ from tmap.scene_file.scene_file import Scene
 
 
 def drawn(name: str, frames: int) -> tuple[Scene, run.Rendered]:
-    """A scene of the tests and its first frames as the machine draws them, which are the model's."""
+    """Draws the first frames of one of the tests' scenes on the machine, and checks that they are
+    the model's."""
     scene = compile_scene(SCENES / f"{name}.toml", frames)
     done = run.render(scene, "a1200-fast", "addx")
     for number, found in enumerate(done.frames):
@@ -22,7 +24,7 @@ def drawn(name: str, frames: int) -> tuple[Scene, run.Rendered]:
 
 
 def test_rotator() -> None:
-    """It covers the screen at every angle; the spans are chosen by the steps alone."""
+    """The rotator covers the screen at every angle, and the spans depend only on the steps."""
     figures = drawn("rotator", 24)[1].figures
     kinds = [set(figure["spans"]) for figure in figures]
     assert kinds[0] == {"affine_row"} and kinds[16] == {"affine_column"}
@@ -33,8 +35,8 @@ def test_rotator() -> None:
 
 
 def test_lit_scene() -> None:
-    """Eight panels along the top, each of one level: ever brighter, then ever darker; and the disc's
-    levels change inside its spans."""
+    """Eight panels along the top have one level each, ever brighter, then ever darker; the disc's
+    levels change within its spans."""
     scene, done = drawn("lit", 1)
     assert set(done.figures[0]["spans"]) == {"lit", "lit_gouraud"}
     shown = scene.palette[done.frames[0]].astype(int).sum(axis=2)

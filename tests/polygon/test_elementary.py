@@ -1,4 +1,4 @@
-"""Functions and products that are the same on every processor, beside those of libraries and exact
+"""Functions and products that are the same on every processor, compared with libraries and exact
 values."""
 
 import math
@@ -15,7 +15,7 @@ RNG = random.Random(1)
 ANGLES = [RNG.uniform(-10, 10) for _ in range(300)] + [RNG.uniform(-1e6, 1e6) for _ in range(100)]
 ABOVE_0 = [RNG.uniform(0, 4) for _ in range(300)] + [2.0 ** n for n in range(-40, 41, 8)]
 POINTS = [(RNG.uniform(-1, 1), RNG.uniform(-1, 1) * 10 ** RNG.uniform(-9, 9)) for _ in range(300)]
-#: A function, the C library's, which is off by 1 unit of its last place, and questions.
+#: A function, the C library's version, which is off by 1 unit of its last place, and arguments.
 BESIDE = [(elementary.sin, math.sin, [(x,) for x in ANGLES]),
           (elementary.cos, math.cos, [(x,) for x in ANGLES]),
           (elementary.tan, math.tan, [(x,) for x in ANGLES]),
@@ -32,16 +32,16 @@ def test_beside_the_library(ours, theirs, questions) -> None:
 
 
 def test_known_values() -> None:
-    """Where the result is a float itself, and pi's digits where it is not."""
+    """Arguments whose result is itself a float, and pi, compared with its digits."""
     assert (elementary.sin(0.0), elementary.cos(0.0), elementary.tan(0.0)) == (0, 1, 0)
-    assert elementary.sin(math.pi) == 1.2246467991473532e-16  # pi less its float
+    assert elementary.sin(math.pi) == 1.2246467991473532e-16  # pi minus its float
     assert elementary.atan2(0.0, -1.0) == math.pi and elementary.atan2(1.0, 1.0) == math.pi / 4
     assert elementary.atan2(0.0, 0.0) == 0
     assert elementary.power(2, 10) == 1024 and elementary.power(0.0, 2.4) == 0 and elementary.exp(0) == 1
 
 
 def test_logarithms() -> None:
-    """Of powers of two exact; others as far off as promised."""
+    """Logarithms of powers of two are exact; others are within the documented error."""
     powers = np.arange(-60, 61)
     assert (elementary.log2(2.0 ** powers) == powers).all()
     assert elementary.log2(np.zeros(1))[0] == -math.inf
@@ -65,7 +65,7 @@ def test_products() -> None:
 
 @pytest.mark.parametrize("count", [1, 3, 40])
 def test_solutions(count: int) -> None:
-    """Integers are found again, but for roundings of a well-posed problem."""
+    """Integer solutions are recovered, except for the rounding of a well-posed problem."""
     rng = np.random.default_rng(count)
     half, wanted = rng.integers(-3, 4, (count, count)), rng.integers(-99, 100, count)
     left = half @ half.T + np.eye(count, dtype=int) * 10
@@ -73,8 +73,8 @@ def test_solutions(count: int) -> None:
 
 
 def test_planes() -> None:
-    """One corner of a square off by 1 is 1/4 off at each of them; every other one, 1/2; a plane is exact.
-    Points on a line have values along it."""
+    """If one corner of a square is off by 1, each is 1/4 off the fitted plane; every other one off,
+    1/2; a plane is exact. Points on a line may have any values along it."""
     corners = np.array([(0, 0), (1, 0), (1, 1), (0, 1)])
     for values, off in (([0, 0, 1, 0], 0.25), ([0, 1, 0, 1], 0.5), ([7, 10, 5, 2], 0)):
         assert off_plane(corners, np.array([values]).T) == off

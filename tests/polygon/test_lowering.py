@@ -1,4 +1,5 @@
-"""Lowering: what each rule saves, that the picture stays as it is and that nothing else runs."""
+"""Lowering: each rule selects its cheaper span, leaves the picture unchanged, and nothing else
+runs."""
 
 import random
 from dataclasses import replace
@@ -18,13 +19,13 @@ from tmap.scene_file.scene_file import ONE, write
 
 MACHINE = "a1200-fast"
 SEED, BLOCKS, COUNT = 6, 3, 400
-#: By the format of their frames: cases of one share a scene.
+#: By frame format: the cases of one format share a scene.
 BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
              for pixels in dict.fromkeys(case.pixels for case in CASES)}
 
 
 def test_every_exact_rule_has_its_case():
-    """Those of tolerances change the picture: they are below."""
+    """Rules with a tolerance change the picture; they are tested below."""
     rules = set(layout.load().names("RULE_")) - set(bench_rules.INEXACT)
     units = {rule for rule in rules if rule.startswith(("n64_", "glide_"))}  # tests/{n64,glide}/test_polygons.py
     assert rules - units == {case.rule for case in CASES}
@@ -32,8 +33,8 @@ def test_every_exact_rule_has_its_case():
 
 @pytest.mark.parametrize("cases", GROUPS, ids=lambda group: f"{group[0].pixels}-{group[0].rule}")
 def test_counts_show_that_nothing_else_ran(cases):
-    """With each rule on and off: the spans of its frame, and that it was counted, or not. Those of
-    perspective are apart: all others would make its tables in every run."""
+    """With each rule on and off, checks the spans of its frame and whether the rule was counted.
+    Perspective rules are in their own group: the others would build its tables in every run."""
     scene = bench_rules.scene_of(cases)
     ways = [None] + [case.rule for case in cases]
     commands = ["render rules.scene COUNT" + (f" OFF {rule}" if rule else "") for rule in ways]
@@ -54,8 +55,8 @@ def test_counts_show_that_nothing_else_ran(cases):
 
 
 def test_pictures_without_rules_of_other_groups():
-    """The bench compares each group's pictures without its own rules; here they are without those
-    of the other groups of their format."""
+    """The bench compares each group's pictures without its own rules; this test leaves out the
+    rules of the other groups of the same format."""
     runs = []
     for number, group in enumerate(GROUPS):
         rules = {case.rule for case in BY_PIXELS[group[0].pixels]} - {case.rule for case in group}
@@ -70,25 +71,25 @@ def test_pictures_without_rules_of_other_groups():
 
 
 def calls_for_less(rng: random.Random, each: fuzz_polygons.Fuzzed) -> fuzz_polygons.Fuzzed:
-    """The polygon changed such that a rule or two may apply."""
+    """Changes the polygon so that a rule or two may apply."""
     vertices = np.array(each.vertices, dtype=object)
     if rng.random() < 0.4:
         vertices[:, 4] = rng.choice((0, 3 * ONE, 100 * ONE + 5, 252 * ONE, 256 * ONE - 1))
     if rng.random() < 0.5:
         vertices[:, 5] = rng.choice((ONE, 5 * ONE + 3))
-    column, along = rng.choice(((2, 1), (3, 1), (2, 0)))  # s or t stands still along lines, or
+    column, along = rng.choice(((2, 1), (3, 1), (2, 0)))  # s = y, t = y or s = x, plus a constant
     if rng.random() < 0.5 and abs(vertices[:, along]).max() < fuzz_polygons.FAR // 2:
-        vertices[:, column] = vertices[:, along] + rng.randrange(256 * ONE)  # goes with them
+        vertices[:, column] = vertices[:, along] + rng.randrange(256 * ONE)
         if column == 2 and along == 0:
             vertices[:, 3] = vertices[:, 1]
-    if each.settings.mapper == "arbitrary":  # it stays inside its map
+    if each.settings.mapper == "arbitrary":  # stays inside its map
         vertices[:, 2:4] = np.array(each.vertices, dtype=object)[:, 2:4]
     return replace(each, vertices=tuple(map(tuple, vertices.tolist())),
                    settings=replace(each.settings, tolerance=0))
 
 
 def test_random_scenes_are_the_same_without_rules():
-    """All rules against none: the same digests, and fewer cycles in all."""
+    """With all rules and with none: the same digests, and fewer cycles in total with rules."""
     rng = random.Random("lowering")
     scenes = []
     for block in range(BLOCKS):
@@ -107,7 +108,7 @@ def test_random_scenes_are_the_same_without_rules():
     assert spent[0] < spent[1], spent
 
 
-#: w of a triangle's vertices, its tolerance in texels, the rule, the spans it leads to.
+#: w of a triangle's vertices, the tolerance in texels, the rule that applies, the spans it selects.
 TOLERANT = (((4, 4.02, 4.01), 0.5, "tolerance", {"affine_addx"}),
             ((4, 4.02, 4.01), 0.01, "coarser", {"perspective_pieces"}),
             ((4, 4.4, 4.2), 0.25, "coarser", {"perspective_pieces"}),
@@ -115,8 +116,8 @@ TOLERANT = (((4, 4.02, 4.01), 0.5, "tolerance", {"affine_addx"}),
 
 
 def test_tolerances_are_kept_and_pay():
-    """Less perspective where the derived error allows it: cheaper, the model's picture, and within
-    the tolerance of the exact one; not where it does not."""
+    """If the derived error allows it, less perspective is used: cheaper, equal to the model's
+    picture, and within the tolerance of the exact one. Otherwise the picture does not change."""
     cases = [Case("tolerance", replace(DEEP, tolerance=round(tolerance * ONE)), WIDE, TURNED, None,
                   None, depths=depths) for depths, tolerance, _, _ in TOLERANT]
     scene = bench_rules.scene_of(cases)
@@ -140,7 +141,8 @@ def test_tolerances_are_kept_and_pay():
 
 @pytest.mark.parametrize("points", [WIDE, [(x - 40, y) for x, y in WIDE]], ids=["inside", "cut"])
 def test_asking_costs_little(points):
-    """A polygon that no rule but those of its place can make cheaper pays less than 1 % for them."""
+    """For a polygon that only the rules of its position could make cheaper, testing them costs less
+    than 1 %."""
     case = Case("outside", replace(AFFINE, mapper="generated"), points, TURNED, None, None)
     scene = bench_rules.scene_of([case])
     scene.textures[0].layout = "margins"

@@ -23,18 +23,19 @@ high = {image = "noise.png", width = 64, height = 512}
 small = {image = "noise.png", width = 64, height = 128}
 [materials]
 """
-#: mapper: (what the material has besides, radius on the map)
+#: mapper: (further fields of the material, radius on the map)
 LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
          "arbitrary": ('texture = "odd"', 128), "tiled": ('texture = "full"', 300),
          "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300),
          "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300),
          "affine": ('texture = "small"', 700), "dithered": ('texture = "small"', 300)}
-#: Format: the mappers that draw it (of chunky ones tests/compiler/test_run.py has the affine one), machine.
+#: Format: its mappers (tests/compiler/test_run.py tests the affine one of chunky frames), machine.
 DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-fast"),
          "rgb565": (["columns", "affine", "dithered"], "a1200"),
          "rgba5551": (["columns", "affine", "dithered"], "a1200-fast"),
          "rgba8888": (["affine", "dithered"], "a1200")}
-#: Generated code draws what stays in a row of the map; of wider polygons it has every other one.
+#: Generated code draws polygons within a row of the map: every other polygon is this many times
+#: narrower.
 NARROW = {"generated": 3}
 SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap",
                     "affine_addx", "affine_addx_wrap", "affine_scanline"} - {"dithered"},
@@ -44,8 +45,8 @@ SPANS["rgba5551"] = SPANS["rgb565"]
 
 
 def scene(pixels: str) -> str:
-    """A frame for each mapper and combination of settings, polygons of 3 to 7 corners,
-    some larger than the frame."""
+    """One frame for each mapper and combination of settings; polygons of 3 to 7 corners, some
+    larger than the frame."""
     choices = {kind: names for kind, names in SETTINGS.items()
                if kind not in ("mapper", "perspective")}
     materials = objects = ""

@@ -1,4 +1,4 @@
-"""Layouts of texture maps, and 16-bit colours: both ways, for all sizes."""
+"""Layouts of texture maps, and 16-bit colours: conversions in both directions, for all sizes."""
 
 import itertools
 from math import floor
@@ -16,14 +16,14 @@ TEXELS = [np.dtype(np.uint8), maps.RGB565]
 
 
 def picture(width: int, height: int, texel: np.dtype) -> np.ndarray:
-    """A picture of noise."""
+    """A picture of random pixels."""
     noise = np.random.default_rng([width, height])
     return noise.integers(0, 256 ** texel.itemsize, (height, width)).astype(texel)
 
 
 @pytest.mark.parametrize("texel", TEXELS)
 def test_columns(texel) -> None:
-    """Texel (u, v) is where map.h says, and the way back gives the picture."""
+    """Texel (u, v) is at the place that map.h says, and converting back gives the picture."""
     for width, height in SIZES:
         this = picture(width, height, texel)
         stored = maps.to_columns(this)
@@ -36,7 +36,7 @@ def test_columns(texel) -> None:
 
 @pytest.mark.parametrize("texel", TEXELS)
 def test_tiled(texel) -> None:
-    """The same of tiles."""
+    """Tiles: texels are at their place, and converting back gives the picture."""
     this = picture(256, 256, texel)
     stored = maps.to_tiled(this)
     v, u = np.indices(this.shape)
@@ -46,7 +46,7 @@ def test_tiled(texel) -> None:
 
 
 def test_rgb565_to_rgb888_and_back() -> None:
-    """Every 16-bit colour, by replicated bits; its way back is exact."""
+    """Every 16-bit colour is widened by replicating bits; converting back is exact."""
     pixels = np.arange(65536).astype(maps.RGB565)
     colours = maps.from_rgb565(pixels)
     assert colours.dtype == np.uint8
@@ -57,7 +57,7 @@ def test_rgb565_to_rgb888_and_back() -> None:
 
 
 def test_rgba5551_to_rgba8888_and_back() -> None:
-    """The same; alpha is all or nothing, the lowest bit."""
+    """Every 16-bit colour, likewise; alpha, the lowest bit, becomes all or nothing."""
     pixels = np.arange(65536).astype(np.uint16)
     colours = maps.from_rgba5551(pixels)
     assert colours.dtype == np.uint8
@@ -68,7 +68,7 @@ def test_rgba5551_to_rgba8888_and_back() -> None:
 
 
 def test_rgb888_to_rgb565_is_the_nearest() -> None:
-    """No other 16-bit colour is nearer, in any part; big-endian in memory."""
+    """No other 16-bit colour is nearer in any component; big-endian in memory."""
     grey = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)
     error = np.abs(maps.from_rgb565(maps.to_rgb565(grey)).astype(int) - grey)
     assert error.max(axis=0).tolist() == [4, 2, 4]
@@ -79,7 +79,8 @@ def test_rgb888_to_rgb565_is_the_nearest() -> None:
 
 
 def test_model_of_a_line() -> None:
-    """What the model reads for a line of each mapper is off by no more than it says."""
+    """The coordinates that the model reads along a line are off by no more than each mapper's cut
+    allows."""
     rng = np.random.default_rng(7)
     for _ in range(200):
         line = model.Line(0, 300, *(int(n) for n in rng.integers(0, 1 << 32, 2)),
@@ -102,8 +103,9 @@ def test_model_of_a_line() -> None:
 
 @pytest.mark.parametrize("way", [1, -1])
 def test_steps_of_generated_code_do_not_fall_short(way: int) -> None:
-    """From a texel's border, steps of any fraction down to 1/63 show the exact texels, 1,024 pixels
-    long: rounded to the nearest, and as far below that as a gradient's own error may lead."""
+    """From a texel's border, steps of any fraction down to 1/63 show the exact texels for 1,024
+    pixels: with the step rounded to nearest, and with the step lower by as much as a gradient's own
+    error."""
     n = np.arange(1024)
     for part in range(1, 64):
         for whole in (1, part - 1, part + 1, 100 * part + 1, 256 * part - 1):

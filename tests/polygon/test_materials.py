@@ -1,4 +1,4 @@
-"""Materials and textures of scenes: what the compiler makes of them, and how it refuses."""
+"""Materials and textures of scenes: the compiler's output and its error messages."""
 
 from dataclasses import replace
 
@@ -57,12 +57,12 @@ def refusal(folder, *text: str) -> str:
 
 
 def shaped(line: str, sides: int = 3) -> str:
-    """The object with other sides and one more line."""
+    """The object with another number of sides and one more line."""
     return TRIANGLE.replace("sides = 3", f"sides = {sides}") + line
 
 
 def listed(vertices: str) -> str:
-    """The object as a vertex list."""
+    """The object as a list of vertices."""
     return f'[[objects]]\nmaterial = "it"\nvertices = {vertices}\n'
 
 
@@ -123,7 +123,7 @@ def test_ramp(folder):
 
 def test_shades_of_corners(folder):
     steps = RAMP + ", steps = 128"
-    at = [(1 * 2 + 1) * ONE // 2, (128 * 2 + 1) * ONE // 2]  # first and last entry, its middle
+    at = [(1 * 2 + 1) * ONE // 2, (128 * 2 + 1) * ONE // 2]  # middles of first and last entry
     cyclic = make(folder, steps, shaped("shades = [255, 0]")).vertices[:, 4].tolist()
     assert cyclic == [at[1], at[0], at[1]]
     down = make(folder, steps, shaped("", sides=6)).vertices[:, 4].tolist()
@@ -135,7 +135,7 @@ def test_shades_of_corners(folder):
 
 
 def test_ramp_is_drawn_by_the_model(folder):
-    """All of it, in its order, and nothing else."""
+    """The model draws all of the ramp, in its order, and nothing else."""
     square = listed("[[4, 4, 0], [60, 4, 255], [60, 40, 255], [4, 40, 0]]")
     made = make(folder, RAMP + ", steps = 9", square)
     row = model.render(made, 0)[20].tolist()
@@ -162,7 +162,7 @@ def test_sides_show_the_whole_map(folder, name, extent):
 
 
 def test_arbitrary_maps_are_not_left(folder):
-    """Rounding to 16.16 does not move a corner out of the map."""
+    """Rounding to 16.16 does not move a corner off the map."""
     for width in range(1, 1025, 31):
         head = HEAD.replace("width = 100", f"width = {width}")
         text = SQUARE.format(256 * width / max(width, 60), 256 * 60 / max(width, 60))
@@ -170,8 +170,9 @@ def test_arbitrary_maps_are_not_left(folder):
 
 
 def test_light_of_corners(folder):
-    """Shades are four to a level, and each pixel is its texel in the light table's row of that level; in
-    full light a lit map shows itself, in none black. (Rows are held to the nearest colours elsewhere.)"""
+    """Each level has four shades. Each pixel is its texel in the light table's row of that level;
+    at full light a lit map is unchanged, at none it is black. (That rows are the nearest colours is
+    tested elsewhere.)"""
     light = 'texture = "square", mapper = "{0}"'
     corners = listed("[[0, 0, 0, 0, {0}], [64, 0, 256, 0, {0}], [64, 48, 256, 192, {0}], "
                      "[0, 48, 0, 192, {0}]]")
@@ -189,7 +190,7 @@ def test_light_of_corners(folder):
             elif not level:
                 assert (made.palette[found[drawn]] == 0).all()
     sides = make(folder, light.format("lit"), shaped("", 5)).vertices[:, 4].tolist()
-    assert set(sides) == {255 * ONE + ONE // 2}  # where nothing is said: full light
+    assert set(sides) == {255 * ONE + ONE // 2}  # the default: full light
 
 
 def test_rgb565(folder):
@@ -206,7 +207,7 @@ def test_rgb565(folder):
     ("rgba5551", 2 << 11 | 4 << 6 | 6 << 1 | 1, 0xF801, 0xFFFF),
     ("rgba8888", 0x102030FF, 0xFF0000FF, 0xFFFFFFFF)])
 def test_formats_with_alpha(folder, name, background, red, white):
-    """Colours are opaque; a texture's alpha comes with it."""
+    """Colours are opaque; a texture keeps its alpha."""
     picture = np.full((8, 8, 4), 255, np.uint8)
     picture[4:, :, 3] = 0
     Image.fromarray(picture).save(folder / "alpha.png")

@@ -1,4 +1,5 @@
-"""Perspective on the emulated Amiga: what costs what, and what does not change a picture."""
+"""Perspective on the emulated Amiga: its cost, and changes that must leave the picture
+unchanged."""
 
 import random
 
@@ -19,7 +20,7 @@ WAYS = SETTINGS["perspective"][1:]
 
 
 def scene(polygons, materials: list[Material]) -> Scene:
-    """Each polygon with each material, one a frame."""
+    """A scene of each polygon with each material, one a frame."""
     noise = np.random.default_rng(7).integers(0, 256, (256, 256), dtype=np.uint8)
     objects, vertices = [], []
     for corners in polygons:
@@ -31,7 +32,8 @@ def scene(polygons, materials: list[Material]) -> Scene:
 
 
 def surface(rng: random.Random, ratio: float) -> list[tuple[int, ...]]:
-    """A convex polygon with 1/w on a plane, w up to so many times apart, and s and t flat on it."""
+    """A convex polygon with 1/w on a plane, w differing by up to ``ratio``, and s and t flat on
+    it."""
     while True:
         points = random_polygons.convex_polygon(rng, WIDTH, HEIGHT)
         if random_polygons.is_convex(points):
@@ -48,7 +50,8 @@ def surface(rng: random.Random, ratio: float) -> list[tuple[int, ...]]:
 
 
 def test_constant_depth_is_affine() -> None:
-    """The same picture whatever w is, and the cycles of the affine polygon but for the look at w."""
+    """The picture is the same whatever w is, and costs as much as the affine polygon plus the test
+    of w."""
     rng = random.Random(1)
     polygons = []
     for depth in (256, ONE, 5 * ONE + 1, 1 << 30):
@@ -63,14 +66,14 @@ def test_constant_depth_is_affine() -> None:
         wrong = [kind.perspective for kind, digest in zip(kinds, row) if not guest_frames.is_models(affine, digest)]
         assert not wrong, f"polygon {k} is not the affine one by {wrong}: {polygons[k]}"
         seen += len(np.unique(affine)) > 4
-    assert seen > len(polygons) / 2  # some lie beside the frame
+    assert seen > len(polygons) / 2  # some are beside the frame
     spent = rows["ticks"].astype(int).sum(0) * CYCLES_PER_TICK / len(polygons)
     assert (spent[1:] - spent[0]).max() < 250, spent
 
 
 @pytest.mark.parametrize("way", WAYS)
 def test_order_of_vertices_does_not_matter(way: str) -> None:
-    """Whichever comes first, and whichever way round."""
+    """The picture is the same whichever vertex comes first, in either winding."""
     rng, pixels = random.Random(way), 0
     settings = model.Settings("exact", perspective=way)
     for _ in range(40):
@@ -103,7 +106,7 @@ def test_drawn_as_the_model_and_within_bounds(way: str) -> None:
             verdict = bounds.judge(corners, settings, WIDTH, HEIGHT)
             assert not verdict.complaint, (number, verdict.complaint)
             worst = max(worst, verdict.texel_ratio)
-    assert worst > 0.1  # the bounds are not idle
+    assert worst > 0.1  # the bounds are not too wide to test anything
 
 
 SCENE = '''
@@ -122,7 +125,7 @@ VERTICES = "[[10, 10, 0, 0, 1], [90, 10, 256, 0, 1], [60, 90, 128, 256, 4.5]]"
 
 
 def text(folder, material: str = MATERIAL, vertices: str = VERTICES) -> str:
-    """The scene with another material or other vertices; its picture in the folder."""
+    """A scene with this material and these vertices; saves its picture in the folder."""
     save_noise(folder, 7, map=(8, 8))
     return SCENE.replace("MATERIAL", material).replace("VERTICES", vertices)
 
@@ -149,5 +152,5 @@ PLACE = "objects[0].vertices"
     ('{texture = "map", perspective = "fine", start = "truncated"}', VERTICES,
      'materials.far.perspective: "fine" needs the mapper "affine"')])
 def test_what_does_not_fit_is_refused(tmp_path, material: str, vertices: str, message: str) -> None:
-    """One line that names the field."""
+    """The error is one line that names the field."""
     check_refused(tmp_path, text(tmp_path, material, vertices), message)

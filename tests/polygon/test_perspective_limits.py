@@ -17,13 +17,14 @@ from tmap.setup.perspective import CURVES, PIECES
 
 @pytest.mark.parametrize("setting", CURVES)
 def test_curves_bend_is_rounded_up(setting: str) -> None:
-    """So that no piece is longer than its tolerance allows."""
+    """The bend is rounded up, so that no piece is longer than its tolerance allows."""
     way = perspective.way(setting)
     assert way.bend == ceil(bounds_perspective.bend(setting, way.piece))
 
 
 def test_straight_pieces_have_their_names_pixels() -> None:
-    """And no bend, which is how the C tells them from curves."""
+    """Straight pieces have the pixels of their name and no bend, which is how the C code
+    distinguishes them from curves."""
     for setting, pixels in PIECES.items():
         way = perspective.way(setting)
         assert (way.piece, way.bend) == (log2(pixels), 0)
@@ -31,7 +32,8 @@ def test_straight_pieces_have_their_names_pixels() -> None:
 
 @pytest.mark.parametrize("setting", [*PIECES, *CURVES])
 def test_level_lines_keep_the_tolerance(setting: str) -> None:
-    """What they may be off is what their bound has, and at the widest there is room for it."""
+    """The error of a level line is the one in its bound, and the widest line still fits the
+    tolerance."""
     way = perspective.way(setting)
     assert way.off * UNIT == bounds_perspective.LEVEL.get(setting, 0)
     assert way.width <= layout.load().constants["FRAME_SIDE_MAX"]
@@ -41,7 +43,7 @@ def test_level_lines_keep_the_tolerance(setting: str) -> None:
 
 @pytest.mark.parametrize("piece", [3, 4])
 def test_lines_by_reciprocals_keep_to_a_texel_in_32(piece: int) -> None:
-    """Whatever the width, and hardly a line is left to others for nothing."""
+    """The limit holds for every width, and excludes hardly any line needlessly."""
     most = {width: bounds_perspective.reach(piece, width) for width in (1, 2, 6, 7, 13, 64, 320, 1023, 1024)}
     for width, derived in most.items():
         assert reciprocal.reach(piece, width) <= derived, f"width {width}"
@@ -49,7 +51,8 @@ def test_lines_by_reciprocals_keep_to_a_texel_in_32(piece: int) -> None:
 
 
 def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
-    """At the worst index of each limit, and hardly a line is left to others for nothing."""
+    """The limit holds at the worst index of each bucket, and excludes hardly any line
+    needlessly."""
     for bucket, power in enumerate(logarithm.LIMITS):
         high = 1024 * (bucket - 23) - 1
         smallest = int(np.searchsorted(-logarithm.logs(), -high)) + logarithm.LOWEST
@@ -61,7 +64,7 @@ def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
 
 
 def test_k_takes_most_of_what_a_logarithm_was_rounded_by() -> None:
-    """Far from K, where C's logarithm is half a unit off: a quarter of K's move was not enough."""
+    """Far from K, C's logarithm is half a unit off: a quarter of K's move was not enough."""
     corners = [(7012352, -8192000, 8158985, 6421967, 0, 190741), (458752, -7274496, 1967522, 3064356, 0, 144700),
                (5046272, 7602176, 9281033, 14032907, 0, 172775)]
     settings = model.Settings("integer", perspective="pixel")

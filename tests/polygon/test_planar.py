@@ -1,5 +1,5 @@
-"""Polygons of more than three vertices: those whose values lie on planes but for rounding stay in one
-piece, the others are drawn as triangles, in scene files and by polygon_draw alike."""
+"""Polygons of more than three vertices: if their values are on planes except for rounding they stay
+in one piece, otherwise they are drawn as triangles, both in scene files and by polygon_draw."""
 
 import random
 from dataclasses import replace
@@ -33,7 +33,7 @@ odd = {{ image = "noise.png", width = 96, height = 64 }}
 [materials]
 """
 NOISE = 'image = "noise.png", format = "rgb565"'
-#: What a scene says of one material and of four corners on no plane; format of the frame.
+#: The material's fields and four corners that are on no plane; below, the frame's format.
 SCENES = {
     "affine": ('texture = "noise"', "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
     "integer": ('texture = "noise", edges = "integer"',
@@ -74,7 +74,7 @@ def folder(tmp_path):
 
 
 def made(folder, name: str) -> Scene:
-    """The compiled scene of one of SCENES: as it stands, and turned."""
+    """The compiled scene of one of SCENES, with two frames: unturned and turned."""
     material, vertices = SCENES[name]
     head = HEAD.format(format=FORMATS.get(name, "chunky"))
     if name in FORMATS:
@@ -84,7 +84,7 @@ def made(folder, name: str) -> Scene:
 
 
 def cut(scene: Scene) -> Scene:
-    """The same with its polygons as triangles."""
+    """The same scene with its polygons as triangles."""
     objects, vertices = [], []
     for obj in scene.objects:
         corners = scene.vertices[obj.vertex:obj.vertex + obj.vertices].tolist()
@@ -100,8 +100,8 @@ def cut(scene: Scene) -> Scene:
 
 @pytest.mark.parametrize("name", SCENES)
 def test_a_scene_is_drawn_as_its_triangles(folder, name: str) -> None:
-    """The file does not vouch for its polygon; the model draws the triangles that one would write, and
-    not what three corners alone say."""
+    """The file does not mark its polygon as planar. The model draws the triangles that one would
+    write by hand, not the plane through three of its corners."""
     scene = made(folder, name)
     assert [obj.planar for obj in scene.objects] != [model_planar.ALL]
     write(scene)
@@ -114,7 +114,8 @@ def test_a_scene_is_drawn_as_its_triangles(folder, name: str) -> None:
 
 @pytest.mark.parametrize("off", [None, "all"])
 def test_the_guest_draws_scenes_as_the_model(folder, off: str | None) -> None:
-    """With rules of lowering and without; what the file vouches for and what it leaves to the set-up."""
+    """The guest draws the model's frames with and without rules of lowering, with the planar flags
+    of the file and with the test left to the set-up."""
     scenes = [made(folder, name) for name in SCENES]
     scenes += [replace(s, objects=[replace(obj, planar=0) for obj in s.objects]) for s in scenes]
     drawn = guest_frames.draw([(s, "addx" + (f" OFF {off}" if off else "")) for s in scenes], "a1200-fast")
@@ -125,7 +126,8 @@ def test_the_guest_draws_scenes_as_the_model(folder, off: str | None) -> None:
 
 
 def test_triangles_are_counted(folder) -> None:
-    """`make run` counts what is drawn: two polygons for a quad on no plane, their pixels once."""
+    """`make run` counts what is drawn: two polygons for a quad that is not planar, each pixel
+    once."""
     scene = made(folder, "affine")
     found = run.render(scene, "a1200-fast", "addx")
     polygons = [model.prepare_polygon(scene, 0, part)
@@ -137,8 +139,8 @@ def test_triangles_are_counted(folder) -> None:
 
 
 def test_the_fourth_vertex_shows_its_own(folder) -> None:
-    """By hand: below the diagonal from the first vertex s grows by -2 a pixel and 3 a line, t by 1 a
-    line."""
+    """Computed by hand: below the diagonal from the first vertex s changes by -2 a pixel and 3 a
+    line, t by 1 a line."""
     scene = made(folder, "affine")
     scene.vertices[:, :4] = np.array([[4, 4, 0, 0], [44, 4, 40, 0], [44, 44, 40, 40], [4, 44, 120, 40]]) * ONE
     frame, texels = model.render(scene, 0), scene.textures[0].texels
@@ -147,14 +149,14 @@ def test_the_fourth_vertex_shows_its_own(folder) -> None:
 
 
 def exact(rng: random.Random):
-    """A plane's value at a point, in fractions of units."""
+    """Returns a random plane as a function of x and y, with values in exact fractions of units."""
     steps = [Fraction(rng.choice((0, 1, -1, rng.uniform(-4, 4), rng.uniform(-40, 40)))) for _ in range(2)]
     base = Fraction(rng.uniform(-300, 300)) * ONE
     return lambda x, y: base + steps[0] * x + steps[1] * y
 
 
 def written(rng: random.Random) -> tuple[list[tuple], list]:
-    """A polygon's exact corners and planes for s, t and shade; no thinner than fan.c says."""
+    """A polygon's exact corners and planes for s, t and shade; no thinner than fan.c allows."""
     while True:
         points = convex(rng, 4)
         _, area = model_planar.corners_of(points)
@@ -164,7 +166,7 @@ def written(rng: random.Random) -> tuple[list[tuple], list]:
 
 
 def rounded(points, planes) -> list[tuple]:
-    """Vertices as a person writes them: each number the nearest of 16.16."""
+    """Vertices as a person would write them: each number rounded to the nearest 16.16."""
     return [(round(x), round(y), *(round(plane(x, y)) for plane in planes), ONE) for x, y in points]
 
 
@@ -173,14 +175,15 @@ PLANES = Settings(mapper="lit_gouraud")
 
 @pytest.mark.parametrize("edges", ["integer", "subpixel", "exact"])
 def test_what_is_planar_stays_in_one_piece(edges: str) -> None:
-    """Written and rounded; turned and enlarged by two products each, rounded down; cut at the frame."""
+    """As written and rounded; turned and enlarged, with two products each, rounded down; clipped to
+    the frame."""
     rng, settings = random.Random(f"planar {edges}"), replace(PLANES, edges=edges)
     for number in range(400):
         points, planes = written(rng)
         vertices = rounded(points, planes)
         assert model.parts(vertices, settings) == [vertices], number
         cos, sin = fix(rng.uniform(-1, 1)), fix(rng.uniform(-1, 1))
-        if abs(cos) + abs(sin) > ONE // 2:  # else it shrinks, and the numbers' rounding grows
+        if abs(cos) + abs(sin) > ONE // 2:  # else the rounding grows
             turned = [(mul(cos, x) - mul(sin, y), mul(sin, x) + mul(cos, y), *rest)
                       for x, y, *rest in vertices]
             assert model.parts(turned, settings) == [turned], number
@@ -190,7 +193,7 @@ def test_what_is_planar_stays_in_one_piece(edges: str) -> None:
 
 
 def test_what_is_planar_in_space_stays_in_one_piece() -> None:
-    """1/w, s/w and t/w on planes, every number rounded."""
+    """1/w, s/w and t/w are on planes, with every number rounded."""
     rng, kept = random.Random("depths"), 0
     for number in range(400):
         points, planes = written(rng)
@@ -209,8 +212,8 @@ def test_what_is_planar_in_space_stays_in_one_piece() -> None:
 
 @pytest.mark.parametrize("edges", ["integer", "subpixel", "exact"])
 def test_triangles_leave_no_gap(edges: str) -> None:
-    """They cover the polygon as neighbours do: with exact edges each pixel once; with the others no
-    pixel inside is left out, and only one beside a sliver is drawn twice."""
+    """The triangles cover the polygon as neighbours do. With exact edges each pixel is drawn once;
+    with the others no pixel inside is missing, and only a pixel beside a sliver is drawn twice."""
     rng, fans = random.Random(f"gap {edges}"), 0
     for number in range(600):
         case = uneven_case(rng, f"{edges}, number {number}")
@@ -224,13 +227,14 @@ def test_triangles_leave_no_gap(edges: str) -> None:
 
 
 def uneven(count: int) -> list[Case]:
-    """Polygons that polygon_draw has to look at."""
+    """Polygons that polygon_draw must test for planarity."""
     return [uneven_case(random.Random(f"guest {k}"), f"number {k}") for k in range(count)]
 
 
 @pytest.mark.parametrize("form", ["addx", "swap", "addx OFF all"])
 def test_polygon_draw_is_the_model(form: str) -> None:
-    """Any mapper, edges, gradients and perspective, nothing vouched for: the same bytes."""
+    """Any mapper, edges, gradients and perspective, no planar flag: the guest draws the model's
+    pixels."""
     cases, layouts = uneven(300), {"arbitrary": "linear", "generated": "margins"}
     layouts |= {name: name for name in ("tiled", "columns")}
     names = ["page", "linear", "tiled", "columns", "margins", "light"]
@@ -255,7 +259,8 @@ def test_polygon_draw_is_the_model(form: str) -> None:
 
 
 def test_wrong_numbers_of_pieces_are_noticed() -> None:
-    """By exact planes: a polygon on none that stays whole, a planar one that is cut."""
+    """Judged by exact planes: a polygon that is not planar but drawn whole, and a planar one that
+    is cut."""
     square = [(x * ONE, y * ONE, x * ONE, y * ONE, 0, ONE) for x, y in ((0, 0), (40, 0), (40, 40), (0, 40))]
     off = [*square[:3], (0, 40 * ONE, 9 * ONE, 40 * ONE, 0, ONE)]
     deep = [*square[:3], (*square[3][:5], 2 * ONE)]

@@ -1,8 +1,8 @@
-"""Random polygons, drawn by the 68020: bit for bit the model, and near the ideal.
+"""Random polygons drawn by the 68020: bit for bit the model, and near the ideal.
 
-2,800 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; 800 of them
-in frames of 16 and 32 bits. All runs of one machine share a boot.
-The guest itself checks the guard bands round the frame (4,096 bytes each side).
+2,800 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; 800 of them in
+frames of 16 and 32 bits. All runs of one machine share a boot. The guest itself checks the guard
+bands round the frame (4,096 bytes each side).
 """
 
 from dataclasses import replace
@@ -21,7 +21,7 @@ from tmap.scene_file import scene_file
 
 #: seed: (polygons, width, height)
 SCENES = {1: (1000, 320, 256), 2: (1000, 192, 144)}
-WIDE = {3: "rgba5551", 4: "rgba8888"}  # by seed: formats of pixels that are not chunky
+WIDE = {3: "rgba5551", 4: "rgba8888"}  # formats of the frames that are not chunky, by seed
 SCENES |= {3: (400, 320, 256), 4: (400, 192, 144)}
 USUAL = model.Settings()
 EXACT = model.Settings("exact")
@@ -35,7 +35,7 @@ RUNS = [("addx", "a1200-fast", 1, USUAL), ("addx", "a1200-fast", 2, USUAL),
 
 
 def called(run: tuple) -> str:
-    """A run's name in the tests' names."""
+    """The name of a run in the tests' names."""
     form, machine, seed, settings = run
     return f"{form}-{machine}-{seed}-{settings.edges}-{settings.clip}"
 
@@ -57,7 +57,7 @@ def expected(seed: int, settings: model.Settings) -> list[tuple[int, int]]:
 
 @pytest.fixture(scope="module")
 def drawn(request) -> dict[str, np.ndarray]:
-    """The guest's digests of the runs that are asked for, by their names."""
+    """The guest's digests of all runs, by name."""
     names = {item.name.partition("[")[2].removesuffix("]") for item in request.session.items}
     asked = [run for run in RUNS if called(run) in names]
     found = {}
@@ -71,7 +71,7 @@ def drawn(request) -> dict[str, np.ndarray]:
 
 @pytest.mark.parametrize("run", RUNS, ids=called)
 def test_every_polygon_is_the_models(run: tuple, drawn) -> None:
-    """No byte differs, none outside the frame is touched, whatever the form."""
+    """No byte differs and none outside the frame is written, in any form."""
     form, machine, seed, settings = run
     this = scene(seed, settings)
     found = [(int(d["result"]), int(d["sum"]), int(d["hash"])) for d in drawn[called(run)]]
@@ -88,8 +88,9 @@ def test_every_polygon_is_the_models(run: tuple, drawn) -> None:
 
 @pytest.mark.parametrize("seed", sorted(SCENES.keys() - WIDE))
 def test_error_is_within_the_derived_bounds(seed: int) -> None:
-    """Edges and texels are off the exact rational ideal by no more than tools/tmap/ideal/ideal.py derives; with
-    exact edges, however long, thin or steep, every pixel is the rational polygon's."""
+    """Edges and texels are off the exact rational ideal by no more than tools/tmap/ideal/ideal.py
+    derives. With exact edges the pixels are those of the rational polygon, however long, thin or
+    steep it is."""
     this = scene(seed)
     worst = {USUAL: ideal.Deviation(), EXACT: ideal.Deviation()}
     for number, obj in enumerate(this.objects):
@@ -103,15 +104,15 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
                     f"seed {seed}, polygon {number}, edges {settings.edges}: {found}, vertices "
                     f"{vertices}")
                 total.merge(found)
-    # The scene is what it claims to be: much is drawn, and the bounds are nearly reached.
+    # The scene tests what it should: much is drawn, and the bounds are nearly reached.
     assert min(total.pixels for total in worst.values()) > 1_000_000
     assert worst[USUAL].edge_ratio > 0.9 and worst[USUAL].texel_ratio > 0.9
 
 
 def from_far_above() -> scene_file.Scene:
-    """Edges that begin 16,384 lines above the frame, their exact slopes just beyond half a
-    unit: stepped from there, they would be off by 1/8 pixel. A right edge would leave the
-    frame beside the last column, a left one the map that its gradient follows."""
+    """Edges that begin 16,384 lines above the frame, with exact slopes just beyond half a unit:
+    stepped from there, they would be off by 1/8 pixel. A right edge would leave the frame beside
+    the last column, a left one the map that its gradient follows."""
     one = 65536
     far, half = -16384 * one, 8341  # units: over 16,634 lines just above half a unit a line
     right, left = 320 * one - one // 64, 200 * one + one // 5
@@ -149,7 +150,8 @@ def test_edges_from_far_above() -> None:
 
 
 def test_scenes_hold_what_they_promise() -> None:
-    """Many thin ones, many partly off screen, both wrap modes, every vertex count."""
+    """The scenes have many thin polygons, many partly off screen, both wrap modes and every vertex
+    count."""
     this = scene(1)
     counts, off, thin, wraps = set(), 0, 0, 0
     for number, obj in enumerate(this.objects):

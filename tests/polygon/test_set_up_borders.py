@@ -1,5 +1,5 @@
-"""Polygons beside a limit of the set-up, where one unit decides by what they are drawn: each on the
-emulated machine is the model, and lies where its name says."""
+"""Polygons at a limit of the set-up, where one unit decides how they are drawn: the emulated
+machine draws each as the model, and each is on the side of the limit that its name says."""
 
 import random
 from dataclasses import dataclass
@@ -14,16 +14,16 @@ from tmap.scene_file.scene_file import IDENTITY, ONE, Material, Object, Scene, T
 from tmap.setup import perspective
 from tmap.setup.edges import EDGE_ERROR, measure
 
-#: Rounded edges drift: 1,000 lines of a slope of so many units, nearly half a one, which is rounded
-#: away or up to one.
+#: Rounded edges drift: over 1,000 lines a slope of so many units of 1/65536 for the whole edge,
+#: just below half a unit a line, is rounded to zero or to one unit a line.
 TALL, DRIFT = 1000, 490
-INSIDE = 600  # units of s inside the map: more than steps are off, less than rounded edges
+INSIDE = 600  # units of s inside the map: above the error of steps, below that of rounded edges
 PAGE = np.random.default_rng(5).integers(0, 256, (256, 256), dtype=np.uint8)
 
 
 @dataclass
 class Border:
-    """A polygon: vertices x, y, s, t and w in 16.16, a frame's size, how it is drawn."""
+    """A polygon: vertices x, y, s, t and w in 16.16, a frame's size, the settings."""
 
     name: str
     vertices: list[tuple[int, ...]]
@@ -32,23 +32,23 @@ class Border:
 
     @property
     def adapted(self) -> list[tuple]:
-        """The vertices as the model's set-up takes them."""
+        """The vertices in the form the model's set-up takes."""
         return model.adapt([(*v[:4], 0, v[4]) for v in self.vertices], self.settings, 256)
 
     @property
     def set_up(self):
-        """What the model makes of it."""
+        """The polygon as the model sets it up."""
         return model.set_up(self.adapted, *self.size, True, self.settings, (256, 256))
 
 
 def affine(name: str, vertices, settings: model.Settings, size) -> Border:
-    """One of depth 1."""
+    """A polygon of depth 1."""
     return Border(name, [(*v, ONE) for v in vertices], settings, size)
 
 
 def all_in_a_line() -> list[Border]:
-    """w from 16,384 to 1/256 over 1,018 pixels, the deep end on the left, at a pixel's centre: its
-    weight, q in 2^30 a step of the line, is less than one."""
+    """w from 16,384 to 1/256 over 1,018 pixels, with the deep end on the left, at a pixel's centre:
+    its weight, q in 2^30 of the line's step, is less than one."""
     corners = [(3 * ONE, 0, 0, 0, 1 << 30), (1021 * ONE, 0, 256 * ONE, 0, 1 << 8),
                (3 * ONE, 5 * ONE, 0, 200 * ONE, 1 << 30)]
     return [Border(f"all depths in a line, {way}", corners, model.Settings("exact", perspective=way),
@@ -56,7 +56,8 @@ def all_in_a_line() -> list[Border]:
 
 
 def sureness(each: Border) -> int:
-    """How many times its error the least q of a polygon's planes is, cut; at most 6."""
+    """Returns how many times its error the least q of a polygon's planes is, rounded down; at most
+    6."""
     corners, sides = each.adapted, measure(each.adapted, *each.size)
     with pytest.MonkeyPatch.context() as patch:
         for times in range(1, 7):
@@ -68,7 +69,8 @@ def sureness(each: Border) -> int:
 
 def hardly_sure(count: int = 4) -> list[Border]:
     """Deep slivers whose q is 1, 2, ... 5 times its error: from four times on they are drawn with
-    perspective. Two near corners lie side by side, one is far away and at the far end of depths."""
+    perspective. Two near corners are side by side, one is far away at the far end of the depth
+    range."""
     rng, found = random.Random(4), {times: [] for times in range(1, 6)}
     while min(map(len, found.values())) < count:
         x, y = rng.randint(8, 40) * ONE, rng.randint(8, 80) * ONE
@@ -88,9 +90,9 @@ def hardly_sure(count: int = 4) -> list[Border]:
     return sum(found.values(), [])
 
 
-#: Triangles, far at the top and near at the bottom, whose lines change in depth just too much to be
-#: level: if nothing were rounded up in what is derived there, they would be. By what is rounded up
-#: (texels, the change of q, their product); the setting; x, y, s, t and w.
+#: Triangles, far at the top and near at the bottom, whose lines change just too much in depth to be
+#: level: if nothing were rounded up in that derivation, they would be level. Fields: which of
+#: (texels, the change of q, their product) is rounded up; the setting; x, y, s, t and w.
 ROUNDED_UP = [
     ((1, 0, 0), "pixel", [(0, 0, 8912896, 0, 671401053), (7602176, 0, 9364661, 524288, 669313789),
                           (2097152, 4980736, 8912896, 196608, 4926)]),
@@ -112,14 +114,15 @@ def hardly_level() -> list[Border]:
 
 
 def column(x: int, grows: int, wide: int) -> list[tuple[int, int]]:
-    """x and y of a triangle along a column of pixels, TALL lines high: one edge from x at the top,
-    which is ``grows`` units further right at the bottom, the third corner so many pixels beside."""
+    """x and y of a triangle along a column of pixels, TALL lines high: one edge starts at x at the
+    top and is ``grows`` units further right at the bottom; the third corner is ``wide`` pixels
+    beside it."""
     return [(x, 0), (x + grows, TALL * ONE), (x + wide * ONE, TALL * ONE // 2)]
 
 
 def off_the_frame() -> list[Border]:
-    """All corners are left of the frame, less than a pixel: rounded up to a unit a line, the right
-    edge crosses the column of pixels at 0, which is lit from there on."""
+    """All corners are left of the frame by less than a pixel. With its slope rounded up to a unit a
+    line the right edge crosses into column 0, which is lit from there on."""
     corners = column(-DRIFT - 40, TALL - DRIFT, 0)
     corners[2] = (-ONE * 3 // 4, TALL * ONE // 2)
     return [affine("off the frame, inside by rounding", [(*p, 0, 0) for p in corners],
@@ -127,10 +130,10 @@ def off_the_frame() -> list[Border]:
 
 
 def on_the_maps_border() -> list[Border]:
-    """A map that is not repeated, shown from its first to its last texel: an edge on which s is 0, or
-    256, lies beside pixels' centres, less than 1/128, on the wrong side; there u is up to 1/32
-    outside. And right angles on whole pixels, whose steps are rounded."""
-    # The edge itself is right of the pixels at 10, or left of those at 90, its drawing is not.
+    """A map that does not repeat, shown from its first to its last texel. An edge on which s is 0,
+    or 256, is on the wrong side of pixels' centres by less than 1/128; there u is up to 1/32
+    outside. Also right angles on whole pixels, whose steps are rounded."""
+    # The exact edge is right of the pixels at 10, or left of those at 90; the drawn one is not.
     first = [(10 * ONE, 0), (10 * ONE + DRIFT, TALL * ONE), (80 * ONE, TALL * ONE // 2)]
     last = [(90 * ONE + 1, 0), (90 * ONE + 1 - DRIFT, TALL * ONE), (20 * ONE, TALL * ONE // 2)]
     made = []
@@ -141,7 +144,7 @@ def on_the_maps_border() -> list[Border]:
             made.append(affine(f"map's {noun} {'t' if turned else 's'} on a drifting edge",
                                [(*p, *q) for p, q in zip(corners, plane)],
                                model.Settings("subpixel", mapper="arbitrary"), (96, 1024)))
-    # Of four corners, just inside at the edge's ends: it is the plane as it is stepped that counts.
+    # Four corners, just inside the map at the edge's ends: what counts is the plane as stepped.
     for sign, x in ((1, 10 * ONE), (-1, 90 * ONE + 1)):
         other = x + sign * 60 * ONE
         corners = [(x, 0), (x + sign * DRIFT, TALL * ONE), (other, TALL * ONE), (other, 0)]
@@ -166,7 +169,7 @@ def on_the_maps_border() -> list[Border]:
 
 
 def scene_of(some: list[Border]) -> Scene:
-    """Polygons of one frame's size, one a frame."""
+    """A scene of polygons with one frame size, one a frame."""
     textures = [Texture(PAGE), Texture(PAGE[::-1].copy(), "linear")]
     materials: dict[Material, int] = {}
     objects, vertices = [], []
@@ -188,7 +191,7 @@ def families() -> dict[str, list[Border]]:
 
 
 def test_each_is_drawn_as_the_model_has_it(families) -> None:
-    """With all rules of lowering, and without."""
+    """With all rules of lowering and with none."""
     sizes: dict[tuple[int, int], list[Border]] = {}
     for each in sum(families.values(), []):
         sizes.setdefault(each.size, []).append(each)
@@ -207,8 +210,8 @@ def test_each_is_drawn_as_the_model_has_it(families) -> None:
 
 
 def test_parts_of_a_line_keep_their_format(families) -> None:
-    """The first end's weight would be 0: it is 1, and no pixel's part of the way reaches 1/2 of what
-    32 bits hold."""
+    """The first end's weight would be 0 and is set to 1. No pixel's fraction of the line reaches
+    half of the 32-bit range."""
     for each in families["all_in_a_line"]:
         polygon = each.set_up
         line = polygon.lines[0]
@@ -219,14 +222,14 @@ def test_parts_of_a_line_keep_their_format(families) -> None:
 
 
 def test_planes_are_sure_from_four_times_on(families) -> None:
-    """The others are drawn affine."""
+    """Those below four times are drawn affine."""
     for each in families["hardly_sure"]:
         assert (each.set_up.perspective is not None) == (int(each.name[0]) >= 4), each.name
 
 
 def test_lines_are_not_level_by_what_is_rounded_up(families) -> None:
-    """What they would be off by, in units of q times texels, is at most the setting's with one number
-    less rounded up, and more with all."""
+    """The error of treating the lines as level, in units of q times texels, is at most the
+    setting's if one number less is rounded up, and more with all."""
     for each, (rounded, way, _) in zip(families["hardly_level"], ROUNDED_UP):
         polygon = each.set_up
         left, _, right, _ = measure(each.adapted, *each.size).box
@@ -242,7 +245,7 @@ def test_lines_are_not_level_by_what_is_rounded_up(families) -> None:
 
 
 def test_rounding_lights_a_column_that_no_corner_reaches(families) -> None:
-    """Its corners are less than an edge's error away."""
+    """The corners are less than an edge's error from the column."""
     each, = families["off_the_frame"]
     xs = [v[0] for v in each.vertices]
     assert -EDGE_ERROR < max(xs) < 0
@@ -250,8 +253,8 @@ def test_rounding_lights_a_column_that_no_corner_reaches(families) -> None:
 
 
 def test_no_texel_beyond_the_map_is_shown(families) -> None:
-    """Where u or v of the exact plane is at its border, or so little outside as edges are rounded, the
-    border's texel is right; every pixel's is on the map."""
+    """If u or v of the exact plane is at the map's border, or outside by less than the rounding of
+    edges, the border's texel is right; every pixel's texel is on the map."""
     some = families["on_the_maps_border"]
     assert sum("drifting" in each.name for each in some) == 8
     for each in some:

@@ -1,4 +1,4 @@
-"""Affine polygons whose u or v stands still along a line: the same picture, cheaper spans."""
+"""Affine polygons whose u or v is constant along a line: the same picture with cheaper spans."""
 
 import json
 
@@ -28,15 +28,15 @@ MATERIALS = ("plain", "truncated")
 
 
 def a_little_more(corners: list[list[float]]) -> list[list[float]]:
-    """s and t that grow by some units of 1/65536 a pixel: no step is 0."""
+    """Makes s and t grow by some units of 1/65536 a pixel, so that no step is 0."""
     return [[x, y, s + x / 4096, t + x / 4096] for x, y, s, t in corners]
 
 
-#: The cheap span, and what makes a floor of FLOORS one that it draws.
+#: The cheap span, and the change to FLOORS that makes it apply.
 CHANGES = {"affine_row": list, "affine_column": turned}
-#: 63 texels a pixel: too many.
+#: 63 texels a pixel: too many for the cheap spans.
 FAST = [[0, 0, 0, 0], [96, 0, 6048, 0], [96, 64, 6048, 99], [0, 64, 0, 99]]
-#: What each frame shows, vertices by change, material and name.
+#: The vertices of each frame, by (cheap span, material, name).
 SHAPES = {(kind, material, name): change(shape) for kind, change in CHANGES.items()
           for material in MATERIALS for name, shape in FLOORS.items()} | {
     (kind, "plain", name): shape for kind, change in CHANGES.items()
@@ -46,8 +46,8 @@ SHAPES = {(kind, material, name): change(shape) for kind, change in CHANGES.item
 
 @pytest.fixture(scope="module")
 def drawn(tmp_path_factory) -> dict[tuple, tuple]:
-    """Of each of SHAPES the model's frame, the guest's digest and figures, and the digest of the swap
-    form; all of one boot."""
+    """For each of SHAPES: the model's frame, the guest's digest and figures, and the digest of the
+    swap form; all from one boot."""
     folder = tmp_path_factory.mktemp("scene")
     save_noise(folder, 2, noise=(256, 256))
     text = HEAD.format(frames=len(SHAPES))
@@ -64,7 +64,8 @@ def drawn(tmp_path_factory) -> dict[tuple, tuple]:
 @pytest.mark.parametrize("kind", CHANGES)
 @pytest.mark.parametrize("material", MATERIALS)
 def test_same_picture_by_the_cheap_span_alone(drawn, kind, material):
-    """In either form; one texel in both directions is drawn as a row."""
+    """Both forms draw the model's picture; a polygon that is one texel in both directions is drawn
+    as a row."""
     for name in FLOORS:
         key = kind, material, name
         expected, digest, figures, other = drawn[key]
@@ -76,8 +77,8 @@ def test_same_picture_by_the_cheap_span_alone(drawn, kind, material):
 
 @pytest.mark.parametrize("row", CHANGES)
 def test_cheaper(drawn, row):
-    """By what the bench rows of shorter lines differ, but for finding it out: some instructions a
-    polygon."""
+    """Saves what the bench rows of shorter lines predict, less the cost of the test: some
+    instructions a polygon."""
     cheap, general = (drawn[row, "plain", name][2] for name in ("upright", "general"))
     assert set(general["spans"]) == {"affine_addx"} and cheap["pixels"] == general["pixels"]
     rows = {bench.key(r): bench.cycles(r) for r in json.loads(BASELINE.read_text())["rows"]}
@@ -88,7 +89,7 @@ def test_cheaper(drawn, row):
 
 
 def test_too_fast_for_it(drawn):
-    """The general spans, the same picture."""
+    """With too large a step the general spans draw the same picture."""
     for change in CHANGES:
         expected, digest, figures, _ = drawn[change, "plain", "fast"]
         assert guest_frames.is_models(expected, digest), f"{change}: not the model's"

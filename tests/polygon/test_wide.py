@@ -1,4 +1,4 @@
-"""Affine polygons in 16- and 32-bit frames: their spans by the rules, and the example scenes."""
+"""Affine polygons in 16- and 32-bit frames: the spans that rules select, and the example scenes."""
 
 from dataclasses import replace
 
@@ -30,8 +30,8 @@ wall.image = "noise.png"
 [materials]
 it = {{texture = "wall"}}
 """
-#: Vertices [x, y, s, t] of upright pictures, a texel a pixel: inside the map, over its sides, more
-#: than twice round it, mirrored in t.
+#: Vertices [x, y, s, t] of upright pictures, one texel a pixel: inside the map, across its sides,
+#: more than twice round it, mirrored in t.
 COPIES = {
     "inside": [[3, 5, 10, 7], [90, 5, 97, 7], [90, 60, 97, 62], [3, 60, 10, 62]],
     "odd": [[3.5, 5.5, 10.25, 7], [90.5, 5.5, 97.25, 7], [90.5, 60.5, 97.25, 62],
@@ -45,7 +45,7 @@ KINDS = {"rgb565": "affine_16", "rgba5551": "affine_16", "rgba8888": "affine_32"
 
 WRAPPING = [[0, 0, 0, 0], [96, 0, 700, 900], [96, 64, 100, 1300], [0, 64, -600, 400]]
 TURNING = [[10, 0, 20, 30], [90, 20, 99, 80], [70, 60, 80, 160], [-10, 40, 1, 110]]
-#: How a span's name ends to the shapes that it draws, one a frame.
+#: Ending of a span's name: the shapes that it draws, one a frame.
 SHAPES = {"_row": list(FLOORS.values()), "_copy": list(COPIES.values()), "_wrap": [WRAPPING],
           "": [TURNING, turned(FLOORS["upright"])]}
 EXAMPLES = {"wide": {"fill_32", "affine_32", "affine_32_wrap", "affine_32_row"},
@@ -63,8 +63,8 @@ def shapes_text(pixels: str) -> str:
 
 @pytest.fixture(scope="module")
 def drawn(tmp_path_factory) -> dict[tuple, tuple[Asked, Drawn]]:
-    """By format and form, and with no rule followed on the other machine: the scene of shapes; by
-    their names the first frames of the examples. One boot a machine."""
+    """The scene of shapes by format and form, and by format on the other machine with no rule
+    followed; the first frames of the examples by name. One boot a machine."""
     folder = tmp_path_factory.mktemp("scene")
     save_noise(folder, 2, noise=(256, 256))
     scenes = {pixels: compiled(folder, shapes_text(pixels)) for pixels in KINDS}
@@ -78,8 +78,9 @@ def drawn(tmp_path_factory) -> dict[tuple, tuple[Asked, Drawn]]:
 
 @pytest.mark.parametrize("pixels", KINDS)
 def test_spans_by_the_rules(drawn, pixels):
-    """Rows, copies, what turns and what wraps: each by its span, and the model's picture; the same
-    with no rule followed, on the other machine, and in the plain forms."""
+    """Rows, copies, turned and wrapping shapes are each drawn by their span and are the model's
+    picture; so is the picture with no rule followed, on the other machine, and in the plain
+    forms."""
     kind = KINDS[pixels]
     wanted = [kind + ("_row" if (kind, end) == ("affine_32", "_copy") else end)
               for end, some in SHAPES.items() for _ in some]
@@ -95,7 +96,7 @@ def test_spans_by_the_rules(drawn, pixels):
 
 
 def widened(scene: Scene, pixels: str) -> Scene:
-    """A fuzzed scene in another format: what has a texture is drawn by the affine mapper."""
+    """A fuzzed scene in another format; textured materials become affine ones."""
     pixel, noise = FORMATS[pixels], np.random.default_rng(5)
     pages = [Texture(noise.integers(0, 256**pixel.bytes, each.texels.shape, dtype=pixel.dtype))
              for each in scene.textures if each.layout == "page"]
@@ -111,7 +112,7 @@ FUZZED_FORMS = (("rgb565", "addx"), ("rgba8888", "addx"), ("rgba8888", "swap"))
 
 @pytest.fixture(scope="module")
 def fuzzed() -> dict[str, list[tuple[Scene, list[tuple[int, int]]]]]:
-    """By format: the fuzzer's scenes, and the digests of the model's frames."""
+    """The fuzzer's scenes and the digests of the model's frames, by format."""
     found = {pixels: [] for pixels, _ in FUZZED_FORMS}
     for block in range(FUZZED_BLOCKS):
         some = [polygons.polygon(SEED, block * polygons.BLOCK + k)
@@ -124,7 +125,7 @@ def fuzzed() -> dict[str, list[tuple[Scene, list[tuple[int, int]]]]]:
 
 @pytest.fixture(scope="module")
 def fuzzed_digests(fuzzed) -> dict[tuple[str, str, int], np.ndarray]:
-    """By format, form and block: the guest's, of one boot."""
+    """The guest's digests by format, form and block, from one boot."""
     asked = {(pixels, form, block): (scene, form) for pixels, form in FUZZED_FORMS
              for block, (scene, _) in enumerate(fuzzed[pixels])}
     return dict(zip(asked, guest_frames.draw([*asked.values()], "a1200-fast"), strict=True))
@@ -132,7 +133,8 @@ def fuzzed_digests(fuzzed) -> dict[tuple[str, str, int], np.ndarray]:
 
 @pytest.mark.parametrize("pixels, form", FUZZED_FORMS)
 def test_fuzzed_polygons(pixels: str, form: str, fuzzed, fuzzed_digests) -> None:
-    """The fuzzer's polygons with their settings: the model's frames, refused where they must be."""
+    """The fuzzer's polygons with their settings are the model's frames, or are refused if they must
+    be."""
     for block, (scene, right) in enumerate(fuzzed[pixels]):
         digests = fuzzed_digests[pixels, form, block]
         wrong = [number for number, (wanted, digest) in enumerate(zip(right, digests, strict=True))

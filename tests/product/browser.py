@@ -1,6 +1,7 @@
-"""A headless Chromium that opens pages from files, with the network off, and says what it saw.
+"""Runs a headless Chromium that opens pages from files, with the network off, and reports what it
+saw.
 
-It is driven by its debugging pipe: JSON messages that end with a zero byte.
+It is controlled through its debugging pipe: JSON messages that end with a zero byte.
 """
 
 import base64
@@ -19,12 +20,12 @@ from pathlib import Path
 from tmap.base.silence import Silence
 
 PROGRAM = "chromium-headless-shell"
-SECONDS = 30.0  # of processor time a page may take
-LOOKS = 0.2  # seconds between two looks at how much it took
-#: Nothing of the browser's own may use the network either.
+SECONDS = 30.0  # of processor time for a page
+LOOKS = 0.2  # seconds between two checks of that time
+#: The browser's own services must not use the network either.
 OPTIONS = ("--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
            "--host-resolver-rules=MAP * ~NOTFOUND", "--remote-debugging-pipe")
-#: Shows all pictures, those further down too, and waits for them; what the page is like then.
+#: Loads all pictures, including those further down, waits for them, and returns the page's state.
 LOOK = """(async () => {
   for (const each of document.querySelectorAll('details')) each.open = OPENED;
   const pictures = [...document.images];
@@ -52,7 +53,7 @@ LOOK = """(async () => {
 
 @dataclass
 class View:
-    """A page as it was seen: what LOOK returns, what was asked for, and a picture."""
+    """A page as displayed: LOOK's result, the requests, and a picture."""
 
     page: dict
     requests: list[str] = field(default_factory=list)
@@ -61,7 +62,7 @@ class View:
 
 
 class Browser:
-    """One process; messages go out by ``call``, events are kept."""
+    """One process; ``call`` sends messages, events are kept."""
 
     def __init__(self, pid: int, orders: int, answers: int):
         self.pid, self.orders, self.answers = pid, orders, answers
@@ -69,7 +70,7 @@ class Browser:
         self.session: str | None = None
 
     def message(self, silence: Silence) -> dict:
-        """The next message."""
+        """Reads the next message."""
         while b"\0" not in self.rest:
             if not select.select([self.answers], [], [], LOOKS)[0]:
                 if said := silence.end():
@@ -83,7 +84,7 @@ class Browser:
         return json.loads(text)
 
     def call(self, method: str, **parameters) -> dict:
-        """Sends an order, returns its answer."""
+        """Sends a request; returns its answer."""
         self.number += 1
         order = {"id": self.number, "method": method, "params": parameters}
         if self.session:
@@ -105,7 +106,8 @@ class Browser:
             self.events.append(self.message(silence))
 
     def look(self, path: Path, width: int, height: int, opened: bool = False) -> View:
-        """Opens a file at a size in pixels, looks at all of it; ``opened``: details unfolded."""
+        """Opens a file at a size in pixels and examines the whole page; ``opened``: details
+        unfolded."""
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         attached = self.call("Target.attachToTarget", targetId=target, flatten=True)
         self.session = attached["sessionId"]
@@ -141,14 +143,14 @@ class Browser:
 
 @contextlib.contextmanager
 def browser() -> Iterator[Browser]:
-    """A browser with an empty profile, gone afterwards."""
+    """A browser with an empty profile, ended afterwards."""
     in_read, in_write = os.pipe()
     out_read, out_write = os.pipe()
-    # Away from 3 and 4, which the browser wants them to be.
+    # Avoids 3 and 4, which the browser expects to be its pipe.
     ends = [fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 10) for end in (in_read, out_write)]
     os.close(in_read)
     os.close(out_write)
-    # What is left of the browser may still write into its profile while that is removed.
+    # The browser's last processes may still write into its profile while that is removed.
     with tempfile.TemporaryDirectory(prefix="tmap-", ignore_cleanup_errors=True) as profile:
         shell = f'exec "$@" 3<&{ends[0]} 4>&{ends[1]}'
         process = subprocess.Popen(

@@ -1,4 +1,4 @@
-"""Every mesh and picture of the scenes has its maker, and some scene that reads it."""
+"""Every mesh and picture of the scenes has its maker, and a scene that reads it."""
 
 import io
 
@@ -17,7 +17,8 @@ AGAIN = "PYTHONPATH=tools .deps/venv/bin/python -m tmap.assets"
 
 @pytest.mark.parametrize("name", assets.FILES)
 def test_committed_file_is_what_its_maker_makes(name: str) -> None:
-    """Meshes byte for byte, pictures by their texels: another zlib may pack them otherwise."""
+    """Meshes are compared byte for byte, pictures by their texels: another zlib may compress them
+    differently."""
     made, committed = assets.FILES[name](), (SCENES / name).read_bytes()
     if name.endswith(".obj"):
         assert made == committed, f"{name} is not what its maker makes: {AGAIN}"
@@ -32,7 +33,7 @@ def test_committed_file_is_what_its_maker_makes(name: str) -> None:
 
 
 def test_every_picture_and_mesh_has_a_maker_and_a_reader() -> None:
-    """Those that show what was drawn are the pages' own."""
+    """Pictures that show results belong to the pages and are left out."""
     drawn = {readme.PICTURE, readme.ANIMATION, readme.METHODS}
     there = {path for path in SCENES.rglob("*") if path.suffix in (".png", ".gif", ".obj")}
     assert there - drawn == {SCENES / name for name in assets.FILES}
@@ -42,8 +43,8 @@ def test_every_picture_and_mesh_has_a_maker_and_a_reader() -> None:
 
 @pytest.mark.parametrize("name", assets.meshes.FILES)
 def test_meshes_are_closed_and_face_outwards(name: str) -> None:
-    """Each edge belongs to two faces, which go along it opposite ways; what lies within is more
-    than nothing, by the divergence theorem."""
+    """Each edge belongs to two faces, with opposite directions; the enclosed volume is positive, by
+    the divergence theorem."""
     mesh = mesh_file.load(name, SCENES, name, (1, 1))
     edges = [(face[k - 1], face[k]) for face in mesh.faces for k in range(len(face))]
     assert len(edges) == len(set(edges)), name

@@ -1,4 +1,4 @@
-"""The disk for owners of real Amigas: its image, and what it does when it is booted."""
+"""The disk for owners of real Amigas: its image, and a boot from it."""
 
 import json
 import re
@@ -16,18 +16,18 @@ from tmap.guest import emulator, kernels
 from tmap.guest.kernels import Shown
 from tmap.product import disk
 
-#: What AmigaDOS's shell has in the ROM, from Kickstart 2.0 on.
+#: Commands that AmigaDOS's shell has in the ROM, from Kickstart 2.0 on.
 IN_ROM = {"ask", "cd", "echo", "else", "endif", "endskip", "failat", "get", "if", "lab", "path",
           "prompt", "quit", "resident", "run", "set", "skip", "stack", "unset", "why"}
 PARTS = 7  # of the demo
-#: Seconds of processor time in which a booted disk writes nothing, and which it takes at most.
+#: Seconds of processor time for which a booted disk may write nothing.
 PATIENCE = emulator.PATIENT_SECONDS
 FIGURES = re.compile(r"(.{16})(.{7})(.{7})(.{6})  (\d+) colour clocks, (\d+) calls")
 
 
 @pytest.fixture(scope="module")
 def files() -> dict[str, bytes]:
-    """What is on the disk."""
+    """The files on the disk."""
     return disk.contents()
 
 
@@ -40,7 +40,8 @@ def image(files, tmp_path_factory) -> Path:
 
 
 def test_image_is_a_bootable_disk(files, image):
-    """Its size, its boot block's checksum and type; every file comes back, its room is known."""
+    """Size, boot block's checksum and type; every file can be read back, and the free space is
+    right."""
     assert image.stat().st_size == disk.SIZE == 901_120
     volume = disk.opened(image)
     assert volume.boot.valid_chksum and volume.boot.dos_type == 0x444F5301
@@ -63,7 +64,7 @@ def test_start_needs_no_other_files(files):
 
 
 def test_too_much_is_refused_before_anything_is_written(monkeypatch, image, tmp_path):
-    """By name and sizes, and what was there stays."""
+    """The error has name and sizes, and an existing image is unchanged."""
     out = tmp_path / "old.adf"
     out.write_bytes(b"old")
     monkeypatch.setattr(disk, "contents", lambda: {"small": bytes(1000), "large": bytes(900_000)})
@@ -77,7 +78,7 @@ def test_too_much_is_refused_before_anything_is_written(monkeypatch, image, tmp_
 
 
 def test_texts_that_do_not_fit_are_refused(tmp_path):
-    """Wide lines, and what is not ASCII."""
+    """Lines that are too wide, and characters that are not ASCII."""
     for content in ("x" * 77, "caf\u00e9", "a\tb"):
         path = tmp_path / "text"
         path.write_text("fine\n" + content + "\n")
@@ -102,7 +103,7 @@ def boot(path: Path, machine: str, folder: Path, last: str) -> None:
 
 
 def names(path: Path) -> set[str]:
-    """What is in an image's root; nothing while that is being written."""
+    """The names in an image's root; none while the directory is being written."""
     try:
         entries = disk.opened(path).get_root_dir().get_entries()
     except disk.FSError:
@@ -116,9 +117,9 @@ def entries_of(machine: str) -> list:
 
 
 def doubt(entry, machine: str, row: dict) -> float:
-    """By how many cycles a figure may be another than the committed one: DOUBT ticks where only the
-    CPU counts; with chip RAM, whose refresh does not begin with the measurement, what the bench
-    itself allows. And two decimals, of both."""
+    """The largest difference in cycles between a figure and the committed one: DOUBT ticks if only
+    the CPU counts; with chip RAM, whose refresh is not synchronised with the measurement, the
+    bench's own tolerance; plus the rounding of both to two decimals."""
     if machine == "a1200-fast" and not entry.chip:
         return bench.DOUBT * row["one_tick"] + 0.01
     return max(bench.TOLERANCE * bench.cycles(row), bench.DOUBT * row["one_tick"]) + 0.01
@@ -126,9 +127,9 @@ def doubt(entry, machine: str, row: dict) -> float:
 
 @pytest.mark.parametrize("machine", owner.MACHINES)
 def test_booted_disk_measures_what_is_committed(files, machine, tmp_path):
-    """From the floppy drive alone: Startup-Sequence with a frame of each of the demo's parts, then
-    the bench, whose file comes back from the disk: a line for every row, the same cycles, the same
-    pixels."""
+    """Boots from the floppy drive alone: Startup-Sequence with a frame of each of the demo's parts,
+    then the bench. Its file, read back from the disk, has a line for every row, with the same
+    cycles and the same pixels."""
     path = tmp_path / "booted.adf"
     start = files["S/Startup-Sequence"]
     assert start.count(b"\ndemo\n") == 1
@@ -140,7 +141,7 @@ def test_booted_disk_measures_what_is_committed(files, machine, tmp_path):
     assert len(shown) == PARTS, shown
     said = disk.read(path, "tmap020.txt").decode()
     lines = said.splitlines()
-    fast = emulator.MACHINES[machine].get("fast_memory", "0")  # AROS has 1 MB of its own besides
+    fast = emulator.MACHINES[machine].get("fast_memory", "0")  # AROS has another 1 MB
     assert re.fullmatch(r"Here: exec \d+\.\d+, 68020, AGA, PAL, 14187580 Hz, 204. KB chip, "
                         rf"{fast} KB fast", lines[1]), said
     baseline = json.loads(BASELINE.read_text())
@@ -160,7 +161,7 @@ def test_booted_disk_measures_what_is_committed(files, machine, tmp_path):
 
 
 def small_plan(drawn: int) -> bytes:
-    """A call of nothing, and a loop whose far memory has that checksum."""
+    """An empty call, and a loop whose far memory must have the checksum ``drawn``."""
     units, case, _ = step_case("addx", 1)
     case.far.add(b"\1\2\3\4")
     case.repeats, case.shown = 4, Shown("steps", units, 4000, 5000, drawn)
@@ -169,7 +170,7 @@ def small_plan(drawn: int) -> bytes:
 
 
 def no_boot(content: bytes) -> bytes:
-    """An image whose boot block has a wrong checksum, so that another disk is booted."""
+    """The image with a wrong checksum in its boot block, so that another disk is booted."""
     return content[:4] + bytes(4) + content[8:]
 
 
@@ -180,7 +181,7 @@ def full_disk() -> bytes:
 
 
 def save_to(content: bytes, folder: Path, **options: str) -> emulator.Result:
-    """What the bench ends with where its file is to go to a floppy disk."""
+    """Runs the bench with its file on a floppy disk."""
     path = folder / "floppy.adf"
     disk.save(path, no_boot(content))
     result, = emulator.run_many(["measure df0:x PLAN plan"], {"plan": small_plan(0)},
@@ -189,7 +190,7 @@ def save_to(content: bytes, folder: Path, **options: str) -> emulator.Result:
 
 
 def test_what_is_lacking_is_said(tmp_path):
-    """Arguments and files; and pixels other than the emulated machine's."""
+    """Missing arguments and files; pixels that differ from the emulated machine's."""
     right = kernels.checksum(b"\1\2\3\4")
     plan, wrong = small_plan(right), small_plan(right + 1)
     said = {"measure PLAN right": ("Saved as tmap020.txt", 0),
@@ -212,7 +213,8 @@ def test_what_is_lacking_is_said(tmp_path):
 
 
 def test_disks_that_cannot_be_written(tmp_path):
-    """In dos's words and without its requester: write-protected, and full (as AROS has it)."""
+    """The errors are dos's messages, without its requester: write-protected, and full (as AROS
+    reports it)."""
     result = save_to(disk.image({})[0], tmp_path / "protected",
                      uae_floppy_write_protect="true")
     assert result.output.endswith("\ndf0:x cannot be created: disk is write-protected\n")

@@ -1,4 +1,4 @@
-"""The pages for readers: tables are tools', and what they name is there."""
+"""The pages for readers: tables are generated, and what the pages name exists."""
 
 import importlib
 import re
@@ -13,7 +13,7 @@ from tmap.report import pages, readme, readme_numbers
 TEXTS = pages.read()
 MARKED = "before\n{}\n| a |\n|---|\n| 1 |\n{}\nbehind\n"
 AGAIN = "scripts/tmap readme"
-LONGEST = 130  # letters of a line; tables and addresses may be longer
+LONGEST = 130  # characters of a line; tables and addresses may be longer
 
 
 def table(title: str, end: str = pages.END) -> str:
@@ -22,7 +22,7 @@ def table(title: str, end: str = pages.END) -> str:
 
 
 def test_tables_are_the_tools() -> None:
-    """Each table is what the tool makes of the committed figures, each in one page."""
+    """Each table is what the tool makes of the committed figures, and is in only one page."""
     made = pages.with_tables(TEXTS, readme.tables())
     for name, text in TEXTS.items():
         assert text == made[name], f"{name}: a table is not the baselines': {AGAIN}"
@@ -30,7 +30,7 @@ def test_tables_are_the_tools() -> None:
 
 @pytest.mark.parametrize("page", TEXTS)
 def test_page(page: str) -> None:
-    """No table is typed, no line too long, and links, files and commands are there."""
+    """No table is written by hand, no line too long; links, files and commands exist."""
     text = TEXTS[page]
     assert not pages.typed_tables(text), f"{page}: tables that no tool writes"
     assert not pages.wrong_links(page, TEXTS), f"{page}: links that lead nowhere"
@@ -45,7 +45,7 @@ def test_page(page: str) -> None:
 
 
 def test_bounds_are_where_the_page_says() -> None:
-    """Each name in the column of tools is one."""
+    """Each name in the column of tools can be imported."""
     for line in readme_numbers.bounds_table().splitlines()[2:]:
         room, module, *names = line.split("`")[-2].split(".")
         found = importlib.import_module(f"tmap.{room}.{module}")
@@ -54,7 +54,7 @@ def test_bounds_are_where_the_page_says() -> None:
 
 
 def test_every_page_can_be_found() -> None:
-    """From README.md, by links."""
+    """Every page can be reached from README.md by links."""
     seen, todo = set(), ["README.md"]
     while todo:
         page = todo.pop()
@@ -66,7 +66,7 @@ def test_every_page_can_be_found() -> None:
 
 
 def test_tables_replace_what_was_there() -> None:
-    """Between its markers alone."""
+    """Only the text between the markers is replaced."""
     made = pages.with_tables({"a": table("one"), "b": "text"}, {"one": "| b |"})
     assert made == {"a": f"before\n{pages.BEGIN.format('one')}\n| b |\n{pages.END}\nbehind\n", "b": "text"}
 
@@ -83,7 +83,7 @@ def test_wrong_markers_are_told(texts, message) -> None:
 
 
 def test_what_is_not_there_is_found(tmp_path) -> None:
-    """Links, files, commands and typed tables; not those in blocks of code."""
+    """Links, files, commands and hand-written tables; those in code blocks are ignored."""
     (tmp_path / "c").mkdir()
     texts = {"README.md": "[a](c/README.md) [b](c/README.md#the-numbers) [c](c/README.md#none) [d](#top)\n"
                           "# Top\n[e](gone.md) [f](https://example.org/x)\n```\n[g](gone)\n```\n",

@@ -24,7 +24,7 @@ def test_picture_is_the_default_scenes() -> None:
 
 
 def test_animation_is_the_knots() -> None:
-    """Every other frame of it, in its fewer colours."""
+    """The animation is every other frame of the scene, with fewer colours."""
     compiled = scene.compile_scene(SCENES / "environment.toml")
     colours, entries = readme.fewer_colours(compiled.palette, model.render(compiled, 0))
     with Image.open(readme.ANIMATION) as shown:
@@ -37,7 +37,8 @@ def test_animation_is_the_knots() -> None:
 
 
 def test_methods_are_as_the_picture_shows_them() -> None:
-    """Its frames, cycles and errors, which it has with it as text, are those of today."""
+    """The picture's frames, and the cycles and errors stored in it as text, are the current
+    ones."""
     scenes = {name: methods.scene_of(settings) for name, settings in methods.METHODS.items()}
     drawn = guest_frames.draw([(each, "addx") for each in scenes.values()], "a1200-fast")
     made = []

@@ -1,4 +1,4 @@
-"""The report: one page that is whole without a network, on a phone and on a wide screen."""
+"""The report: one page that needs no network and can be read on a phone and on a wide screen."""
 
 import io
 import json
@@ -38,7 +38,7 @@ def made(tmp_path_factory) -> tuple[Path, Path]:
 
 
 def test_sections_stand_in_order_and_open_with_a_sentence(made) -> None:
-    """All eleven, a paragraph under each title."""
+    """All eleven sections are in order, with a paragraph under each title."""
     text = (made[0] / report.PAGE).read_text()
     assert re.findall(r'<h2 id="(\w+)">', text) == SECTIONS
     for section in text.split("<h2")[1:]:
@@ -46,7 +46,8 @@ def test_sections_stand_in_order_and_open_with_a_sentence(made) -> None:
 
 
 def test_every_table_says_where_its_figures_are_from(made) -> None:
-    """Machine, conditions, emulator, compiler, commit follow each table and list of materials."""
+    """Machine, conditions, emulator, compiler and commit follow each table and list of
+    materials."""
     text = (made[0] / report.PAGE).read_text()
     parts = re.split(r'<table|<div class="ran"', text)[1:]
     assert len(parts) > 20
@@ -58,7 +59,7 @@ def test_every_table_says_where_its_figures_are_from(made) -> None:
 
 
 def test_page_needs_no_network_and_no_script(made) -> None:
-    """All that it refers to is beside it."""
+    """All files that it refers to are in its folder."""
     text = (made[0] / report.PAGE).read_text()
     assert "<script" not in text and "http" not in text
     references = re.findall(r'(?:src|srcset|href)="([^"#]+)', text)
@@ -68,7 +69,7 @@ def test_page_needs_no_network_and_no_script(made) -> None:
 
 
 def test_figures_are_the_runs_and_the_baselines(made) -> None:
-    """Some numbers, taken from where they were measured."""
+    """Some numbers, compared with the files that have the measurements."""
     text = (made[0] / report.PAGE).read_text()
     about = next(made[1].glob("scene_mappers-*/run.json"))
     found = json.loads(about.read_text())
@@ -96,7 +97,7 @@ def test_nothing_is_measured_twice(made, tmp_path, monkeypatch) -> None:
 
 @pytest.fixture(scope="module")
 def complete(tmp_path_factory) -> Path:
-    """A written report with all parts, whose files are made up; its run tells of its lowering."""
+    """A written report with all parts, from made-up files; its run has figures of lowering."""
     folder, out = tmp_path_factory.mktemp("parts"), tmp_path_factory.mktemp("complete")
     found = data.Found(*map(data.committed, (
         data.BASELINE, data.ACCURACY_BASELINE, data.POLYS_BASELINE)), [])
@@ -134,7 +135,7 @@ def complete(tmp_path_factory) -> Path:
 
 
 def test_rules_and_spans_of_each_material(complete) -> None:
-    """A run that tells them: settings, polygons, rules, spans; names are text, never markup."""
+    """Settings, polygons, rules and spans of a run; names are text, never markup."""
     text = (complete / report.PAGE).read_text()
     for words in ("a_material_with_a_rather_long_name_of_its_own", "5 polygons", "1 polygon<",
                   "<code>constant_w_needs_no_perspective</code> 4",
@@ -148,8 +149,9 @@ def test_rules_and_spans_of_each_material(complete) -> None:
 
 
 def test_pages_read_well_in_a_browser(made, complete) -> None:
-    """Both reports on a phone and on a desk, folded parts shut and open: nothing runs off to the
-    side, all pictures come, only files are asked for, every link inside leads somewhere."""
+    """Both reports on a phone and on a desktop, with folded parts shut and open: nothing is wider
+    than the page, all pictures load, only files are requested, and every internal link has a
+    target."""
     with browser() as chromium:
         for page, opened in ((made[0] / report.PAGE, False), (complete / report.PAGE, True)):
             for width, height in SIZES:
@@ -167,7 +169,7 @@ def test_pages_read_well_in_a_browser(made, complete) -> None:
 
 
 def test_browser_notices_faults(tmp_path) -> None:
-    """The checks above see what they are for."""
+    """The checks above detect the faults that they look for."""
     page = tmp_path / "page.html"
     page.write_text('<meta name="viewport" content="width=device-width"><div style='
                     '"width:900px">wide</div>'
@@ -181,7 +183,7 @@ def test_browser_notices_faults(tmp_path) -> None:
 
 
 def test_frontier_is_what_nothing_beats() -> None:
-    """Held against every pair of rows."""
+    """Compared with every pair of rows."""
     rows = json.loads(ACCURACY_BASELINE.read_text())["rows"]
     for machine in ("a1200", "a1200-fast"):
         for name, best in pictures.frontiers(rows, machine).items():
@@ -198,7 +200,7 @@ def test_frontier_is_what_nothing_beats() -> None:
 
 @pytest.mark.parametrize("kind", published.PUBLISHED)
 def test_ranks_are_places_among_all(kind) -> None:
-    """In fast RAM the list's order; nothing is faster than memory alone."""
+    """In fast RAM the order is the list's; nothing is faster than memory alone."""
     measured = json.loads(BASELINE.read_text())
     loops = published.ranked(kind, measured)
     assert {loop.ours for loop in loops} == {True, False}
@@ -211,7 +213,7 @@ def test_ranks_are_places_among_all(kind) -> None:
     (Path("build"), ["nowhere"], "no scene is called nowhere; there are corridor,"),
     (ROOT / "Makefile", None, "is not a directory")])
 def test_bad_input_is_one_line(out, scenes, words) -> None:
-    """Told before anything is measured."""
+    """The error is reported before anything is measured."""
     with pytest.raises(UserError, match=words) as told:
         report.command(out, scenes, "a1200-fast", True)
     assert "\n" not in str(told.value)

@@ -1,4 +1,5 @@
-"""The rooms of the tree: who may use whom, no circles, short files, folders that are not full."""
+"""The rooms of the tree: which room may use which, no circles, short files, folders that are not
+full."""
 
 from collections import Counter
 from collections.abc import Callable, Iterable
@@ -13,16 +14,16 @@ TOOLS, TESTS, C = ROOT / "tools" / "tmap", ROOT / "tests", ROOT / "c"
 LINES = {".py": 400, ".c": 400, ".h": 400, ".s": 300, ".i": 300}
 #: Longer ones: a server with its ten short routines; one program with 32 ways to end.
 LONG = {"src68k/amiga/display.s": 345, "tests/guest/citizen.s": 381}
-FILES = 25  # of a folder, __init__.py not counted
+FILES = 25  # in a folder, without __init__.py
 
 
 def python(top: Path) -> list[Path]:
-    """All Python files."""
+    """All Python files below a folder."""
     return sorted(top.rglob("*.py"))
 
 
 def uses(files: Iterable[Path], used: Callable) -> dict[Path, set[Path]]:
-    """What each file uses."""
+    """Maps each file to those that it uses."""
     return {file: set(used(file)) - {file} for file in files}
 
 
@@ -33,7 +34,7 @@ GRAPHS = {
 
 
 def upwards(top: Path, lists: Iterable[str], graph: dict[Path, set[Path]]) -> list[str]:
-    """Uses of a room below, or beside."""
+    """Lists uses of a room at the same level or below."""
     ranks = rooms.ranks(lists)
     found = []
     for file, used in graph.items():
@@ -46,7 +47,8 @@ def upwards(top: Path, lists: Iterable[str], graph: dict[Path, set[Path]]) -> li
 
 
 def circle(graph: dict[Path, set[Path]]) -> list[Path]:
-    """The files of a circle, or none: files are taken away that use nothing that is left."""
+    """Returns the files of a circle, or none: repeatedly removes files that use none of the
+    remaining ones."""
     left = {file: set(used) for file, used in graph.items()}
     while True:
         ends = {file for file, used in left.items() if not used & left.keys()}
@@ -67,20 +69,20 @@ def test_rooms_use_those_above(tree: str) -> None:
 
 @pytest.mark.parametrize("tree", GRAPHS)
 def test_no_file_uses_itself_through_others(tree: str) -> None:
-    """No circle."""
+    """The graph of files has no circle."""
     found = circle(GRAPHS[tree][2])
     assert not found, ", ".join(str(file.relative_to(ROOT)) for file in found)
 
 
 def test_a_circle_and_a_use_upwards_are_found() -> None:
-    """On made-up files."""
+    """Made-up files with a circle and with a use in the wrong direction."""
     a, b, c = (TOOLS / name for name in ("base/a.py", "base/b.py", "build/c.py"))
     assert circle({a: {b}, b: {a}, c: {a}}) == [a, b, c] and not circle({a: {b}, b: set(), c: {a}})
     assert len(upwards(TOOLS, rooms.TOOLS, {a: {c}, c: {b}})) == 1
 
 
 def test_files_are_short() -> None:
-    """But for those that are named, which do not grow."""
+    """The listed files may be longer, but must not grow."""
     files = [file for top in ("tools", "tests", "c", "src68k") for file in (ROOT / top).rglob("*")
              if file.suffix in LINES]
     counts = {str(file.relative_to(ROOT)): len(file.read_text().splitlines()) for file in files}
@@ -91,6 +93,6 @@ def test_files_are_short() -> None:
 
 @pytest.mark.parametrize("tree", GRAPHS)
 def test_folders_are_not_full(tree: str) -> None:
-    """Of Python and C."""
+    """Counts Python and C files."""
     counts = Counter(file.parent for file in GRAPHS[tree][2] if file.name != "__init__.py")
     assert not {str(folder.relative_to(ROOT)): n for folder, n in counts.items() if n > FILES}

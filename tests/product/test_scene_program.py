@@ -1,5 +1,5 @@
-"""Programs built for one scene: they draw what the full renderer draws, as fast, and hold nothing
-else."""
+"""Programs built for one scene: they draw what the full renderer draws, as fast, and contain
+nothing else."""
 
 import json
 
@@ -70,8 +70,8 @@ material = "filtered"
 vertices = [[1, 1, 0, 0], [30, 2, 20, 0], [28, 30, 20, 20], [2, 28, 0, 20]]
 centre = [32, 0]
 """
-#: A program's file without maps, bytes, by gcc: the figure reached, and a dozen by which holes
-#: between held cache lines differ.
+#: Bytes of a program's file without maps, built with gcc: the current figure, plus about a dozen by
+#: which gaps between fixed cache lines vary.
 MOST = {"triangle": 10_660}
 
 
@@ -91,21 +91,21 @@ def folder(tmp_path_factory):
 
 
 def make(path, out, capsys) -> dict:
-    """Makes a program by the command and returns its program.json."""
+    """Runs the command; returns its program.json."""
     assert main(["scene-program", str(path), "-o", str(out)]) == 0, capsys.readouterr().err
     return json.loads((out / "program.json").read_text())
 
 
 def routines(out, name: str) -> set[str]:
-    """What stands in a program's map."""
+    """The names in a program's map."""
     return {line.split()[1] for line in (out / f"{name}.map").read_text().splitlines()}
 
 
 def check(about: dict, out, name: str) -> None:
-    """Holds a program to the full renderer's times, and its table to its file.
+    """Compares a program's times with the full renderer's, and its table with its file.
 
-    That its frames are the full renderer's, byte for byte, is what the command refuses else;
-    ``test_wrong_frame_is_refused`` has a look at that.
+    The command itself refuses a program whose frames are not the full renderer's, byte for byte;
+    ``test_wrong_frame_is_refused`` tests that.
     """
     ticks = about["ticks"]
     apart = [own - full for own, full in zip(ticks["own"], ticks["full"], strict=True)]
@@ -149,7 +149,8 @@ def test_flat_polygon(folder, tmp_path, capsys):
 
 
 def test_texture_units(folder, tmp_path, capsys):
-    """Their engine too, as far as the scene calls for it: no levels, divides or combiner."""
+    """The program also has the parts of their engine that the scene needs: no levels, divides or
+    combiner."""
     about = make(folder / "units.toml", tmp_path, capsys)
     check(about, tmp_path, "units")
     inside = routines(tmp_path, "units")
@@ -214,8 +215,8 @@ def test_calls_of_what_never_ran_stop():
 
 
 def test_calls_need_no_relocation():
-    """jsr and jmp of an address become a 68000's branches, a 68020's where code is timed once; where
-    it is timed again and again they stay, and so do addresses of data and of cleared memory."""
+    """jsr and jmp with an address become branches of a 68000, or of a 68020 if the code is timed
+    once. Repeatedly timed code is unchanged, and so are addresses of data and of cleared memory."""
     calls = bytes.fromhex("4eb900000000 4ef900000000 4eb900000000 223c00000000")
     other = section("other", bytes(64), symbols={"other": 0})
     cleared = Section("build/obj/asm/amiga/x.o", ".bss.x", b"", 8, 4, bss=True, symbols={"x": 0})
@@ -236,7 +237,7 @@ def test_calls_need_no_relocation():
 
 
 def test_strings_are_parts_of_their_own():
-    """A program holds those of a section of strings that it refers to."""
+    """A program contains only the strings that it refers to."""
     whole = Section("build/obj/gcc/system/x.o", ".rodata.x.str1.1", b"ab\0\0cde\0", 8, 4)
     strings = elf_object.split_strings(whole)
     assert {at: part.data for at, part in strings.items()} == {0: b"ab\0", 3: b"\0", 4: b"cde\0"}
@@ -252,7 +253,8 @@ def test_what_nothing_defines_is_refused():
 
 
 def test_fixed_places_keep_their_cache_lines():
-    """Timed sections lie as in the full renderer, modulo the cache's size, apart."""
+    """Timed sections have the same cache lines as in the full renderer, modulo the cache's size,
+    and do not overlap."""
     entry = section("start", bytes(8), symbols={"start": 0}, relocations=[
         Relocation(0, 4, False, "a", 0), Relocation(4, 4, False, "b", 0)])
     a = section("a", bytes(40), symbols={"a": 0})

@@ -1,5 +1,5 @@
 """The SDK: complete, of one convention, the same bytes in every form; and its example draws the
-model's pictures, however it was built."""
+model's pictures, whichever tools built it."""
 
 import io
 import re
@@ -27,25 +27,26 @@ from tmap.product import sdk
 from tmap.setup.texturing import Settings
 
 WIDTH, HEIGHT = 160, 128  # of the example's pictures
-#: Each set of the example's tools, and the programs that it takes beside vasm: all are tried that
-#: are there, the first one always.
+#: Sets of the example's tools, and the programs that each needs besides vasm: all installed sets
+#: are tested, the first one always.
 TOOLS = {"elf": ("m68k-linux-gnu-gcc", "m68k-linux-gnu-ld"), "vbcc": ("vbccm68k", "vlink"),
          "gcc": ("m68k-amigaos-gcc",)}
 WARNINGS = ("-pedantic", "-Wall", "-Wextra", "-Werror", "-fsyntax-only")
-#: What headers are compiled by, the same way.
+#: Compilers for the headers, all used the same way.
 COMPILERS = {
     "m68k-linux-gnu-gcc": ("-std=c99", *WARNINGS, "-m68020", "-x", "c"),
     "m68k-amigaos-gcc": ("-std=c99", *WARNINGS, "-m68020", "-x", "c"),
     "g++": ("-std=c++11", *WARNINGS, "-x", "c++"),
     "vbccm68k": ("-c99", "-cpu=68020", "-quiet", "-warnings-as-errors")}
-#: What C code for texture engines asks the program for, as README.txt says.
+#: The functions that C code for texture engines needs from the program, as listed in README.txt.
 ASKED = {"_mem_take"}
-#: Routines that are no public ones: parts of others, and loops that are for measuring alone.
+#: Routines that are not public: parts of others, and loops used only for measuring.
 PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_rounded"}
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
-#: Bytes of the example's programs, as README.txt says: only what is called for is linked.
+#: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
+#: linked.
 MOST = {"spans": 1_500, "example": 50_000}
-#: What sections are called, by linker: of code, and of tables.
+#: Names of sections, by linker: of code, and of tables.
 SECTIONS = {"vlink": {Hunk.HUNK_CODE: "CODE", Hunk.HUNK_DATA: "DATA"},
             "gcc": {Hunk.HUNK_CODE: ".text", Hunk.HUNK_DATA: ".data"}}
 LIBRARIES = {"vlink": "tmap020.lib", "gcc": "libtmap020.a"}
@@ -53,7 +54,7 @@ LIBRARIES = {"vlink": "tmap020.lib", "gcc": "libtmap020.a"}
 
 @pytest.fixture(scope="module")
 def kit(tmp_path_factory):
-    """The SDK, and its archive beside it."""
+    """The SDK's folder; its archive is in the same place."""
     out = tmp_path_factory.mktemp("made") / "sdk"
     assert sdk.command(out) == 0
     return out
@@ -67,12 +68,12 @@ class Piece:
     name: str
     kind: int
     defined: dict[str, int]
-    inside: dict[int, int]  # offsets that the address of a hunk of the unit is added to
+    inside: dict[int, int]  # offsets to which the address of a hunk of the unit is added
     outside: dict[int, str]  # or a symbol's address
 
 
 def piece(segment: list[dict]) -> Piece:
-    """A segment of amitools' reader."""
+    """Converts a segment from amitools' reader."""
     made = Piece(bytes(segment[0]["data"]), segment[0]["name"], segment[0]["type"], {}, {}, {})
     for hunk in segment[1:]:
         if hunk["type"] == Hunk.HUNK_ABSRELOC32:
@@ -85,7 +86,7 @@ def piece(segment: list[dict]) -> Piece:
 
 
 def units(data: bytes) -> dict[str, list[Piece]]:
-    """The units of an object or a library by name, each by its hunks."""
+    """The units of an object or a library by name, each with its hunks."""
     reader = HunkReader()
     assert reader.read_file_obj("", io.BytesIO(data)) == Hunk.RESULT_OK, reader.error_string
     assert reader.build_segments(), reader.error_string
@@ -119,7 +120,8 @@ def test_no_argument_in_frame_pointer_or_library_base():
 
 
 def test_every_routine_has_objects_and_entries(kit, libraries, elf):
-    """Under both names, in all three libraries and in the include file, and C knows it."""
+    """Each routine has both names in all three libraries and in the include file, and a C
+    declaration."""
     include = (kit / "include" / "tmap020.i").read_text()
     headers = subprocess.run(["m68k-linux-gnu-gcc", "-E", "-P", f"-I{kit / 'include'}",
                               kit / "include" / "tmap020.h"], capture_output=True, text=True).stdout
@@ -135,7 +137,7 @@ def test_every_routine_has_objects_and_entries(kit, libraries, elf):
 
 
 def test_symbols_and_sections(libraries):
-    """Every symbol has both names, every section its linker's; none refers to anything else."""
+    """Every symbol has both names, every section its linker's name; nothing else is referred to."""
     for linker, found in libraries.items():
         pieces = [piece for unit in found.values() for piece in unit]
         assert all(piece.name == SECTIONS[linker][piece.kind] for piece in pieces), linker
@@ -159,12 +161,12 @@ def test_libraries_are_their_objects(kit, libraries, elf):
 
 
 def address_of(name: str) -> int:
-    """Some address for a symbol of another object."""
+    """A made-up address for a symbol of another object."""
     return 0x400000 + sum(ord(c) << k % 16 for k, c in enumerate(name)) * 4
 
 
 def placed(data: bytes, fields: list[tuple[int, int, int]]) -> bytes:
-    """Data with values in its fields: offset, bytes, value."""
+    """The data with values written to its fields: offset, bytes, value."""
     out = bytearray(data)
     for offset, size, value in fields:
         out[offset:offset + size] = (value & (1 << 8 * size) - 1).to_bytes(size, "big")
@@ -172,7 +174,7 @@ def placed(data: bytes, fields: list[tuple[int, int, int]]) -> bytes:
 
 
 def linked_elf(sections: list[Section]) -> list[bytes]:
-    """An object's sections, the first at $10000, the next at $20000 ..."""
+    """An object's sections after linking, the first at $10000, the next at $20000 ..."""
     base = {id(section): (k + 1) << 16 for k, section in enumerate(sections)}
 
     def value(section: Section, r: Relocation) -> int:
@@ -184,7 +186,7 @@ def linked_elf(sections: list[Section]) -> list[bytes]:
 
 
 def linked_hunks(pieces: list[Piece]) -> list[bytes]:
-    """The same of a unit: what loaders and linkers do is an addition."""
+    """The same for a unit: loaders and linkers add the address to the field."""
     def added(piece: Piece, at: int, address: int) -> tuple[int, int, int]:
         return at, 4, int.from_bytes(piece.data[at:at + 4], "big") + address
 
@@ -194,7 +196,7 @@ def linked_hunks(pieces: list[Piece]) -> list[bytes]:
 
 
 def test_hunks_hold_what_elf_objects_do(libraries, elf):
-    """The same bytes wherever they are linked to, and the same symbols."""
+    """The bytes are the same at any address, and so are the symbols."""
     for linker, found in libraries.items():
         for name, sections in elf.items():
             pieces = found[name]
@@ -247,7 +249,7 @@ def test_c_sources_ask_for_nothing_but_memory(kit):
 
 
 def test_lists_of_sources(kit):
-    """All of them are there and every source is in one; polygon_draw needs no memory."""
+    """All listed files exist and every source is in a list; polygon_draw needs no memory."""
     text = (kit / "c" / "sources.mk").read_text().replace("\\\n", " ")
     lists = {name: files.split() for name, files in re.findall(r"^(\w+) := (.*)$", text, re.M)}
     assert set(lists) == set(sdk.LISTS)
@@ -274,7 +276,7 @@ def test_headers_compile_alone(kit, tmp_path, compiler):
 
 
 def square(number: int) -> np.ndarray:
-    """Frame ``number`` of example.c by the model."""
+    """Frame ``number`` of example.c as the model draws it."""
     cosine, sine = ((63, 10), (57, 29), (45, 45), (29, 57))[number]
     vertices = [((WIDTH // 2 << 16) + (cosine * right - sine * down) * 1024,
                  (HEIGHT // 2 << 16) + (sine * right + cosine * down) * 1024,
@@ -288,7 +290,7 @@ def square(number: int) -> np.ndarray:
 
 
 def turned() -> np.ndarray:
-    """The frame of spans.s, pixel by pixel."""
+    """The frame of spans.s, computed pixel by pixel."""
     y, x = np.indices((HEIGHT, WIDTH))
     u, v = 0xC000 * x - 0x6000 * y, 0x6000 * x + 0xC000 * y
     return ((u >> 16 ^ v >> 16) & 255).astype(np.uint8)
@@ -296,7 +298,7 @@ def turned() -> np.ndarray:
 
 @pytest.mark.parametrize("tools", [name for name in TOOLS if all(map(shutil.which, TOOLS[name]))])
 def test_example_draws_the_models_pictures(kit, tmp_path, tools):
-    """Built as its Makefile does, run on the machine with the least memory."""
+    """Built with its Makefile, run on the machine with the least memory."""
     folder = kit / "example"
     done = subprocess.run(["make", "-C", folder, f"TOOLS={tools}", f"PYTHON={sys.executable}",
                            f"VASM={ROOT / 'scripts' / 'vasm'}"], capture_output=True, text=True)

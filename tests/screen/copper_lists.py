@@ -1,7 +1,8 @@
-"""What a copper list makes AGA show: registers, palette, and the dots of the planes it names.
+"""Decodes what a copper list makes AGA show: registers, palette, and the dots of the planes it
+names.
 
 Written from the Hardware Reference Manual and its AGA supplement, for lists without skips and
-without branches, whose waits part them into regions from the top of the field down.
+without branches, whose waits divide them into regions from the top of the field down.
 """
 
 from dataclasses import dataclass, field
@@ -11,18 +12,18 @@ import numpy as np
 DIWSTRT, DIWSTOP, DDFSTRT, DDFSTOP, DMACON = 0x08E, 0x090, 0x092, 0x094, 0x096
 BPL1PTH, BPLCON0, BPLCON1, BPLCON3 = 0x0E0, 0x100, 0x102, 0x106
 BPL1MOD, BPL2MOD, COLOR00, DIWHIGH, FMODE = 0x108, 0x10A, 0x180, 0x1E4, 0x1FC
-LOW_NIBBLES = 0x0200  # BPLCON3
-ROWS_TWICE = 0x4000  # FMODE
+LOW_NIBBLES = 0x0200  # bit of BPLCON3
+ROWS_TWICE = 0x4000  # bit of FMODE
 #: Colour clocks of a move, and of a raster line.
 MOVE, LINE = 4, 227
-FIRST_DOT = 0x81, 0x38  # the beam's place at which what is fetched from there on begins
+FIRST_DOT = 0x81, 0x38  # the beam position of the first dot, and the colour clock of its fetch
 
 
 @dataclass
 class Region:
-    """The registers from one wait to the next, and how many moves were made since the last."""
+    """The registers from one wait to the next, and the number of moves since the last wait."""
 
-    line: int  # it begins there
+    line: int  # where the region begins
     moves: int
     registers: dict[int, int]
     palette: np.ndarray  # 256 x 3, 8 bits each
@@ -30,13 +31,14 @@ class Region:
 
 @dataclass
 class Walker:
-    """The copper: what it has written so far."""
+    """The copper: the values written so far."""
 
     registers: dict[int, int] = field(default_factory=dict)
     palette: np.ndarray = field(default_factory=lambda: np.zeros((256, 3), np.uint8))
 
     def move(self, register: int, value: int) -> None:
-        """A colour goes to the bank that BPLCON3 names: both nibbles, or the lower one alone."""
+        """Writes a register; a colour is written to the bank in BPLCON3: both nibbles, or the lower
+        one only."""
         if not COLOR00 <= register < COLOR00 + 64:
             self.registers[register] = value
             return
@@ -50,7 +52,7 @@ class Walker:
 
 
 def regions(words: np.ndarray) -> list[Region]:
-    """A list's regions, from line 0 on; the list ends with the wait for what never comes."""
+    """A list's regions, from line 0 on; the list ends with a wait that is never met."""
     walker, found, moves, line, wrapped = Walker(), [], 0, 0, 0
     for first, second in words.reshape(-1, 2).tolist():
         if not first & 1:
@@ -58,7 +60,7 @@ def regions(words: np.ndarray) -> list[Region]:
             moves += 1
             continue
         assert second == 0xFFFE, f"a skip, or a wait by part of the beam's place: {first:04x} {second:04x}"
-        if first == 0xFFDF:  # the last place of line 255 that a wait can name
+        if first == 0xFFDF:  # the last position in line 255 that a wait can name
             wrapped = 256
             continue
         found.append(Region(line, moves, dict(walker.registers), walker.palette.copy()))
@@ -69,14 +71,14 @@ def regions(words: np.ndarray) -> list[Region]:
 
 
 def signed(value: int) -> int:
-    """16 bits as a number."""
+    """A 16-bit word as a signed number."""
     return value - (value >> 15 << 16)
 
 
 @dataclass
 class Picture:
-    """The dots inside a region's window, and where that is: top and bottom line, left and right by
-    DIWSTRT's count."""
+    """The dots inside a region's window, and its position: top and bottom line, left and right in
+    DIWSTRT's units."""
 
     top: int
     bottom: int
@@ -92,13 +94,14 @@ def resolution(region: Region) -> int:
 
 
 def planes_of(region: Region) -> int:
-    """How many bitplanes there are."""
+    """The number of bitplanes."""
     control = region.registers[BPLCON0]
     return control >> 12 & 7 | (control & 0x10) >> 1
 
 
 def picture(region: Region, memory: bytes, address: int) -> Picture:
-    """What the display fetches from ``memory``, which lies at ``address``, 64 bits at a time."""
+    """The dots that the display fetches from ``memory``, which is at ``address``, 64 bits at a
+    time."""
     r, shift = region.registers, resolution(region)
     assert r[FMODE] & 3 == 3 and r[BPLCON1] & 15 == r[BPLCON1] >> 4 & 15
     start, stop, high = r[DIWSTRT], r[DIWSTOP], r[DIWHIGH]
@@ -106,7 +109,7 @@ def picture(region: Region, memory: bytes, address: int) -> Picture:
     left, right = start & 255 | (high >> 5 & 1) << 8, stop & 255 | (high >> 13 & 1) << 8
     unit = 32 >> shift  # colour clocks from one fetch of a plane to the next
     assert (r[DDFSTRT] - FIRST_DOT[1]) % unit == 0
-    assert (r[DDFSTOP] - r[DDFSTRT]) % unit == 0  # else it goes on to the next multiple
+    assert (r[DDFSTOP] - r[DDFSTRT]) % unit == 0  # else it fetches up to the next multiple
     row_bytes = 8 * ((r[DDFSTOP] - r[DDFSTRT]) // unit + 1)
     delay = r[BPLCON1] & 15 | (r[BPLCON1] >> 10 & 3) << 4
     first = FIRST_DOT[0] + 2 * (r[DDFSTRT] - FIRST_DOT[1]) + delay

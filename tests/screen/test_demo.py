@@ -1,5 +1,5 @@
-"""The demo on the emulated machines: the rate that each part keeps, the governor's steps, the race,
-how it ends, and what it refuses.
+"""The demo on the emulated machines: the frame rate of each part, the governor's steps, the race,
+how it ends, and which input it refuses.
 """
 
 import re
@@ -17,31 +17,32 @@ from tmap.run import demo
 from tmap.run.governor import Governor
 
 FRAMES = 40
-MOST = 50  # pictures of a form in the race's frames
-WHOLE = 2  # frames, one for either set of planes, that show panes whole after a step's change
-FIELDS = 2  # of a frame, for 25 a second
-FORMS = ("addx", "swap")  # the race's
-#: How far the ratio of both forms' times that the race shows may be from render's, which interrupts
-#: hit both: what its figures promise, not a bound that is derived.
+MOST = 50  # most pictures of a form in the race's frames
+WHOLE = 2  # frames, one for each set of planes, until panes are whole after a step's change
+FIELDS = 2  # a frame, for 25 a second
+FORMS = ("addx", "swap")  # of the race
+#: How far the ratio of both forms' times in the race may be from render's; interrupts slow both
+#: forms. This is what the demo's figures promise, not a derived bound.
 RATIO = 0.02
 FIELD = 312 * 227  # colour clocks
-#: The share of the display's DMA where code and data lie in chip RAM: of a field's 312 lines of 227
-#: colour clocks, 200 with 40 fetches (8 planes, 64 pixels each), 20 with 10 of the status lines, and
-#: the copper's 2 x 530 words. The CPU has every other colour clock, so each takes it two at most.
+#: The share of the display's DMA if code and data are in chip RAM: of a field's 312 lines of 227
+#: colour clocks, 200 have 40 fetches (8 planes, 64 pixels each), 20 have 10 of the status lines,
+#: and the copper reads 2 x 530 words. The CPU has every other colour clock, so each fetch costs it
+#: two at most.
 DISPLAY = 2 * (200 * 40 + 20 * 10 + 2 * 530) / FIELD
 RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
-#: Parts whose frames come 25 times a second once they have settled.
+#: Parts with 25 frames a second once the governor has settled.
 KEPT = RACE, EDGES, PERSPECTIVE, POSTER, MIRROR
 BUSY = "display 9 0 320 256"  # tests/guest/display.c
-AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape let go, space, escape,
-KEY_FIELDS = 30  # one each so many fields
+AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape released, space, escape,
+KEY_FIELDS = 30  # one key each so many fields
 PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
 PANE = re.compile(r"pane (\d+) pictures (\d+) ticks (\d+) used (\d+)")
 FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) excluded (\d+) lines (\d+)")
 
 
 class Played:
-    """A part as LOG tells it."""
+    """A part of the demo, as logged with LOG."""
 
     def __init__(self, line: re.Match):
         self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
@@ -50,7 +51,7 @@ class Played:
 
 
 def read(output: str) -> dict[int, Played]:
-    """The parts in what the demo printed."""
+    """Parses the demo's output into parts."""
     parts = {}
     for line in output.splitlines():
         if match := PART.fullmatch(line):
@@ -71,8 +72,8 @@ def data() -> dict[str, bytes]:
 
 @pytest.fixture(scope="module", params=["a1200-fast", "a1200"])
 def played(request, data, tmp_path_factory):
-    """The machine, its parts, the ticks of the race's frames by render, a row a form, and those of the
-    same work again and again, the first with interrupts off."""
+    """The machine; its parts; the ticks of the race's frames by render, one row a form; and the
+    ticks of one piece of work, timed repeatedly, the first time with interrupts off."""
     programs, guest = tmp_path_factory.mktemp("programs"), GUEST
     guest_program.build(programs, guest / "display.c", guest / "events.s")
     for name in ("demo", "render"):
@@ -94,7 +95,7 @@ def test_all_parts_are_played(played):
 
 
 def test_frames_come_in_time(played):
-    """What the demo promises: two fields for every frame once the governor has settled."""
+    """The demo promises two fields for every frame once the governor has settled."""
     machine, parts, *_ = played
     for number in KEPT:
         steps = [each[0] for each in parts[number].each]
@@ -106,7 +107,8 @@ def test_frames_come_in_time(played):
 
 
 def test_steps_have_equal_times(played):
-    """Where frames come as they can: each step's begin is the first frame after its share's."""
+    """In parts without a fixed frame rate each step has an equal share of the time: it begins with
+    the frame after the one in which its share of the time begins."""
     machine, parts, *_ = played
     for number in (OCEAN, FLOOR):
         each = parts[number].each
@@ -122,7 +124,7 @@ def test_steps_have_equal_times(played):
 
 
 def test_governor_is_the_models(played, data):
-    """Bit for bit, from the times in the log."""
+    """The steps are the model's exactly, computed from the times in the log."""
     machine, parts, *_ = played
     budget = layout.load().constants["FRAME_BUDGET"]
     for number in (EDGES, POSTER, MIRROR):
@@ -134,15 +136,15 @@ def test_governor_is_the_models(played, data):
 
 
 def test_fast_ram_reaches_better_steps(played):
-    """Two boards' size, and which of five mirrors."""
+    """Fast RAM reaches better steps: the size of the two boards, and which of five mirrors."""
     machine, parts, *_ = played
     steps = {"a1200-fast": (1, 3), "a1200": (2, 5)}[machine]
     assert (parts[EDGES].step, parts[MIRROR].step) == steps
 
 
 def interrupted(busy: list[int], elapsed: int) -> int:
-    """The most that interrupts took of so long a time, in ticks, wherever in the measured work it
-    lies."""
+    """The most ticks that interrupts took in a period of ``elapsed`` ticks, anywhere in the
+    measured work."""
     exact, *ticks = busy
     ends = np.cumsum([0, *ticks])
     assert ends[-1] > 2 * elapsed, f"{ends[-1]} ticks are measured, {elapsed} elapsed"
@@ -155,10 +157,10 @@ def interrupted(busy: list[int], elapsed: int) -> int:
 
 
 def test_race_is_the_renderers(played):
-    """Each form's pictures take what render measures for the same frames with the system off. What
-    they take longer, both together, is not more than interrupts take of the race's whole time, and,
-    with chip RAM alone, the display of theirs. Pictures whose pixels are counted, one of COUNT_EVERY,
-    are left out."""
+    """Each form's pictures take at least what render measures for the same frames with the system
+    off. The extra time of both together is at most what interrupts take of the race's whole time,
+    plus, with chip RAM alone, the display's share. Every COUNT_EVERY-th picture is left out, as its
+    pixels are counted."""
     machine, parts, quiet, busy = played
     every = layout.load().constants["COUNT_EVERY"]
     display = DISPLAY if machine == "a1200" else 0
@@ -179,8 +181,8 @@ def test_race_is_the_renderers(played):
 
 
 def test_lanes_have_equal_time(played):
-    """The pane that has had the least is drawn next: they differ by a picture at most, which
-    may take twice the mean."""
+    """The pane with the least time is drawn next: panes differ by at most one picture, which may
+    take twice the mean."""
     machine, parts, *_ = played
     for number in (RACE, PERSPECTIVE):
         panes = parts[number].panes
@@ -190,14 +192,14 @@ def test_lanes_have_equal_time(played):
 
 
 def changes(steps: list[int]) -> int:
-    """How often a sequence turns round."""
+    """How often a sequence changes direction."""
     ways = [b > a for a, b in zip(steps, steps[1:]) if a != b]
     return sum(a != b for a, b in zip(ways, ways[1:]))
 
 
 @pytest.mark.parametrize("seed", range(20))
 def test_governor_does_not_oscillate(seed):
-    """Its rule: a load that stays within a tenth changes the step in one direction alone."""
+    """A load that varies by less than a tenth changes the step in only one direction."""
     rng = np.random.default_rng(seed)
     for case in range(20):
         count = int(rng.integers(2, 7))
@@ -211,7 +213,7 @@ def test_governor_does_not_oscillate(seed):
 
 
 def test_governor_goes_up_where_there_is_room():
-    """A load that halves brings the better step back, and only after a calm second."""
+    """If the load halves the better step returns, but only after a calm second."""
     governor = Governor(2, 134_000)
     for _ in range(10):
         governor.next([150_000, 100_000][governor.step])
@@ -222,7 +224,7 @@ def test_governor_goes_up_where_there_is_room():
 
 @pytest.fixture(scope="module")
 def ended(data, tmp_path_factory) -> list[tuple]:
-    """Command lines, return codes, what was said and the machine's state before and after."""
+    """Command lines, return codes, output, and the machine's state before and after."""
     folder = tmp_path_factory.mktemp("ended")
     parts = data[demo.SCRIPT]
     broken = parts + parts[parts.rindex(b"\npart "):].replace(b"scene mirror.", b"scene nothing.")
@@ -248,7 +250,7 @@ def ended(data, tmp_path_factory) -> list[tuple]:
 
 
 def test_endings(ended):
-    """Return codes and last words; part 8 lacks its scene, which a line says."""
+    """Return codes and last lines; part 8 lacks its scene, and a line says so."""
     codes = [(code, said[-1] if said else "") for _, code, said, *_ in ended]
     assert [code for code, _ in codes] == [0, 0, 0, 5, 5, 10, 10, 0]
     assert codes[3][1] == "SYS:nothing.scene: cannot be opened"
@@ -257,8 +259,8 @@ def test_endings(ended):
 
 
 def test_keys(ended):
-    """Space ends a part, and the next one begins; escape leaves, when it is pressed; other keys do
-    nothing. Parts would take 8 and 10 seconds."""
+    """Space ends a part and the next one begins; escape ends the demo when it is pressed; other
+    keys do nothing. Without keys the parts would take 8 and 10 seconds."""
     *_, (_, _, said, *_) = ended
     parts = read("\n".join(said))
     assert list(parts) == [RACE, EDGES, PERSPECTIVE], said
@@ -267,6 +269,7 @@ def test_keys(ended):
 
 
 def test_all_is_given_back(ended):
-    """Memory, interrupts, DMA, vectors, signals; the first program opens what stays open."""
+    """Memory, interrupts, DMA, vectors and signals are as before. The first program is left out, as
+    it opens what stays open."""
     for line, _, _, before, after in ended[1:]:
         assert before == after, f"{line}: {before} -> {after}"

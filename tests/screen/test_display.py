@@ -1,5 +1,5 @@
-"""The display as programs take it: what its copper lists and planes show, that its two sets take
-turns, and that the machine is as before, whichever way a program ends."""
+"""The display as programs use it: what its copper lists and planes show, that its two sets
+alternate, and that the machine is as before, however a program ends."""
 
 import re
 from dataclasses import dataclass
@@ -18,19 +18,19 @@ GUEST = ROOT / "tests" / "guest"
 MODES = ("STATE", "SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY")
 FRAMES = 3
 BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
-TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and places of the beam: where pictures may be
-LAST_START = 20  # the line in which a list may still be started
+TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and positions of the beam: the area for pictures
+LAST_START = 20  # the last line in which a list may be started
 MACHINE = "a1200"
 
 
 @dataclass(frozen=True)
 class Shown:
-    """A form of frames as the guest shows them."""
+    """A kind of frame that the guest shows."""
 
     kernel: str
     width: int
     height: int
-    colours: object = None  # of pixels; None: the palette has them
+    colours: object = None  # of pixels; None: from the palette
 
     @property
     def format(self) -> int:
@@ -45,7 +45,7 @@ class Shown:
 
 SHOWN = {
     "whole": Shown("c2p_8", 320, 256),
-    "odd": Shown("c2p_8", 200, 61),  # its columns end within 32, its middle between two lines
+    "odd": Shown("c2p_8", 200, 61),  # its columns end within 32, its middle is between two lines
     "high": Shown("c2p_ham8_16", 136, 59, maps.from_rgb565),
     "super": Shown("c2p_ham8_5551", 184, 33, maps.from_rgba5551),
     "tall": Shown("c2p_ham8_32", 104, 130, maps.from_rgba8888),
@@ -53,11 +53,11 @@ SHOWN = {
 
 
 def command(mode: str, rest: str = "0 320 256") -> str:
-    """The guest's arguments."""
+    """The guest's command line."""
     return f"display {MODES.index(mode)} {rest}"
 
 
-#: How programs end, and what they return.
+#: How programs end, and their return codes.
 ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1 160 64"): 0,
            command("KEYS", "0 32 32"): 0, command("POST", "0 32 32"): 0, command("SHORT"): 20,
            command("REFUSED", "0 324 256"): 10, command("REFUSED", "0 320 257"): 10}
@@ -86,12 +86,12 @@ def palette():
 
 @pytest.fixture(scope="module")
 def ended(programs, pixels, palette, tmp_path_factory):
-    """All of it in one boot, the machine's state before and after each: {command: (Result, state
-    before, state after)}; and the volume."""
+    """All commands in one boot, with the machine's state before and after each: {command: (Result,
+    state before, state after)}."""
     files = {"palette": palette.tobytes()} | {
         name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in pixels.items()}
     commands = [command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()] + [*ENDINGS]
-    # Once: the system frees what it can spare, and makes what it needs when it is asked first.
+    # Once at first: the system frees all it can, and allocates what it needs on first use.
     line = [command("SHORT"), command("AGAIN"), command("STATE")]
     for each in commands:
         line += [each, command("STATE")]
@@ -103,11 +103,11 @@ def ended(programs, pixels, palette, tmp_path_factory):
 
 @dataclass
 class Dump:
-    """The screen's memory after a swap, and what the guest said of it."""
+    """The screen's memory after a swap, and the numbers that the guest printed."""
 
     memory: bytes
     address: int
-    shown: int  # the list the copper is at
+    shown: int  # the list that the copper is running
     lists: tuple[int, int]
     hidden: int
     fields: int
@@ -120,7 +120,7 @@ class Dump:
 
 
 def dumps(ended, name: str) -> list[Dump]:
-    """Of all frames of a form."""
+    """The dumps of all frames of a form."""
     result = ended[command("SHOW", f"{SHOWN[name].arguments} {name}")][0]
     assert result.code == 0, result.output
     lines = [[int(n) for n in line.split()] for line in result.output.splitlines()]
@@ -129,7 +129,7 @@ def dumps(ended, name: str) -> list[Dump]:
 
 
 def expected(name: str, pixels, number: int) -> np.ndarray:
-    """The dots of a frame: the last one is a box over the one before the one before."""
+    """The dots of a frame: the last one is the first frame with a box of the last."""
     frames = pixels[name]
     frame = frames[number]
     if number == FRAMES - 1:
@@ -143,7 +143,8 @@ def expected(name: str, pixels, number: int) -> np.ndarray:
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_planes_of_the_shown_list_are_the_frame(ended, pixels, name):
-    """Bit for bit, walked from the list the copper is at; in the middle of the screen."""
+    """The planes of the list that the copper is running hold the frame, bit for bit; the picture is
+    in the middle of the screen."""
     shown = SHOWN[name]
     for number, dump in enumerate(dumps(ended, name)):
         region = dump.regions[0]
@@ -163,7 +164,8 @@ def test_planes_of_the_shown_list_are_the_frame(ended, pixels, name):
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_sets_take_turns(ended, name):
-    """Lists and planes; of the hidden set nothing is shown but HAM8's planes 0 and 1."""
+    """Lists and planes alternate; nothing of the hidden set is shown except HAM8's planes 0 and
+    1."""
     made = dumps(ended, name)
     assert [d.hidden for d in made] == [1, 0, 1]
     assert [d.lists.index(d.shown) for d in made] == [0, 1, 0]
@@ -178,7 +180,7 @@ def test_sets_take_turns(ended, name):
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_all_colours(ended, palette, name):
-    """256 of 24 bits; of HAM8 the one that lines begin with."""
+    """All 256 colours of 24 bits; for HAM8 the colour with which lines begin."""
     for dump in dumps(ended, name):
         found = dump.regions[0].palette
         if SHOWN[name].colours:
@@ -189,7 +191,7 @@ def test_all_colours(ended, palette, name):
 
 @pytest.mark.parametrize("name", SHOWN)
 def test_list_is_through_before_the_picture_begins(ended, name):
-    """Even where it is started as late as it may be."""
+    """Even if the list is started as late as allowed."""
     for dump in dumps(ended, name):
         lines = dump.regions[0].moves * copper_lists.MOVE / copper_lists.LINE
         assert LAST_START + 1 + lines < TOP
@@ -197,7 +199,8 @@ def test_list_is_through_before_the_picture_begins(ended, name):
 
 
 def test_half_frames_show_colours(ended, pixels):
-    """From the guest's dots to colours: what tests/screen/test_screen.py says of the right halves."""
+    """The guest's dots, decoded, have the right colours in the pixels' right halves, as in
+    tests/screen/test_screen.py."""
     for name, shown in SHOWN.items():
         if not shown.colours:
             continue
@@ -218,8 +221,8 @@ def letters(dump: Dump, line: int) -> np.ndarray:
 
 
 def test_status_lines(ended):
-    """Characters are alike where they are the same; what is behind a text is cleared, and what the
-    font lacks is blank."""
+    """The same character always looks the same; the rest of the line after a text is cleared, and
+    characters that the font lacks are blank."""
     first, second, third = dumps(ended, "whole")
     line = letters(first, 0)
     text = "0 first line"
@@ -249,18 +252,19 @@ def test_return_codes(ended):
 
 
 def test_keys(ended):
-    """Pressed ones alone, in their order, 15 at most; the mouse is none. Ctrl-C is a signal."""
+    """Only pressed keys are returned, in order, 15 at most; mouse buttons are not keys. Ctrl-C is a
+    signal."""
     words = ended[command("KEYS", "0 32 32")][0].output.split()
     assert [int(word) for word in words] == [0, 0x1000, 0x45, 0x33, *range(13)]
 
 
 def test_lists_are_shown_in_their_fields(ended):
-    """A list that was posted waits for its field; one whose field is over is shown in the next."""
+    """A posted list waits for its field; one whose field is over is shown in the next."""
     assert ended[command("POST", "0 32 32")][0].output == "1 0 1 11\n"
 
 
 def test_screens_one_after_the_other(ended):
-    """The second fits the first one's memory, the third does not."""
+    """The second screen fits in the first one's memory, the third does not."""
     assert ended[command("AGAIN", "1 160 64")][0].output.split()[-1] == "10"
 
 
@@ -277,7 +281,7 @@ def test_refusals(ended):
 
 
 def test_machine_without_aga(programs, tmp_path, monkeypatch):
-    """The same processor, the chips before."""
+    """The same processor, but the older chips."""
     monkeypatch.setitem(emulator.MACHINES, "ecs", ECS)
     result = emulator.run("display", command("SHOW").partition(" ")[2], {}, "ecs", tmp_path,
                           programs=programs)

@@ -1,6 +1,6 @@
-"""The way to the screen: what bitplanes mean, and what HAM8 shows of a frame.
+"""The path to the screen: the meaning of bitplanes, and how HAM8 shows a frame.
 
-The routines themselves are held to this bit for bit by tests/kernels/test_kernels.py.
+tests/kernels/test_kernels.py compares the routines themselves with this code bit for bit.
 """
 
 import numpy as np
@@ -9,7 +9,7 @@ import pytest
 from tmap.base import maps, planar
 
 BACKGROUND = (2, 2, 2)  # palette entry 0, as c/screen/planar.h advises
-ROUNDED = -1, 2  # what the lower two bits of the background make of others: 2 - 3 to 2 - 0
+ROUNDED = -1, 2  # error from the background's lower two bits: 2 - 3 to 2 - 0
 
 
 def bit(block: np.ndarray, at: int, x: int) -> int:
@@ -19,7 +19,7 @@ def bit(block: np.ndarray, at: int, x: int) -> int:
 
 @pytest.mark.parametrize("row_pitch, plane_pitch", [(8, 24), (64, 8), (-8, 24), (12, -40)])
 def test_decoder_reads_each_bit(row_pitch, plane_pitch):
-    """Of noise, bit by bit, however the planes lie; and the encoder is its inverse."""
+    """Decodes noise bit by bit, for all arrangements of the planes; the encoder is the inverse."""
     planes = planar.Planes(64, 3, row_pitch, plane_pitch, planar.FORMS["c2p_8"].planes)
     block = np.random.default_rng(1).integers(0, 256, planes.size, np.uint8)
     dots = planes.decoded(block)
@@ -32,7 +32,7 @@ def test_decoder_reads_each_bit(row_pitch, plane_pitch):
 
 
 def shown(dots: np.ndarray) -> np.ndarray:
-    """The screen, by the four dots of each pixel: int [row][x][dot][channel]."""
+    """The screen as the four dots of each pixel: int [row][x][dot][channel]."""
     coded = dots | planar.ham8_control(dots.shape[1])
     screen = planar.ham8_shown(coded, BACKGROUND).astype(int)
     return screen.reshape(len(dots), -1, len(planar.ORDER), 3)
@@ -42,7 +42,8 @@ def shown(dots: np.ndarray) -> np.ndarray:
                                               ("c2p_ham8_5551", maps.from_rgba5551),
                                               ("c2p_ham8_32", maps.from_rgba8888)])
 def test_pixels_right_halves_have_their_colour(name, colours_of):
-    """The last two dots, to the upper six bits; the first two have green or blue of the left."""
+    """The last two dots have the pixel's colour in the upper six bits; the first two have green or
+    blue of the pixel to the left."""
     pixels = planar.noise(name, np.random.default_rng(2), 160, 64)
     found = shown(planar.FORMS[name].convert(pixels))
     colours = colours_of(pixels)[..., :3].astype(int)
@@ -61,7 +62,8 @@ def test_pixels_right_halves_have_their_colour(name, colours_of):
 
 
 def test_every_rgb565_colour_keeps_its_bits():
-    """All 65,536: five bits of red and blue and six of green come back from the screen."""
+    """All 65,536 colours: five bits of red and blue and six of green can be read back from the
+    screen."""
     pixels = np.arange(65536, dtype=maps.RGB565).reshape(256, 256)
     last = shown(planar.FORMS["c2p_ham8_16"].convert(pixels))[:, :, 3]
     again = last[..., 0] >> 3 << 11 | last[..., 1] >> 2 << 5 | last[..., 2] >> 3
@@ -69,7 +71,7 @@ def test_every_rgb565_colour_keeps_its_bits():
 
 
 def test_alpha_does_not_count():
-    """Frames that differ in alpha alone are the same dots."""
+    """Frames that differ only in alpha have the same dots."""
     pixels = planar.noise("c2p_ham8_32", np.random.default_rng(3), 32, 4)
     convert = planar.FORMS["c2p_ham8_32"].convert
     assert (convert(pixels) == convert(pixels ^ 0xFF)).all()

@@ -1,4 +1,4 @@
-"""``make show``: what is to be seen in the window, pixel by pixel, and what keys do."""
+"""``make show``: the picture in the window, pixel by pixel, and the effect of keys."""
 
 import re
 import threading
@@ -18,16 +18,16 @@ from tmap.model import model, settings
 from tmap.run import show
 from tmap.scene_file.scene_file import Scene, write
 
-#: Where the screen's 640x512 dots of high resolution are in the window.
+#: Position of the screen's 640x512 high-resolution dots in the window.
 LEFT, TOP = 74, 12
-#: First rows of the status lines, and the size of a letter, pixels.
+#: First rows of the status lines, and the size of a letter, in pixels.
 LINES, LETTER = (TOP + 516, TOP + 534), (16, 8)
-GROUND = 2  # each channel of what HAM8 lines begin with
+GROUND = 2  # each channel of the colour with which HAM8 lines begin
 FRAMES = 4
 
 
 def surrounded(picture: np.ndarray) -> np.ndarray:
-    """A picture of window pixels in the middle of a black screen, the status lines left out."""
+    """A picture of window pixels in the middle of a black screen, without the status lines."""
     full = np.zeros((TOP + 512, show.WIDTH, 3), np.uint8)
     y, x = TOP + (512 - len(picture)) // 2, LEFT + (640 - picture.shape[1]) // 2
     full[y:y + len(picture), x:x + picture.shape[1]] = picture
@@ -35,19 +35,19 @@ def surrounded(picture: np.ndarray) -> np.ndarray:
 
 
 def chunky_picture(scene: Scene, frame: np.ndarray) -> np.ndarray:
-    """A frame of 8 bits through the palette, two pixels each way."""
+    """An 8-bit frame through the palette, with each pixel doubled in both directions."""
     return surrounded(scene.palette[frame].repeat(2, 0).repeat(2, 1))
 
 
 def ham8_picture(frame: np.ndarray) -> np.ndarray:
-    """A small frame of 32 bits as HAM8 shows it: a pixel is 4x4 dots."""
+    """A small 32-bit frame as HAM8 shows it: a pixel is 4x4 dots."""
     form = planar.FORMS["c2p_ham8_32"]
     dots = form.convert(frame) | planar.ham8_control(form.dots * frame.shape[1])
     return surrounded(planar.ham8_shown(dots, (GROUND,) * 3).repeat(4, 0))
 
 
 class Status:
-    """Status lines as text: letters are learnt from lines that are known."""
+    """Reads status lines as text, with letters learnt from lines whose text is known."""
 
     def __init__(self) -> None:
         self.letters: dict[bytes, str] = {}
@@ -60,20 +60,20 @@ class Status:
         return [row[:, x:x + wide].tobytes() for x in range(0, 640, wide)]
 
     def learn(self, shot: np.ndarray, line: int, text: str, at: int = 0) -> None:
-        """Holds a line, from a column on, to its text: each letter looks the same everywhere, and as
-        no other."""
+        """Asserts that a line has this text from a column on: each letter always looks the same,
+        and different from all others."""
         for cell, letter in zip(self.cells(shot, line)[at:], text):
             assert self.letters.setdefault(cell, letter) == letter, (
                 f"status line {line} should have {text!r} at {at}; is {self.read(shot, line)!r}")
         assert len(set(self.letters.values())) == len(self.letters), self.letters.values()
 
     def read(self, shot: np.ndarray, line: int) -> str:
-        """A line; # for letters never seen."""
+        """Reads a line; unknown letters are #."""
         return "".join(self.letters.get(cell, "#") for cell in self.cells(shot, line)).rstrip()
 
 
 def wait_for(on: Screen, picture: np.ndarray, what: str) -> np.ndarray:
-    """Waits until the window shows exactly this above the status lines."""
+    """Waits until the window shows exactly this picture above the status lines."""
     try:
         return on.wait(what, lambda shot: np.array_equal(shot[:len(picture)], picture))
     except AssertionError:
@@ -87,7 +87,7 @@ def wait_for(on: Screen, picture: np.ndarray, what: str) -> np.ndarray:
 
 @pytest.fixture(scope="module")
 def server(tmp_path_factory):
-    """A screen."""
+    """An X server with a screen."""
     with screen(tmp_path_factory.mktemp("x") / "frame") as made:
         yield made
 
@@ -100,14 +100,14 @@ def steps(tmp_path_factory):
 
 
 def off(scene: Scene, number: int, accuracy: int | None, perspective: int | None) -> str:
-    """The share of a frame's pixels that differ from the most exact ones, as it is shown."""
+    """The share of a frame's displayed pixels that differ from the most accurate settings."""
     shown, best = (model.render(settings.with_settings(scene, *step), number)
                    for step in ((accuracy, perspective), (4, 4)))
     return f"{int((shown != best).sum()) * 10000 // shown.size / 100:.2f} % of pixels off"
 
 
 def play_chunky(on: Screen, scene: Scene) -> None:
-    """Steps by cursor keys while it is paused, then it runs."""
+    """Changes steps with cursor keys while the scene is paused, then lets it run."""
     def frame(number: int, *steps: int | None) -> np.ndarray:
         stepped = settings.with_settings(scene, *steps)
         return chunky_picture(scene, model.render(stepped, number))
@@ -140,13 +140,13 @@ def play_chunky(on: Screen, scene: Scene) -> None:
 
 
 def prompt(on: Screen, before: np.ndarray) -> np.ndarray:
-    """Waits for the shell's window as it was."""
+    """Waits until the shell's window looks as before."""
     on.wait("the shell", lambda shot: np.array_equal(shot[:50], before[:50]))
     return on.settled("the prompt")
 
 
 def test_pictures_keys_and_the_end(server, steps, tmp_path) -> None:
-    """Typed at the prompt, as a user does."""
+    """Commands are typed at the prompt, as a user would."""
     scene, ocean = steps[1], compile_scene(SCENES / "n64_ocean.toml", 1)
     files = {"a.scene": write(scene), "h.scene": write(ocean), "show": PROGRAMS / "show"}
     with shell(server, files, tmp_path / "run") as volume:

@@ -1,4 +1,4 @@
-"""An X server of its own, the emulator's window on it, its keys and its pixels."""
+"""A separate X server, the emulator's window on it, its keys and its pixels."""
 
 import contextlib
 import os
@@ -15,21 +15,20 @@ from tmap.guest import emulator
 from tmap.guest.emulator import Display
 from tmap.run import show
 
-#: Seconds of processor time, of the test, the server and the emulator, for anything that is waited
-#: for.
+#: Seconds of processor time of the test, the server and the emulator, for each wait.
 PATIENCE = 60.0
-HEADER, COLOUR = 100, 12  # bytes of an XWD file's header that are read, of an entry of its colours
+HEADER, COLOUR = 100, 12  # bytes read of an XWD file's header, of an entry of its colours
 
 
 @dataclass
 class Screen:
-    """A display that is as large as the window; ``display`` names it."""
+    """A display as large as the window; ``display`` is its name."""
 
     display: str
     folder: Path
 
     def shot(self) -> np.ndarray:
-        """What can be seen: uint8 [y][x][red, green, blue]."""
+        """The visible pixels: uint8 [y][x][red, green, blue]."""
         data = (self.folder / "Xvfb_screen0").read_bytes()
         fields = np.frombuffer(data, ">u4", HEADER // 4)
         start, (width, height), pitch = fields[0] + COLOUR * fields[19], fields[4:6], fields[12]
@@ -40,7 +39,7 @@ class Screen:
         subprocess.run(["xdotool", *words], env=os.environ | {"DISPLAY": self.display}, check=True)
 
     def press(self, *keys: str) -> None:
-        """Presses keys one after the other, each long enough for a field of the machine."""
+        """Presses keys one after the other, each for at least a field of the machine."""
         self._tell("key", "--delay", "40", *keys)
 
     def type(self, text: str) -> None:
@@ -53,8 +52,8 @@ class Screen:
         self.press("Return")
 
     def wait(self, what: str, ready: Callable[[np.ndarray], bool], still: bool = True) -> np.ndarray:
-        """The first picture that is ready; fails where none is for PATIENCE. It is read while it is
-        written: where it is to be still, what counts is what is the same twice."""
+        """Returns the first picture that is ready; fails after PATIENCE. The file is read while it
+        is written: if the picture should be still, it must be the same twice."""
         silence, last = Silence(os.getpid(), PATIENCE), None
         while True:
             shot = self.shot()
@@ -65,7 +64,8 @@ class Screen:
             time.sleep(0.05)
 
     def settled(self, what: str, pause: float = 0.5) -> np.ndarray:
-        """The picture as soon as it has not changed for so many seconds, and is not of one colour."""
+        """Returns the picture once it has not changed for ``pause`` seconds and has more than one
+        colour."""
         last, since = self.shot(), time.monotonic()
 
         def ready(shot: np.ndarray) -> bool:
@@ -79,7 +79,7 @@ class Screen:
 
 @contextlib.contextmanager
 def screen(folder: Path) -> Iterator[Screen]:
-    """An X server, ended afterwards."""
+    """Starts an X server; ends it afterwards."""
     folder.mkdir()
     reader, writer = os.pipe()
     server = subprocess.Popen(
@@ -97,14 +97,14 @@ def screen(folder: Path) -> Iterator[Screen]:
 
 
 def window(on: Screen) -> Display:
-    """As ``make show`` has it. At the machine's own speed: in warp mode keys repeat while they are
-    pressed, and the emulator writes over the picture."""
+    """The window options of ``make show``, at the machine's own speed: in warp mode keys repeat
+    while they are pressed, and the emulator writes over the picture."""
     return Display(show.OPTIONS, {"SDL_VIDEODRIVER": "x11", "DISPLAY": on.display})
 
 
 @contextlib.contextmanager
 def shell(on: Screen, volume: dict[str, bytes | Path], directory: Path) -> Iterator[Path]:
-    """The machine at its prompt, in a window, with these files; yields where they lie."""
+    """Starts the machine at its prompt, in a window, with these files; yields their folder."""
     folder = directory / "volume"
     (folder / "S").mkdir(parents=True)
     (folder / "S" / "Startup-Sequence").write_text("echo >started\n")
