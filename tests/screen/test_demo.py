@@ -12,7 +12,6 @@ from tests.helpers import guest_program
 from tmap.base.paths import GUEST, PROGRAMS
 from tmap.build import layout
 from tmap.guest import emulator
-from tmap.guest.emulator import CYCLES_PER_TICK
 from tmap.run import demo
 from tmap.run.governor import Governor
 
