@@ -13,7 +13,7 @@ from tmap.bench.dithered import dithered_rows
 from tmap.bench.effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
 from tmap.bench.mappers import mapper_case
 from tmap.bench.mesh import CASES as MESH_CASES
-from tmap.bench.spans import DU, DV, LENGTHS, SPECIAL, span_case
+from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
 from tmap.bench.trial import Check
 from tmap.guest.kernels import Case
 
@@ -62,10 +62,7 @@ def placed(rows: list[Row], chip: bool) -> list[Row]:
 
 def span_rows(length: int) -> list[Row]:
     """The spans that have a row at each of LENGTHS."""
-    rows = [Row(name, length, *span_case(f"span_{name}", form, length)) for name, form in (
-        ("affine_addx", "addx"), ("affine_addx_wrap", "addx"), ("affine_scanline", "addx"),
-        ("affine_swap", "plain"), ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
-        ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat"))]
+    rows = [Row(name, length, *span_case(f"span_{name}", form, length)) for name, form in SPANS]
     rows += wide_rows(length)
     rows += [Row(*row) for row in dithered_rows(length)]
     rows.append(Row("affine_row", length, *span_case("span_affine_row", "addx", length, dv=0)))

@@ -30,7 +30,7 @@ def lit_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: 
     blocks = {} if shades is None else {
         "shades": b"".join(pack_shade(shade, added).to_bytes(4, "big") for shade in shades)}
 
-    def drawn(k: int, _: int, count: int, u: int, v: int) -> np.ndarray:
+    def drawn(k: int, _: int, __: int, count: int, u: int, v: int) -> np.ndarray:
         rows = shades[k] + np.arange(count, dtype=np.int64) * (dcdx & ~3) >> 16 if shades else level
         return light[rows, texels(ground.picture, u, v, dudx, dvdx, count)]
 

@@ -31,7 +31,7 @@ def mapper_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, groun
     """One table of lines; those of the arbitrary map stay inside it."""
     picture = ground.picture
 
-    def drawn(_: int, __: int, count: int, u: int, v: int) -> np.ndarray:
+    def drawn(_: int, __: int, ___: int, count: int, u: int, v: int) -> np.ndarray:
         n = np.arange(count, dtype=np.int64)
         if "gouraud" in kernel:
             return ((u + n * dudx) >> 16 & 255).astype(np.uint8)

@@ -17,6 +17,10 @@ from tmap.setup.texturing import CUT
 
 DU, DV = 0x18000, 0x14000  # texels a pixel, 16.16
 LENGTHS = (256, 64, 16, 4)  # pixels
+#: Rows at each of LENGTHS: a span's name, and how its lines are packed.
+SPANS = (("affine_addx", "addx"), ("affine_addx_wrap", "addx"), ("affine_scanline", "addx"),
+         ("affine_swap", "plain"), ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
+         ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat"))
 #: Of the spans for short lines and of the copying one: kernel, steps, lengths.
 SPECIAL = (("affine_copy", 1 << 16, 0, (256, 64, 16, 4, 1)), ("affine_short", DU, DV, (16, 4, 1)),
            ("affine_short_wrap", DU, DV, (16, 4, 1)), ("affine_row_short", DU, 0, (24, 16, 4, 1)))
@@ -69,8 +73,8 @@ def table_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Ar
                 drawn: Callable[..., np.ndarray], title: str = "", *, upwards: bool = False,
                 used: list[int] | None = None, blocks: dict[str, bytes] = {}, code: bytes | None = None,
                 far: dict[str, int] = {}, **values: int) -> Trial:
-    """One table of lines. ``pitch``: in pixels; ``drawn``: the pixels of a line, of its number and
-    what it has; ``used``: of each line what is in the room of v--U, where the form has some. The plan
+    """One table of lines. ``pitch``: in pixels; ``drawn``: the pixels of a line, of its number, its
+    place in the ground's arena and what it has; ``used``: of each line what is in the room of v--U, where the form has some. The plan
     has ``values`` and points at ``blocks`` and ``far``; ``code`` is what the routine leaves at the end
     of its plan's, but for 2 bytes."""
     wide, entries, places = ground.picture.itemsize, [], []
@@ -108,7 +112,7 @@ def table_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Ar
         return f"{line}: {beyond} byte(s) past its end" if beyond > 0 else \
             f"{line}: pixel {(offset - at) // wide}"
 
-    writes = [Write(at, drawn(k, *line).tobytes(), far=True)
+    writes = [Write(at, drawn(k, at, *line).tobytes(), far=True)
               for k, (at, line) in enumerate(zip(places, lines)) if line[1] > 0]
     if code:
         writes.append(Write(near["code"] + size - 2 - len(code), code))
@@ -135,7 +139,7 @@ def span_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Are
     if "columns" in kernel:
         blocks["columns"] = shapes.struct("column_layout").pack(**columns_of(*picture.shape[::-1]))
 
-    def drawn(k: int, _: int, count: int, u: int, v: int) -> np.ndarray:
+    def drawn(k: int, at: int, _: int, count: int, u: int, v: int) -> np.ndarray:
         if kernel.startswith("span_fill"):
             return np.full(count, colour & (1 << 8 * picture.itemsize) - 1, picture.dtype)
         return texels(picture, u, v, *(own_steps[k] if own_steps else (dudx, dvdx)), count, cut)
