@@ -1,1 +1,1 @@
-"""What accuracy costs: errors and cycles of all settings, side by side."""
+"""Errors and cycles of all settings, side by side."""

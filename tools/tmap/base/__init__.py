@@ -1,2 +1,2 @@
-"""What every room uses: errors, paths, 16.16 numbers, sums that are the same on every processor,
+"""Shared by all rooms: errors, paths, 16.16 numbers, sums that are the same on every processor,
 text tables."""

@@ -1,1 +1,1 @@
-"""The bench: what it measures, in which cases."""
+"""The bench: the calls that it measures, the baseline they are compared with."""

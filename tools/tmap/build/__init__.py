@@ -1,2 +1,2 @@
-"""What the Makefile runs and what reads its products: structures, contract blocks, ELF and hunk
-files, written assembly."""
+"""The Makefile's tools and readers of its products: structures, contract blocks, ELF and hunk
+files, generated assembly."""

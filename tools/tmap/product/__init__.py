@@ -1,1 +1,1 @@
-"""What is given away: programs of one scene, the disk, the kit for other programs."""
+"""Products for users: programs of one scene, the disk, the kit for other programs."""

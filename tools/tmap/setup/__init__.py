@@ -1,2 +1,2 @@
-"""The integer model of a polygon: edges, gradient set-up, spans, perspective. Bit for bit what the
-68020 does."""
+"""The integer model of a polygon, bit for bit the 68020's: edges, gradient set-up, spans,
+perspective."""

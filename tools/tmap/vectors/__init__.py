@@ -1,1 +1,1 @@
-"""Reference data of both texture units: reads them and asks the 68020."""
+"""Reference data of both texture units: reads it and compares the 68020's answers with it."""
