@@ -8,8 +8,9 @@
 
 enum { FACTORS = 128, FIRST_BIT = 13, OCTAVES = 3 };    /* of the indices */
 
-/* Fills in the powers of a factor. The factor is off by half a unit, each product by one: in all
-   below 2^-23 of the power. */
+/* Fills in the powers of a factor. The factor is off by half a unit and each of 127 products by one,
+   which allows 2^-22.4 of the power. With these two factors the powers are off by up to 2^-23.8,
+   worked out entry by entry. */
 static void multiply_up(int32 *to, int32 factor)
 {
     *to = (int32)ONE;
