@@ -1,5 +1,5 @@
 /* Lowering: a polygon is drawn by the cheapest spans that give the same picture. lower.c has the
-   rules, RULE_LIST their meaning. */
+   rules, RULE_LIST of polygon/span_list.h their meaning. */
 #ifndef LOWER_H
 #define LOWER_H
 

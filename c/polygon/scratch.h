@@ -1,4 +1,5 @@
-/* Memory for one polygon at a time; its content is undefined between polygons. */
+/* The caller's memory for one polygon at a time (struct renderer of polygon.h); its content is
+   undefined between polygons. */
 #ifndef SCRATCH_H
 #define SCRATCH_H
 
