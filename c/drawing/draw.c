@@ -215,7 +215,7 @@ static void raise_line(struct scanline *line, struct span_plan *span, const stru
 /* Draws the lines of the plan, unless they are only counted. */
 static void draw_span(const struct setup *s)
 {
-    if (!s->renderer->only_counts)
+    if (!s->counts || !s->renderer->only_counts)
         kind_spans[s->kind](&s->span);
 }
 
