@@ -31,6 +31,7 @@ struct scene {
     uint8 tried_reciprocals, tried_logarithms;  /* 1: not made again where memory was short */
     uint8 spare[2];
     struct n64_unit *engines;   /* one a unit */
+    uint32 *n64_reciprocals;    /* of all units; null until a polygon needs them */
     struct glide *glide;        /* one each of glide_units */
     struct glide_pipe *pipe;    /* one each of pipes */
     struct glide_tile_store *tiles;     /* of all pipes */

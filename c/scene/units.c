@@ -37,8 +37,9 @@ int32 scene_make_units(struct scene *scene, int32 kind)
         return 1;
     if (!mem_alloc(&scene->engines, (int32)(h->units * sizeof *scene->engines), MEMORY_ANY))
         return 0;
+    scene->n64_reciprocals = 0;
     for (uint32 i = 0; i < h->units; i++) {
-        n64_unit_init(&scene->engines[i], dram, h->dram, kind);
+        n64_unit_init(&scene->engines[i], dram, h->dram, kind, &scene->n64_reciprocals);
         run_list(scene, i, 0);
     }
     return 1;

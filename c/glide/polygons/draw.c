@@ -139,8 +139,8 @@ struct room {
 
 SCRATCH_FITS(struct room);
 
-/* Lines that are only counted are drawn where nobody looks: some have no passes, which only shows
-   when they are drawn. */
+/* Counting draws these lines into scratch memory: whether a line has passes is only known when it is
+   drawn. */
 static void hide_lines(struct setup *s, struct room *room)
 {
     struct frame *unseen = &room->unseen;

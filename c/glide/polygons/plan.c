@@ -1,4 +1,4 @@
-#include "glide/polygons/plan.h"
+#include "glide/polygons/tiles.h"
 #include "system/system.h"
 
 int32 glide_only_lod(const struct glide *glide, struct glide_lod *lod)
@@ -70,24 +70,15 @@ static void find_bands(struct glide_part *part, const struct glide_range *range)
     }
 }
 
-/* Makes the table of logarithms when a unit first needs LODs; 0: no memory. */
-static const struct glide_logarithm *find_logarithms(void)
+/* Gives all units the table of logarithms, made when a unit first needs LODs; 0: no memory. */
+static int32 set_logarithms(struct glide_plan *plan, struct glide_tile_store *store)
 {
-    static struct glide_logarithm *logarithms;
-
-    if (!logarithms && mem_take(&logarithms, GLIDE_LOGARITHMS * sizeof *logarithms, MEMORY_ANY))
-        glide_logarithms_make(logarithms, glide_logarithms);
-    return logarithms;
-}
-
-/* Gives it to all units. */
-static int32 set_logarithms(struct glide_plan *plan)
-{
-    const struct glide_logarithm *logarithms = find_logarithms();
-
+    if (!store->logarithms
+        && mem_take(&store->logarithms, GLIDE_LOGARITHMS * sizeof *store->logarithms, MEMORY_ANY))
+        glide_logarithms_make(store->logarithms, glide_logarithms);
     for (struct glide_part *part = plan->parts; part; part = part->upstream)
-        part->logarithms = logarithms;
-    return logarithms != 0;
+        part->logarithms = store->logarithms;
+    return store->logarithms != 0;
 }
 
 /* 0: the unit's pixels have no passes. */
@@ -147,5 +138,5 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
         part++;
     }
     plan->is_direct = (plan->parts[0].every & GLIDE_IS_OWN) != 0;
-    return !lods || set_logarithms(plan);
+    return !lods || set_logarithms(plan, pipe->tiles);
 }

@@ -8,6 +8,7 @@ void glide_tile_store_init(struct glide_tile_store *store)
 {
     for (int32 i = 0; i < GLIDE_TILE_SETS; i++)
         store->sets[i].words = 0;
+    store->logarithms = 0;
     store->last = 0;
     store->count = 0;
     store->bytes = 0;

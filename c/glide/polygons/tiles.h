@@ -40,8 +40,9 @@ struct glide_tile_set {
 
 enum { GLIDE_TILE_SETS = 8 };
 
-/* The tiles of all pipes that share them. */
+/* What all pipes of a scene share: tiles and the table of logarithms. */
 struct glide_tile_store {
+    struct glide_logarithm *logarithms;  /* null until a unit needs LODs */
     struct glide_tile tiles[GLIDE_TILES_MAX];
     struct glide_tile_set sets[GLIDE_TILE_SETS], *last;         /* last: of the polygon before */
     int32 count;                /* tiles with memory */

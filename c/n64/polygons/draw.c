@@ -217,13 +217,15 @@ enum polygon_result n64_polygon_draw_coloured(struct renderer *renderer,
     return draw(renderer, polygon, material, colours, n64_polygon_draw_coloured);
 }
 
-void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory)
+void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory,
+                   uint32 **reciprocals)
 {
     static const struct n64_kept none;
 
     n64_init(&unit->n64, dram, dram_bytes);
     unit->result = N64_DONE;
     unit->memory = memory;
+    unit->reciprocals = reciprocals;
     unit->judged = 0;
     unit->levels = 0;
     unit->tables = 0;

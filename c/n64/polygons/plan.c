@@ -80,13 +80,13 @@ static int32 find_samplings(struct n64_plan *plan, uint32 inputs)
 }
 
 /* Returns the reciprocals, made once for all units when first needed; null: no memory. */
-static const uint32 *find_reciprocals(void)
+static const uint32 *find_reciprocals(struct n64_unit *unit)
 {
-    static uint32 *reciprocals;
+    uint32 **of = unit->reciprocals;
 
-    if (!reciprocals && mem_take(&reciprocals, N64_RECIPROCALS * sizeof *reciprocals, MEMORY_ANY))
-        n64_divide_table_make(reciprocals);
-    return reciprocals;
+    if (!*of && mem_take(of, N64_RECIPROCALS * sizeof **of, MEMORY_ANY))
+        n64_divide_table_make(*of);
+    return *of;
 }
 
 /* Returns the blendings of levels, made again when the modes change; null: no memory. */
@@ -125,7 +125,7 @@ static int32 find_lod(struct n64_plan *plan)
     lod->y_s = down ? (int32)of[N64_S].dy : 0;
     lod->y_t = down ? (int32)of[N64_T].dy : 0;
     lod->y_w = down ? (int32)of[N64_W].dy : 0;
-    lod->reciprocals = find_reciprocals();
+    lod->reciprocals = find_reciprocals(plan->unit);
     lod->levels = find_levels(plan->unit);
     lod->blendings = plan->scratch->line.blendings;
     return lod->reciprocals && lod->levels;
@@ -143,7 +143,7 @@ static int32 find_coordinates(struct n64_plan *plan)
     plan->steps.walk.t = (int32)of[N64_T].dx;
     plan->steps.walk.w = (int32)of[N64_W].dx;
     if (plan->planes->divided)
-        division->reciprocals = find_reciprocals();
+        division->reciprocals = find_reciprocals(plan->unit);
     return !plan->planes->divided || division->reciprocals;
 }
 

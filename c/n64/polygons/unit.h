@@ -24,6 +24,7 @@ struct n64_unit {
     struct n64 n64;
     enum n64_result result;     /* why the last polygon was refused */
     int32 memory;               /* enum memory_kind, of cached data */
+    uint32 **reciprocals;       /* of all units of a scene; *reciprocals is null until needed */
     struct n64_levels *levels;  /* made at mode_generation levels_made; or null */
     uint32 levels_made;
     uint8 *tables;              /* made at mode_generation tables_made; or null */
@@ -37,8 +38,10 @@ struct n64_unit {
     struct n64_kept chroma[N64_TILES];  /* the same with quads for YUV's chroma */
 };
 
-/* Initialises a unit and its engine (n64_init). */
-void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory);
+/* Initialises a unit and its engine (n64_init). reciprocals: units that share one table share the
+   pointer to it, null at first. */
+void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory,
+                   uint32 **reciprocals);
 
 /* Sets unit->result and returns POLYGON_REFUSED. */
 enum polygon_result n64_refused(struct n64_unit *unit, enum n64_result result);
