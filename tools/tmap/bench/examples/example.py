@@ -22,7 +22,6 @@ class Example:
     ``stride``: bytes from pixel to pixel where the first ones of each alone are written.
     """
 
-    kernel: str
     source: bytes
     expected: bytes
     count: int
