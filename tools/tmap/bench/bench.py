@@ -70,11 +70,9 @@ def measured(row: cases.Row, result: Result, per_call: float, unit: str, machine
 def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dict]]:
     """The rows of kernels called one by one, by kind: in pixels, lines, points, instructions."""
     condition = CONDITIONS[machine]
-    makers = {"rows": cases.pixel_rows, "lines": cases.line_rows,
-              "points": cases.point_rows, "instructions": cases.instruction_rows}
-    rows = [(kind, row) for kind, make in makers.items() for row in make(condition.chip)
+    rows = [(kind, row) for kind in cases.KINDS for row in cases.rows(kind, condition.chip)
             if fnmatch.fnmatch(row.name, only)]
-    found: dict[str, list[dict]] = {kind: [] for kind in makers}
+    found: dict[str, list[dict]] = {kind: [] for kind in cases.KINDS}
     if not rows:
         return found
     for _, row in rows:

@@ -44,9 +44,3 @@ def dithered_case(name: str, wide: int, length: int):
     return dithered_trial(name, starts, length + GAP, Arena(),
                           framed(far, map_at, picture, lines, length), dudx=DU, dvdx=DV,
                           odd=0).row(lines * length)
-
-
-def dithered_rows(length: int) -> list[tuple]:
-    """Name, length, pixels, case and check of each kernel."""
-    return [(f"dithered{end}", length, *dithered_case(f"span_dithered{end}", wide, length))
-            for end, wide in NAMES.items()]

@@ -43,16 +43,14 @@ def case(words: str, count: int, rounds: int) -> Case:
                 pointers={"a4": code_at}, far=far, far_pointers={"a0": data_at, "a1": data_at})
 
 
-def check(result: Result) -> str | None:
-    """The loop was gone through to its end."""
-    return None if result.registers["d7"] & 0xFFFF == 0xFFFF else "the code did not count down"
+def calls() -> list[tuple]:
+    """Name, length and call of each row; its loop must be gone through to its end."""
+    def check(result: Result) -> str | None:
+        return None if result.registers["d7"] & 0xFFFF == 0xFFFF else "the code did not count down"
 
-
-def rows() -> list[tuple]:
-    """Name, length, units, case and check of each row."""
     kinds = {NONE: ("", 0, ROUNDS), LOOP: ("", 0, COUNT)}
     kinds |= {name: (words, IN_LOOP, ROUNDS) for name, (_, words) in INSTRUCTIONS.items()}
-    return [(ROW + name, COUNT, COUNT, case(*how), check) for name, how in kinds.items()]
+    return [(ROW + name, COUNT, (COUNT, case(*how), check)) for name, how in kinds.items()]
 
 
 def prices(baseline: dict) -> dict[tuple[str, str], float]:

@@ -71,7 +71,7 @@ def thousandths(figures: dict, entry: Entry, machine: str | None) -> int:
 
 def rows() -> list[bench_cases.Row]:
     """The bench's rows of all entries, as often called as there."""
-    made = {(row.name, row.length): row for row in bench_cases.pixel_rows(False)}
+    made = {(row.name, row.length): row for row in bench_cases.rows("rows", False)}
     chosen = []
     for entry in ENTRIES:
         assert len(entry.title) <= TITLE, entry
