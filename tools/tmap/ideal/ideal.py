@@ -37,7 +37,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache, partial
-from math import inf
 
 import numpy as np
 
@@ -45,27 +44,6 @@ from tmap.model import model
 from tmap.model.model import Polygon, Settings
 
 UNIT = 1 / 65536
-
-
-@dataclass
-class Deviation:
-    """The largest errors over some polygons, each in its own unit and as error / bound."""
-
-    edge: float = 0.0  # pixels
-    edge_ratio: float = 0.0
-    texel: float = 0.0  # texels
-    texel_ratio: float = 0.0
-    coverage_errors: int = 0  # pixels lit or left out against the ideal
-    pixels: int = 0
-
-    def merge(self, other: "Deviation") -> None:
-        """Takes the worse of both."""
-        self.edge = max(self.edge, other.edge)
-        self.edge_ratio = max(self.edge_ratio, other.edge_ratio)
-        self.texel = max(self.texel, other.texel)
-        self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
-        self.coverage_errors += other.coverage_errors
-        self.pixels += other.pixels
 
 
 def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
@@ -301,28 +279,3 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
             for k, i in ((0, line.left), (-1, line.right - 1)):
                 yield (name, i, y, coordinate.error(int(found[k]), i, y),
                        coordinate.bound(i, y, plane, cut))
-
-
-def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
-    """Returns the count of pixels of the polygon's lines that are lit or left out against the
-    ideal."""
-    wrong, exact = 0, extents(vertices)
-    for y, line in enumerate(polygon.lines, polygon.top):
-        left, right = (min(max(-(-n // (d << 16)), 0), width) for n, d in exact(y))
-        if line.right > line.left or right > left:
-            wrong += abs(line.left - left) + abs(line.right - right)
-    return wrong
-
-
-def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
-    """Returns the errors of a set-up polygon (the model's) against the ideal."""
-    out = Deviation(coverage_errors=coverage_errors(vertices, polygon, width),
-                    pixels=polygon.pixels)
-    if not polygon.left_edges[0].exact:
-        for _, _, error, bound in edge_errors(vertices, polygon):
-            out.edge, out.edge_ratio = max(out.edge, error), max(out.edge_ratio, error / bound)
-    if polygon.texturing:
-        for *_, error, bound in texel_errors(vertices, polygon):
-            out.texel = max(out.texel, abs(error))
-            out.texel_ratio = max(out.texel_ratio, error / bound if error >= 0 else inf)
-    return out
