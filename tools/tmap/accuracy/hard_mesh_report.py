@@ -71,8 +71,8 @@ def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene
         planes=True, two_sided=case.two_sided), case.name)
     rows = tables.points, tables.normals, tables.corners, tables.faces
     mesh = Mesh(*(n for table in rows for n in (0, len(table))))
-    materials = [Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
-                          0 if MAPPER_LAYOUT[s.mapper] else -1, COLOUR) for s in settings]
+    materials = [Material(**vars(s), texture=0 if MAPPER_LAYOUT[s.mapper] else -1, colour=COLOUR)
+                 for s in settings]
     flags = FLAGS.get(case.look, 0)
     ends = (DARK << 16, BRIGHT << 16) if flags == LIT else (0, 0)
     instances = [Instance(0, k, 0, 0, 1, k, flags, *ends) for k in range(len(settings))]

@@ -58,9 +58,8 @@ class Method:
 def scene_of(settings: Settings) -> Scene:
     """Returns the scene of the face, drawn with other settings."""
     scene = compile_scene(SCENES / "face.toml")
-    looks = dict(edges=settings.edges, gradients=settings.gradients, start=settings.start,
-                 perspective=settings.perspective)
-    return replace(scene, materials=[replace(m, **looks) for m in scene.materials])
+    return replace(scene, materials=[replace(m, **vars(settings) | {"mapper": m.mapper})
+                                     for m in scene.materials])
 
 
 def errors_of(scene: Scene, settings: Settings) -> Errors:

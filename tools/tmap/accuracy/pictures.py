@@ -78,7 +78,7 @@ def swimming_scene() -> Scene:
     corners = [(6, 4, 0, 0, 0, 1), (52, 22, 92, 36, 0, 1), (17, 56, 22, 104, 0, 1)]
     vertices = [tuple(c << 16 for c in corner) for corner in corners]
     for number, s in enumerate(SWIMMERS):
-        materials.append(Material("affine", s.edges, s.gradients, s.start, texture=0))
+        materials.append(Material(**vars(s), texture=0))
         objects.append(Object(number, 0, 3, len(poses), SWIM_FRAMES, 0))
         poses += [(65536, 0, 0, 65536, (number * SWIM_SIDE << 16) + k * 8192, k * 4096)
                   for k in range(SWIM_FRAMES)]

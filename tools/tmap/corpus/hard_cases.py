@@ -94,8 +94,7 @@ def scene(drawings: list[Drawing]) -> Scene:
         if layout:
             texture = textures.setdefault((layout, map_size(case, s.mapper)), len(textures))
         light = textures.setdefault(("light", (256, 64)), len(textures)) if s.mapper in LIT else -1
-        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
-                            texture, 200, light)
+        material = Material(**vars(s), texture=texture, colour=200, light=light)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(case.vertices), 0, 1, number,
                               planarity.vouched(case.vertices, s.mapper, False, 1)))
