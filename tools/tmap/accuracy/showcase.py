@@ -5,7 +5,6 @@ plane, over every ERROR_STEP-th frame. Texture engines are left out; the errors 
 in tmap.accuracy.engines.
 """
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -30,14 +29,8 @@ NAMES = ("cube", "floor", "corridor", "environment", "rotator", "lit", "shaded")
 ERROR_STEP = 8
 
 
-@dataclass
-class Shown:
-    """One scene's figures."""
-
-    name: str
-    totals: dict  # as tmap.run.run.total gives them
-    frames: int
-    errors: Errors
+#: A scene's name, its figures as tmap.run.run.total gives them, its frames, its errors.
+Shown = tuple[str, dict, int, Errors]
 
 
 def errors_of(scene: Scene) -> Errors:
@@ -70,18 +63,16 @@ def show(name: str, machine: str, folder: Path) -> Shown:
         raise UserError(f"{name}: a frame of one colour")
     pictures = [run.picture_of(frame, scene) for frame in drawn.frames]
     save_animation(folder / f"{name}.gif", pictures, run.gif_frame_ms(scene.frames))
-    return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))
+    return name, run.total(drawn.figures), scene.frames, errors_of(scene)
 
 
 def table(shown: list[Shown], machine: str) -> str:
     """Returns the figures as a Markdown table."""
     rows = []
-    for each in shown:
-        t, e = each.totals, each.errors
+    for name, t, frames, e in shown:
         errors = [f"{e.worst:.4f}", f"{e.rms:.4f}"] if e.pixels else ["", ""]
-        rows.append([each.name, str(each.frames), f"{t['polygons'] / each.frames:,.0f}",
-                     f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}",
-                     *errors, ", ".join(t["spans"])])
+        rows.append([name, str(frames), f"{t['polygons'] / frames:,.0f}", f"{t['cycles'] / frames:,.0f}",
+                     f"{t['cycles_per_pixel'] or 0:.1f}", *errors, ", ".join(t["spans"])])
     return markdown.table([f"scene, {machine}", "frames", "polygons a frame", "cycles a frame",
                            "cycles a pixel", "largest error, texels", "rms", "spans"], rows,
                           "lrrrrrrl")
