@@ -127,8 +127,7 @@ def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool
 
 
 def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
-    """Measures the hard cases and writes their page; returns a line for each row that exceeds a
-    bound."""
+    """Measures the hard cases and writes their page; returns a line for each excess of a bound."""
     from tmap.accuracy import hard_report
 
     about = provenance.record()
@@ -140,8 +139,7 @@ def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
 
 
 def write_other(folder: Path, name: str, machine: str, progress) -> str:
-    """Runs a set that is not made of polygons (methods, scenes, engines' modes); returns its
-    table."""
+    """Runs a set not made of polygons (methods, scenes, engines' modes); returns its table."""
     folder.mkdir(parents=True, exist_ok=True)
     if name in ENGINES:
         from tmap.accuracy import engines
@@ -179,8 +177,7 @@ def written_files(names: list[str], sets: list[str]) -> list[str]:
 
 
 def command(folder: Path, names: list[str] | None, machine: str | None, accept: bool) -> int:
-    """``tmap accuracy``: measures, writes the report into ``folder``, prints a table. Returns 1 if
-    a hard case exceeds its bound."""
+    """``tmap accuracy``: measures, writes the report. Returns 1 if a bound is exceeded."""
     if accept and (machine or names):
         raise UserError("accuracy: --accept needs all machines and all sets")
     check_directory(folder)

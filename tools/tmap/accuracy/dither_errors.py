@@ -42,8 +42,7 @@ def square(scale: int) -> model.Polygon:
 
 
 def bilinear(picture: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Returns the exact bilinear filter of a repeated map at u, v in texels. Texel centres are at
-    0.5."""
+    """The exact bilinear filter of a repeated map at u, v in texels. Texel centres are at 0.5."""
     i, j = (np.floor(c - 0.5).astype(int) for c in (u, v))
     fu, fv = u - 0.5 - i, v - 0.5 - j
     return sum(picture[(j + down) % MAP, (i + across) % MAP] * part * share

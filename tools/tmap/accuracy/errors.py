@@ -58,8 +58,7 @@ class Errors:
 
     @property
     def rms(self) -> float:
-        """Root of the mean square over all pixels of the larger of u's and v's errors, in
-        texels."""
+        """Root mean square over all pixels of the larger of u's and v's errors, in texels."""
         return math.sqrt(self.squares / max(self.pixels, 1))
 
     def figures(self) -> dict:

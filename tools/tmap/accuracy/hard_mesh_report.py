@@ -141,8 +141,7 @@ def check(each: Scene, digests: np.ndarray, names: list[str], machine: str) -> N
 
 
 def cycles(drawings: list[Drawing], machine: str) -> list[int]:
-    """Returns the cycles of each drawing on the guest; a case's drawings come together. Refuses a
-    frame that differs from the model's."""
+    """Cycles of each drawing, a case's together. Refuses a frame that is not the model's."""
     groups = grouped(drawings)
     scenes = [scene(case, settings, random_maps.of_size(256, 256)) for case, settings in groups.items()]
     spent = []

@@ -112,8 +112,7 @@ def measure(drawings: list[Drawing], machine: str, on_part=None) -> list[Row]:
 
 
 def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> list[Row]:
-    """Returns a row for each drawing of a mesh, over all its faces. A case's drawings come
-    together."""
+    """A row for each drawing of a mesh, over all its faces. A case's drawings come together."""
     spent = iter(hard_mesh_report.cycles(drawings, machine))
     return [row_of(case, settings, next(spent), found)
             for case, ways in hard_mesh_report.grouped(drawings).items()

@@ -26,8 +26,7 @@ def drawn_by(row: dict) -> str:
 
 
 def plot(rows: list[dict], path: Path) -> None:
-    """Plots error against cycles of the texture mappers: a panel for each set, with the
-    frontier."""
+    """Plots error against cycles of the texture mappers: a panel a set, with the frontier."""
     machine = rows[-1]["machine"]
     names = list(dict.fromkeys(r["name"] for r in rows))
     columns = min(len(names), 4)
@@ -89,8 +88,7 @@ def swimming_scene() -> Scene:
 
 
 def write_swimming(out: Path) -> None:
-    """Writes swimming.gif and swimming.png: rendered on the emulated machine, enlarged five
-    times."""
+    """Writes swimming.gif and swimming.png, drawn on the emulated machine, five times as large."""
     scene = swimming_scene()
     frames = render(scene, MEASURED[-1], "addx").frames
     pictures = []

@@ -52,8 +52,7 @@ def frames(row: str, count: int) -> list[np.ndarray]:
 
 
 def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[dict]:
-    """Returns a machine's rows, measured in one boot. Every frame must be the model's. ``cache``:
-    with a data cache."""
+    """A machine's rows, from one boot; frames must be the model's. ``cache``: with a data cache."""
     form = "addx DCACHE" if cache else "addx"
     drawn = guest_frames.draw([(scene(name, count), form) for name in ROWS], machine)
     rows = []

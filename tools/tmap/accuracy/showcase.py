@@ -34,8 +34,7 @@ Shown = tuple[str, dict, int, Errors]
 
 
 def errors_of(scene: Scene) -> Errors:
-    """Returns the errors of the polygons' u and v. Polygons without texture or ideal are left
-    out."""
+    """Returns the errors of u and v. Polygons without texture or ideal are left out."""
     total, size = Errors(), (scene.width, scene.height)
     for number in range(0, scene.frames, ERROR_STEP):
         for which, vertices in polygons_at(scene, number):

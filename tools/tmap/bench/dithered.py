@@ -18,8 +18,7 @@ NAMES = {"": 1, "_wrap": 1, "_16": 2, "_16_wrap": 2, "_32": 4, "_32_wrap": 4}
 
 def dithered_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground,
                    title: str = "", *, dudx: int, dvdx: int, odd: int, **more) -> Trial:
-    """One table of lines, whose u and v are less than their points' by MOST; ``odd``: the first
-    line's parity."""
+    """One table of lines, u and v less than their points' by MOST; ``odd``: line 0's parity."""
     def drawn(k: int, _: int, column: int, count: int, u: int, v: int) -> np.ndarray:
         du, dv = dithered.moves(column, column + count, k + odd)
         return texels(ground.picture, u + MOST + du, v + MOST + dv, dudx, dvdx, count)

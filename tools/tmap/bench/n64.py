@@ -15,8 +15,7 @@ def names(examples) -> list[str]:
 
 def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str,
                examples) -> Trial:
-    """The call of a pass on ``count`` pixels, with input, output, texels and tables in the far
-    arena."""
+    """A pass on ``count`` pixels: input, output, texels and tables are in the far arena."""
     example = examples.MAKERS[name.removesuffix("_c")](rng, count)
     kernel = examples.FORMS.get(name, name)
     source, out = far.add(example.source), far.add(bytes(example.size))

@@ -72,7 +72,6 @@ def places(loops: list[Loop]) -> dict[str, list[int]]:
 
 
 def floors(measured: dict, row: str = "floor_copy") -> tuple[float, ...]:
-    """What memory alone takes on each of MACHINES, a pixel: one byte fetched and one stored, or
-    another ``row`` of the bench."""
+    """What memory alone takes a pixel on each of MACHINES: a byte fetched and one stored."""
     figures = bench.figures(measured["rows"])
     return tuple(figures[row, machine, FLOOR_LONG] for machine in MACHINES)

@@ -35,8 +35,7 @@ def leaning(units: Fraction) -> Fraction:
 
 
 def slivers() -> Iterator[Case]:
-    """Height or width from 1/65536 pixel up: slopes are huge or nearly 0, areas tiny, and a single
-    unit decides if a pixel is covered."""
+    """Height or width from 1/65536 pixel up: huge slopes, tiny areas, a unit decides coverage."""
     for size in SMALL:
         yield make(f"sliver_{label(size)}_high", "Its flat top lies on a scanline and shows, "
                    "however low the triangle is.", [(9.25, 40), (118.5, 40), (60, 40 + size)])

@@ -54,8 +54,7 @@ def fan(rng: random.Random) -> Net:
 
 
 def net_of(rng: random.Random, rows: int, columns: int, points) -> Net:
-    """Returns rows and columns of four-cornered cells, each cut along either diagonal. ``points``:
-    row by row."""
+    """Rows and columns of cells, each cut along either diagonal. ``points``: row by row."""
     def at(i: int, j: int) -> int:
         return j * (columns + 1) + i
 
@@ -128,8 +127,7 @@ def subdivision(rng: random.Random) -> Net:
 
 
 def tiles(rng: random.Random) -> Net:
-    """Returns rows of handwritten rectangles, on whole numbers, of equal size or not, each cut
-    along either diagonal."""
+    """Rows of handwritten rectangles, on whole numbers, each cut along either diagonal."""
     columns, rows = rng.randint(1, 4), rng.randint(1, 4)
     ends = []
     for count in (columns, rows):

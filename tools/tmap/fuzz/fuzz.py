@@ -36,8 +36,7 @@ FORMS = ("addx", "addx", "swap", "addx", "c")
 
 @dataclass
 class Checked:
-    """The host's results for a polygon: the correct frame, and the verdict on the model's
-    errors."""
+    """The host's results for a polygon: the right frame, the verdict on the model's errors."""
 
     frame: np.ndarray
     result: int  # enum polygon_result that the guest must return: 0, or why it is refused
@@ -190,8 +189,7 @@ def run_part(seed: int, numbers: range, machine: str) -> Tally:
 
 def run(seed: int, first: int, count: int, machine: str = MACHINE,
         on_part: Callable[[Tally], None] | None = None) -> Tally:
-    """Draws and checks polygons ``first`` to ``first + count - 1`` of a seed, on all of the host's
-    processors."""
+    """Checks ``count`` polygons of a seed from ``first`` on, on all of the host's processors."""
     size = BLOCK * BLOCKS
     starts = [first, *range(first // size * size + size, first + count, size)]
     ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]

@@ -74,8 +74,7 @@ def candidates(each: Fuzzed) -> list[Fuzzed]:
 
 def shrink(each: Fuzzed, fault: FaultT,
            failing: Callable[[list[Fuzzed]], dict[int, FaultT]]) -> tuple[Fuzzed, FaultT]:
-    """Returns the simplest failing polygon found, and its fault. ``failing`` returns the faults of
-    the failing candidates, by index."""
+    """The simplest failing polygon, and its fault. ``failing``: faults of candidates, by index."""
     for _ in range(ROUNDS):
         tried = candidates(each)
         found = failing(tried) if tried else {}

@@ -146,8 +146,7 @@ class Coordinate:
 
 
 def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
-    """Returns the plane of ``vertices`` [key] through the corners ``three`` and its steps'
-    bounds."""
+    """The plane of ``vertices`` [key] through the corners ``three`` and its steps' bounds."""
     points = [vertices[k] for k in three]
     plane = ideal.Plane([p[:2] for p in points], [p[key] for p in points])
     cut = t.cuts[key - 2] if t else CUT.get(settings.mapper, (0, 0))[key - 2]
@@ -167,8 +166,7 @@ def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: S
 
 
 def coarse(cut: int) -> int:
-    """Returns twice the rounding of a step without a plane, its quotient's rounding included;
-    units."""
+    """Twice the rounding of a step without a plane, its quotient's rounding included; units."""
     return 1 + (1 << cut) if cut else 1
 
 
@@ -218,8 +216,7 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
 
 def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
                    settings: Settings) -> tuple[float, float]:
-    """Returns u at a pixel between both exact edges, and its bound if each line has its own
-    steps."""
+    """u at a pixel between both exact edges, and its bound if each line has its own steps."""
     index = "uv".index(key) + 2
     x, u, a, off = [], [], [], []
     for edge in edges:
@@ -257,8 +254,7 @@ def add_error(error: float, bounds: tuple[float, float], key: str, pixel: tuple,
 
 
 def mapper_bound(mapper: str, key: str, line: Line, i: int, error: float) -> float:
-    """Returns a mapper's addition to the bound of u or v at pixel i of a line, on the error's side
-    of the exact value."""
+    """What a mapper adds to the bound of u or v at pixel i of a line, on the error's side."""
     if mapper == "generated":
         lost = (getattr(line, key) & 0xFFFF) - BIAS
         return max(-lost if error > 0 else lost, 0) * UNIT

@@ -78,8 +78,7 @@ BOUNDLESS = 32768.0  # texels: values are modulo twice that
 
 
 def plane_error(plane, scale: int, x: float, y: float) -> float:
-    """Returns the error of a plane x pixels and y lines from the first corner, in the value's
-    units."""
+    """The error of a plane x pixels and y lines from the first corner, in the value's units."""
     gradients = [abs(signed(g, 64)) / 2**scale for g in (plane.dx, plane.dy)]
     return sum(way * (g / 2**31 + 3 / 2**16) for way, g in zip((x, y), gradients)) + 2 / 2**16
 
@@ -145,8 +144,7 @@ def chords(values: np.ndarray, m: int) -> np.ndarray:
 
 
 def intended(values: np.ndarray, setting: str) -> np.ndarray:
-    """Returns a setting's intended error at a line's pixels: its chords minus the exact values,
-    else 0; texels."""
+    """A setting's intended error at a line's pixels: chords minus exact values, else 0; texels."""
     return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
 
 
@@ -244,8 +242,7 @@ def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool
 
 def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
                 size: tuple[int, int], out) -> None:
-    """Judges the texels that are fetched at the pixels of a line; ``off``: the errors of u or v,
-    ``allowed``: the largest allowed."""
+    """Judges the fetched texels of a line; ``off``: errors of u or v, ``allowed``: the most."""
     side = size["uv".index(key)]
     each = beside(key, spans.repeated(found, side), found, off, side, left, y)
     each.judge(allowed, allowed, out)

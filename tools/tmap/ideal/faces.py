@@ -152,8 +152,7 @@ class Face:
         return u, v, np.array([q / common for q in near])
 
     def values(self, line: int) -> list[np.ndarray]:
-        """Returns u and v of all pixels of a line, float64 texels. They are computed once, as every
-        way to draw the face needs them."""
+        """u and v of all pixels of a line, float64 texels, computed once."""
         if line not in self.lines:
             self.lines[line] = [np.array([n / (1 << 16 + EXTRA) for n in c])
                                 for c in self.texels(line, *self.extents[line])[:2]]
@@ -161,8 +160,7 @@ class Face:
 
 
 def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) -> list[Face]:
-    """Returns an instance's faces before the exact camera; ``longer``: the longer side of its map,
-    texels."""
+    """An instance's faces before the exact camera; ``longer``: texels of its map's longer side."""
     mesh, made = scene.meshes[instance.mesh], []
     points = scene.points[mesh.point:mesh.point + mesh.points].tolist()
     places = [ideal_mesh.camera(camera.factors, camera.move, point) for point in points]

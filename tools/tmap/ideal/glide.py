@@ -29,8 +29,7 @@ FILTERS = ("point", "bilinear", "trilinear")
 
 
 class Corner(NamedTuple):
-    """A polygon's corner: ``x``, ``y``: 16.16; ``s``, ``t``: s/w and t/w, 14.18; ``w``: 1/w,
-    2.30."""
+    """A corner: ``x``, ``y``: 16.16; ``s``, ``t``: s/w and t/w, 14.18; ``w``: 1/w, 2.30."""
 
     x: int
     y: int
@@ -122,8 +121,7 @@ def sample(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray, how: str
 
 def factor(modes: Modes, half: Combination, level: np.ndarray, own: np.ndarray,
            local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Returns the factor of a half of the combine unit, 0..1: colours are divided by 255, levels
-    and detail are used unchanged."""
+    """The factor of a half of the unit, 0..1: colours over 255, levels and detail as they are."""
     near = np.maximum(modes.detail_bias - level, 0) * 2.0 ** modes.detail_scale / 256
     choice = {LOCAL: own / 255, OTHER_ALPHA: other[:, ALPHA:] / 255,
               LOCAL_ALPHA: local[:, ALPHA:] / 255, LOD_FRACTION: (level % 1)[:, None],
@@ -134,8 +132,7 @@ def factor(modes: Modes, half: Combination, level: np.ndarray, own: np.ndarray,
 
 
 def combined(modes: Modes, level: np.ndarray, local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Returns the unit's ideal output colours [n, 4], 0..255. ``level``: [n]; ``local``, ``other``:
-    [n, 4]."""
+    """The unit's ideal colours [n, 4], 0..255. ``level``: [n]; ``local``, ``other``: [n, 4]."""
     parts = []
     for half, channels in ((modes.rgb, slice(0, ALPHA)), (modes.alpha, slice(ALPHA, 4))):
         own, alpha = local[:, channels], local[:, ALPHA:]

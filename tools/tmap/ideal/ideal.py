@@ -117,8 +117,7 @@ class Crossing:
         return slack
 
     def near(self, column: int, settings: Settings, width: int, height: int) -> bool:
-        """Returns true if a pixel may be on the other side of the renderer's edge than of this
-        one."""
+        """True if a pixel may be on the other side of the renderer's edge than of this one."""
         slack = self.slack(settings, width, height)
         return slack > 0 and self.distance(column) <= slack
 
@@ -178,8 +177,7 @@ class Plane:
         return self.value0 + Fraction(self.nx * (x - self.x0) + self.ny * (y - self.y0), self.d)
 
     def texels(self, first: int, end: int, j: int) -> list[int]:
-        """Returns the exact value at pixels ``first`` to ``end`` - 1 of line j, in whole texels,
-        rounded down."""
+        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels, rounded down."""
         rise = self.nx * ((first << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
         start = self.value0 * self.d + rise
         return [(start + k * (self.nx << 16)) // (self.d << 16) for k in range(end - first)]
@@ -215,8 +213,7 @@ class Plane:
         return found
 
     def raised(self, t: model.Texturing, cut: int) -> float:
-        """Returns the most by which set-up raises the values, in texels; ``cut``: low bits that are
-        0."""
+        """The most by which set-up raises the values, in texels; ``cut``: low bits that are 0."""
         ways = t.i - t.box[0], t.j - t.box[1]
         away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + sum(ways) + 2
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5

@@ -69,8 +69,7 @@ def wrapped(axis: Axis, index: np.ndarray) -> np.ndarray:
 
 
 def three_point(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """Filters texels (this one, right, below, both) [n, channels] by fractions [n] of the triangle
-    that contains the pixel."""
+    """Filters texels (this one, right, below, both) [n, channels] by fractions of the triangle."""
     (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     return np.where(fs + ft < 1, c00 + fs * (c10 - c00) + ft * (c01 - c00),
                     c11 + (1 - fs) * (c01 - c11) + (1 - ft) * (c10 - c11))
@@ -96,8 +95,7 @@ def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) ->
 
 
 def converted(k: list[int], texel: np.ndarray) -> np.ndarray:
-    """Converts U, V, Y and an unused value to R, G, B, Y: [n, 4]; ``k``: K0.. as in the convert
-    word."""
+    """Converts U, V, Y and an unused value to R, G, B, Y: [n, 4]; ``k``: the convert word's."""
     u, v, y = (texel[:, n] for n in range(3))
     k0, k1, k2, k3 = ((2 * c + 1) / 256 for c in k[:4])
     return np.stack([y + k0 * v, y + k1 * u + k2 * v, y + k3 * u, y], -1)

@@ -10,8 +10,7 @@ from tmap.ideal.ideal import Plane
 
 
 class Coordinate(NamedTuple):
-    """Coordinates of pixels [n]. ``index``: whole texels, int64, exact; ``fraction``: float64,
-    0 <= f < 1."""
+    """Coordinates of pixels [n]: exact whole texels, int64; ``fraction``: float64, 0 <= f < 1."""
 
     index: np.ndarray
     fraction: np.ndarray
@@ -53,8 +52,7 @@ class Quotients:
 
 
 def scaled(c: Coordinate, shift: int) -> Coordinate:
-    """Applies an N64 tile's shift to a coordinate: 0..10 shift right by that, 11..15 shift left by
-    16 - shift."""
+    """Applies an N64 tile's shift: 0..10 shift right by that, 11..15 shift left by 16 - shift."""
     if shift <= 10:
         whole = c.index >> shift
         rest = (c.index - (whole << shift) + c.fraction) / (1 << shift)
@@ -66,8 +64,7 @@ def scaled(c: Coordinate, shift: int) -> Coordinate:
 
 
 def bilinear(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """Filters texels (this one, right, below, both) [n, channels] by fractions [n] of the
-    square."""
+    """Filters texels (this one, right, below, both) [n, channels] by fractions [n]."""
     (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     upper, lower = c00 + fs * (c10 - c00), c01 + fs * (c11 - c01)
     return upper + ft * (lower - upper)

@@ -52,8 +52,7 @@ def key(module: str, files: Iterable[Path] = (), *words: str) -> str:
 
 
 def of_scene(name: str, machine: str) -> Entry:
-    """Draws a scene; returns run.json's content without dumps and palette, with the texels'
-    errors."""
+    """Draws a scene; returns run.json without dumps and palette, with the texels' errors."""
     path = SCENES / f"{name}.toml"
 
     def make(folder: Path) -> dict:

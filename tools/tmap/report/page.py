@@ -94,8 +94,7 @@ def hard_cases(entry: Entry) -> dict:
 
 
 def page(found: Found, pictures: Path) -> str:
-    """Returns the text of index.html; ``pictures``: the directory beside it, with all its
-    pictures."""
+    """The text of index.html; ``pictures``: the directory beside it, with all its pictures."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True,
                                      undefined=jinja2.StrictUndefined, trim_blocks=True,
                                      lstrip_blocks=True)

@@ -64,8 +64,7 @@ def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def animation() -> list[Image.Image]:
-    """Returns every second frame of the environment-mapped knot, in few colours, to halve the
-    bytes."""
+    """Every second frame of the environment-mapped knot, in few colours, to halve the bytes."""
     compiled = scene.compile_scene(SCENES / "environment.toml")
     frames = run.render(compiled, "a1200-fast", "addx").frames
     colours, entries = fewer_colours(compiled.palette, frames[0])

@@ -40,8 +40,7 @@ PLANAR_LINES = (
 
 
 def planar_table(baseline: dict) -> str:
-    """Returns a Markdown table: cycles a pixel of the frame, with the display off and with the
-    frame's own display."""
+    """A Markdown table: cycles a pixel of the frame, display off and with the frame's own."""
     figures, rows = bench.figures(baseline["rows"]), []
     for title, name, width, displays in PLANAR_LINES:
         for shown, end in displays:

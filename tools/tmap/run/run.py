@@ -52,8 +52,7 @@ def parse_lines(lines: list[str], pattern: re.Pattern, noun: str) -> list[re.Mat
 
 
 def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], list[dict]]:
-    """Parses the output of ``render``, a line for each frame and material; returns their
-    figures."""
+    """Parses ``render``'s output, a line for each frame and material; returns their figures."""
     lines = output.splitlines()
     if len(lines) != frames + materials:
         raise UserError(f"render: {len(lines)} lines of output for {frames} frames and "

@@ -39,8 +39,7 @@ def window() -> Display:
 
 
 def command(path: Path, machine: str, display: Display) -> int:
-    """Plays a scene file in a window until escape is pressed or the window is closed; raises
-    UserError."""
+    """Plays a scene file in a window until escape or until it is closed; raises UserError."""
     scene = compile_scene(path)
     with emulator.workspace() as directory:
         try:

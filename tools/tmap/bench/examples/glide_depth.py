@@ -41,8 +41,7 @@ def iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def found(start, step, count: int, ground: Axes) -> Example:
-    """The coordinates of ``count`` pixels of a line: all are divided, or the ends of pieces if the
-    ground has any."""
+    """The coordinates of ``count`` pixels: all are divided, or the ends of the ground's pieces."""
     before = np.arange(ground.left or count)
     modes = Modes(perspective=1, clamp_negative_w=ground.behind,
                   subdivision=1 << ground.bits if ground.bits else 0)

@@ -27,8 +27,7 @@ Vertices = list[tuple[int, ...]]
 
 
 def shrunk(mode: Mode, shift: int, most: int) -> Vertices:
-    """A mode's polygon 2^shift times as small, its first ``most`` corners, steps from pixel to
-    pixel as they are."""
+    """A mode's polygon 2^shift times as small, its first ``most`` corners, gradients unchanged."""
     found = []
     for first in range(0, len(mode.vertices), mode.corners):
         corners = mode.vertices[first:first + mode.corners][:most]
@@ -48,8 +47,7 @@ def drawn(mode: Mode, plain: bool) -> tuple[Vertices, Vertices]:
 
 @cache
 def scene_of(mode: Mode, kind: str = "noise", plain: bool = False) -> Scene:
-    """An empty frame, then the mode's polygon in two; ``kind``: of modes.KINDS; ``plain``: see
-    drawn."""
+    """An empty frame, then the mode's polygon in two; ``kind``: of KINDS; ``plain``: see drawn."""
     frames = AGAIN + 1
     with tempfile.TemporaryDirectory() as folder:
         modes.write_pictures(kind, Path(folder))
