@@ -16,7 +16,6 @@ from PIL import Image
 
 from tmap.accuracy import hard_mesh_report
 from tmap.base.errors import UserError
-from tmap.base.fixed import ceil16
 from tmap.corpus import hard_cases, hard_meshes
 from tmap.corpus.hard_case import called
 from tmap.corpus.hard_cases import HEIGHT, WIDTH, Case, Drawing
@@ -142,16 +141,11 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
     if not bounds.has_ideal(vertices, settings):
         return None
     frame = np.full((HEIGHT, WIDTH), -1, np.int16)
-    three = [vertices[k] for k in ideal.corners(vertices)]
-    planes = [ideal.Plane([p[:2] for p in three], [p[k] for p in three]) for k in (2, 3)]
-    if not planes[0].d:
+    exact = (ideal if settings.perspective == "none" else ideal_perspective).Picture(vertices, WIDTH, HEIGHT)
+    if settings.perspective == "none" and not exact.planes[0].d:
         return frame
-    if settings.perspective != "none":
-        planes = ideal_perspective.curves(vertices)
-    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
-    for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), HEIGHT)):
-        left, right = (min(max(-(-n // (d << 16)), 0), WIDTH) for n, d in extent(y))
-        u, v = (plane.texels(left, right, y) for plane in planes)
+    for y, (left, right) in exact.extents.items():
+        u, v = (plane.texels(left, right, y) for plane in exact.planes)
         frame[y, left:right] = (200 if settings.mapper == "flat" else [value & 255 for value in u]
                                 if settings.mapper == "gouraud" else
                                 [texels[b % texels.shape[0], a % texels.shape[1]]

@@ -145,17 +145,16 @@ class Coordinate:
     down: float  # d_y, per line (plane)
 
 
-def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
-    """The plane of ``vertices`` [key] through the corners ``three`` and its steps' bounds."""
-    points = [vertices[k] for k in three]
-    plane = ideal.Plane([p[:2] for p in points], [p[key] for p in points])
+def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
+    """Returns the plane of ``vertices`` [key] through their corners, and its steps' bounds."""
+    plane = ideal.plane_of(vertices, key)
     cut = t.cuts[key - 2] if t else CUT.get(settings.mapper, (0, 0))[key - 2]
     g, h = abs(plane.nx / plane.d), abs(plane.ny / plane.d)
     if settings.gradients == "plane":
         rounding = UNIT / 2 * (1 << cut)
         return Coordinate(plane, cut, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
-    top, bottom, middle = points
-    height = bottom[1] - top[1]
+    top, bottom, _ = ideal.corners(vertices)
+    height = vertices[bottom][1] - vertices[top][1]
     width = abs(plane.d / height) * UNIT if height else 0.0
     step = g + LARGEST
     if width > UNIT:
@@ -281,17 +280,13 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
                  beyond: float | None, out: Verdict) -> None:
     """Adds the error of u and v at both ends of every line inside the exact polygon, as both are
     linear between them, and judges the texels that are fetched at all its pixels."""
-    three, mapper, t = ideal.corners(vertices), polygon.mapper, polygon.texturing
+    mapper, t = polygon.mapper, polygon.texturing
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
-    planes = {key: coordinate(vertices, three, index, t, settings)
+    planes = {key: coordinate(vertices, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
-    found, extent = [], ideal.extents(vertices)  # error, bounds below and above, coordinate, pixel
+    found = []  # error, bounds below and above, coordinate, pixel
     shown = []  # texels with the largest errors, how far they may be below, above
-    for y, line in enumerate(polygon.lines, polygon.top):
-        ends = [-(-n // (d << 16)) for n, d in extent(y)]
-        left, right = max(line.left, ends[0]), min(line.right, ends[1])
-        if left >= right:
-            continue
+    for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
         seen, last = slice(left - line.left, right - line.left), right - 1
         stepped = polygon.coordinates(line, y)
         texels = spans.fetched(line, mapper, size, stepped)
@@ -319,15 +314,12 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
 
 def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     """Adds the error of the level at both ends of every line inside the exact polygon."""
-    t, light, three = polygon.shading.plane, polygon.shading, ideal.corners(vertices)
-    plane = ideal.Plane([vertices[k][:2] for k in three], [vertices[k][-1] for k in three])
+    t, light, plane = polygon.shading.plane, polygon.shading, ideal.plane_of(vertices, -1)
     (least, _), (most, _) = model.plane_range(vertices, t)
     beyond = max(0, light.low - least, most - light.high) * UNIT
-    found, extent = [], ideal.extents(vertices)  # error, bound on the plane, pixel
-    for y, line in enumerate(polygon.lines, polygon.top):
-        left, right = (-(-n // (d << 16)) for n, d in extent(y))
-        left, right = max(line.left, left), min(line.right, right)
-        for i in {left, right - 1} if left < right else ():
+    found = []  # error, bound on the plane, pixel
+    for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
+        for i in {left, right - 1}:
             found.append((plane.error(line.c + (i - line.left) * line.dcdx, i, y),
                           plane.bound(i, y, t, t.u_cut), (i, y)))
     bound = 6 * (max((b for _, b, _ in found), default=0.0) + beyond) + 8 * UNIT

@@ -138,8 +138,7 @@ def chords(values: np.ndarray, m: int) -> np.ndarray:
     n = len(values) - 1
     if not n:
         return np.zeros(1)
-    nodes = [*range(0, n, m)]
-    nodes = np.array([*nodes, n])
+    nodes = np.array([*range(0, n, m), n])
     return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
 
 
@@ -276,13 +275,11 @@ def judge_flattened(vertices, polygon, tolerance: float | None, size: tuple[int,
     its planes are not accurate enough; out.unsure counts those."""
     out.unsure += tolerance is None
     spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
-    three = [vertices[k] for k in ideal.corners(vertices)]
-    both = curves(vertices)
+    both, planes = curves(vertices), [ideal.plane_of(vertices, key) for key in (2, 3)]
     for y, line, _, left, right in inner_lines(vertices, polygon):
         columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
-        for key, curve, found in zip((2, 3), both, polygon.coordinates(line, y)):
+        for key, curve, plane, found in zip((2, 3), both, planes, polygon.coordinates(line, y)):
             values = [v[key] for v in vertices]
-            plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
             bound = max(plane.bound(i, y, t, t.cuts[key - 2]) for i in (left, right - 1)) + (
                 spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
             error = curve.errors(found[seen], columns, y)

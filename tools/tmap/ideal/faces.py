@@ -256,8 +256,7 @@ def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
             key = 2 + "uv".index(noun)
             yield key, y, columns, error, wanted, allowed + 0 * error, curves[key - 2].values(columns, y)
         return
-    t, three = polygon.texturing, [adapted[k] for k in ideal.corners(adapted)]
-    planes = [ideal.Plane([v[:2] for v in three], [v[key] for v in three]) for key in (2, 3)]
+    t, planes = polygon.texturing, [ideal.plane_of(adapted, key) for key in (2, 3)]
     for y, line in enumerate(polygon.lines, polygon.top):
         columns = np.arange(line.left, line.right)
         for key, plane, found in zip((2, 3), planes, model.coordinates(line)) if len(columns) else ():

@@ -232,6 +232,12 @@ class Plane:
         return max(abs(self.nx), abs(self.ny)) >= abs(self.d) << 30
 
 
+def plane_of(vertices, key: int) -> Plane:
+    """Returns the plane of a polygon's numbers ``key``, through its three corners."""
+    three = [vertices[k] for k in corners(vertices)]
+    return Plane([v[:2] for v in three], [v[key] for v in three])
+
+
 class Picture:
     """The ideal of a convex polygon in a frame: extents {line: (first pixel, end)}, the count of
     pixels, and the planes of u and v."""
@@ -244,8 +250,7 @@ class Picture:
             if ends[0] < ends[1]:
                 self.extents[y] = tuple(ends)
         self.pixels = sum(end - first for first, end in self.extents.values())
-        three = [vertices[k] for k in corners(vertices)]
-        self.planes = [Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
+        self.planes = [plane_of(vertices, k) for k in (2, 3)]
         self.endless = True  # planes continue beyond the polygon
 
 
@@ -266,9 +271,7 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
     line, in texels; no error may be below 0. Along a line both are linear, so the ends have the
     largest errors."""
     plane = polygon.texturing
-    three = [vertices[k] for k in corners(vertices)]
-    points = [v[:2] for v in three]
-    exact = [Plane(points, [v[k] for v in three]) for k in (2, 3)]
+    exact = [plane_of(vertices, k) for k in (2, 3)]
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
