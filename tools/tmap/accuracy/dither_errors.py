@@ -49,13 +49,11 @@ def bilinear(picture: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
                for down, part in ((0, 1 - fv), (1, fv)) for across, share in ((0, 1 - fu), (1, fu)))
 
 
-def blended(frame: np.ndarray) -> np.ndarray:
-    """Returns the means of all 2x2 pixels, including overlapping ones."""
-    return (frame[1:, 1:] + frame[1:, :-1] + frame[:-1, 1:] + frame[:-1, :-1]) / 4
-
-
 def errors(picture: np.ndarray, scale: int) -> dict[str, tuple[float, float]]:
     """Returns the mean errors of points and of dithered points: pixel by pixel, and blended."""
+    def blended(frame: np.ndarray) -> np.ndarray:
+        return (frame[1:, 1:] + frame[1:, :-1] + frame[:-1, 1:] + frame[:-1, :-1]) / 4
+
     polygon, found = square(scale), {}
     lines = list(enumerate(polygon.lines))
     exact = np.array([bilinear(picture, *(c / ONE for c in coordinates(line)))

@@ -184,8 +184,7 @@ def as_json(found: dict) -> str:
 def write(found: dict, out: Path) -> None:
     """bench.json, bench.md and bench.png into ``out``."""
     out.mkdir(parents=True, exist_ok=True)
-    machines = list(dict.fromkeys(row["machine"] for kind in UNITS
-                                  for row in found[kind]))
+    machines = list(dict.fromkeys(row["machine"] for kind in UNITS for row in found[kind]))
     text = "# Cycles\n\n" + found["conditions"] + f". {found['emulator']}, {found['compiler']}.\n"
     text += "".join(f"\n{title}:\n\n" + table(found[kind], machines) for kind, title in TITLES.items())
     if found["rows"]:

@@ -22,8 +22,7 @@ from tmap.setup import planarity
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.shading import LIT
 
-__all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep",
-           "scene"]
+__all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep", "scene"]
 
 FAMILIES = (*hard_outlines.FAMILIES, *hard_textures.FAMILIES, *hard_planes.FAMILIES,
             *hard_depths.FAMILIES)
@@ -59,17 +58,13 @@ def map_size(case: Case, mapper: str) -> tuple[int, int]:
     return (256, 256) if size_fault(MAPPER_LAYOUT[mapper], *case.map_size) else case.map_size
 
 
-def is_clipped(case: Case) -> bool:
-    """Returns true if clipping the vertices changes anything."""
-    vertices = [v[:2] for v in case.vertices]
-    return clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
-
-
 def combinations(case: Case) -> Iterator[Settings]:
     """Yields the settings with which a case is drawn: all different ones if the mapper is affine or
     flat, the usual ones and clipped vertices for other mappers, and each perspective if it has
     depth."""
-    clips = SETTINGS["clip"] if is_clipped(case) else ("scissor",)
+    vertices = [v[:2] for v in case.vertices]
+    is_clipped = clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
+    clips = SETTINGS["clip"] if is_clipped else ("scissor",)
     for mapper in case.mappers:
         if case.depth:
             made = [Settings(e, perspective=p) for e in ("subpixel", "exact")

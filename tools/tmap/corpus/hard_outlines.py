@@ -238,8 +238,7 @@ def vertex_counts() -> Iterator[Case]:
 
 def windings() -> Iterator[Case]:
     """The same polygon from every vertex on, in both directions."""
-    shapes = {"triangle": [(20.3, 10.7), (110.1, 40.2), (40.9, 85.5)],
-              "pentagon": ring(5, 44.1)}
+    shapes = {"triangle": [(20.3, 10.7), (110.1, 40.2), (40.9, 85.5)], "pentagon": ring(5, 44.1)}
     for shape, points in shapes.items():
         for first in range(0, len(points), 2):
             turned = points[first:] + points[:first]

@@ -77,16 +77,6 @@ def grid(rng: random.Random, rows: int, columns: int) -> Net:
     return net_of(rng, rows, columns, points)
 
 
-def strip(rng: random.Random) -> Net:
-    """Returns one row of cells."""
-    return grid(rng, 1, rng.randint(1, 8))
-
-
-def field(rng: random.Random) -> Net:
-    """Returns some rows of cells."""
-    return grid(rng, rng.randint(2, 4), rng.randint(2, 4))
-
-
 def split_edge(net: Net, rng: random.Random) -> None:
     """Adds a point on an edge and splits the triangles on both its sides."""
     face = rng.choice(net.faces)
@@ -136,7 +126,9 @@ def tiles(rng: random.Random) -> Net:
     return net_of(rng, rows, columns, [(x, y) for y in ends[1] for x in ends[0]])
 
 
-KINDS = {"fan": fan, "strip": strip, "grid": field, "subdivision": subdivision, "tiles": tiles}
+KINDS = {"fan": fan, "strip": lambda rng: grid(rng, 1, rng.randint(1, 8)),
+         "grid": lambda rng: grid(rng, rng.randint(2, 4), rng.randint(2, 4)),
+         "subdivision": subdivision, "tiles": tiles}
 
 
 def place(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:

@@ -133,18 +133,14 @@ class Bound:
         return min((max(b0, b1) + way * part + 3) * UNIT, BOUNDLESS)
 
 
-def chords(values: np.ndarray, m: int) -> np.ndarray:
-    """Returns straight pieces of m pixels through exact values, minus these, at each pixel."""
-    n = len(values) - 1
-    if not n:
-        return np.zeros(1)
-    nodes = np.array([*range(0, n, m), n])
-    return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
-
-
 def intended(values: np.ndarray, setting: str) -> np.ndarray:
-    """A setting's intended error at a line's pixels: chords minus exact values, else 0; texels."""
-    return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
+    """A setting's intended error at a line's pixels: straight pieces through exact values, minus
+    these; else 0; texels."""
+    n = len(values) - 1
+    if not n or setting not in PIECES:
+        return np.zeros(n + 1)
+    nodes = np.array([*range(0, n, PIECES[setting]), n])
+    return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
 
 
 def level_bound(b: float, setting: str, n: int) -> float:
@@ -200,8 +196,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
     ``vertices``: from ``model.adapt``, in front of the viewer."""
     p = polygon.perspective
     three = [vertices[k] for k in ideal.corners(vertices)]
-    bounds = [Bound(vertices, three, key, curve, p)
-              for key, curve in zip((2, 3), curves(vertices))]
+    bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves(vertices))]
     for y, line, extent, left, right in inner_lines(vertices, polygon):
         made = ends(p, line.left, line.right, y)
         inside = line.left >= extent[0], line.right <= extent[1]

@@ -47,12 +47,6 @@ def tables() -> dict[str, str]:
             | readme_scenes.tables(measured, accuracy, counted))
 
 
-def picture() -> Image.Image:
-    """Returns frame 0 of the default scene, as the emulated machine draws it."""
-    compiled = scene.compile_scene(SCENES / "default.toml", 1)
-    return run.picture_of(run.render(compiled, "a1200-fast", "addx").frames[0], compiled)
-
-
 def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Reduces a palette to COLOURS colours for a frame, with its first entry kept. Returns them,
     and for each entry of the palette the number of its new colour."""
@@ -81,7 +75,9 @@ def command() -> int:
     changed = [name for name, text in after.items() if text != before[name]]
     for name in changed:
         (ROOT / name).write_text(after[name])
-    picture().save(PICTURE, optimize=True)
+    first = scene.compile_scene(SCENES / "default.toml", 1)
+    frame, = run.render(first, "a1200-fast", "addx").frames
+    run.picture_of(frame, first).save(PICTURE, optimize=True)
     save_animation(ANIMATION, animation(), 80)
     methods.write_picture(methods.measure("a1200-fast"), METHODS)
     pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]

@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from PIL import Image
 
 from tmap.bench.modes import glide, modes, n64
 from tmap.bench.modes.modes import Mode
@@ -50,7 +51,8 @@ def scene_of(mode: Mode, kind: str = "noise", plain: bool = False) -> Scene:
     """An empty frame, then the mode's polygon in two; ``kind``: of KINDS; ``plain``: see drawn."""
     frames = AGAIN + 1
     with tempfile.TemporaryDirectory() as folder:
-        modes.write_pictures(kind, Path(folder))
+        for name, (side, seed, sheer) in modes.PICTURES.items():
+            Image.fromarray(modes.picture(kind, seed, side, sheer)).save(Path(folder, name))
         tables = mode.tables({"materials": {"it": {mode.TABLE: mode.material()}}}, Path(folder),
                              frames, f"mode {mode.name}: ")
     first, again = drawn(mode, plain)

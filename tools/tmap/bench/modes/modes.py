@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import ClassVar
 
 import numpy as np
-from PIL import Image
 
 from tmap.base.elementary import cos, each, sin
 
@@ -54,12 +53,6 @@ def picture(kind: str, seed: int, side: int = SIDE, sheer: bool = False) -> np.n
     if not sheer:
         made[..., 3] = 255
     return made
-
-
-def write_pictures(kind: str, folder: Path) -> None:
-    """All PICTURES of a kind."""
-    for name, (side, seed, sheer) in PICTURES.items():
-        Image.fromarray(picture(kind, seed, side, sheer)).save(folder / name)
 
 
 @dataclass(frozen=True)
