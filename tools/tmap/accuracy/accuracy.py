@@ -31,6 +31,10 @@ ASKED = "edges", "gradients", "start", "perspective", "mapper"
 #: Names that --set takes in addition to the sets: the turning face, the scenes, texture engines'
 #: modes (those of tmap.accuracy.engines), the page of hard cases.
 METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("n64", "glide")
+#: What is written for them, and for the sets.
+FILES = {METHODS: "methods.md, methods.png, methods.gif", SCENES: "scenes.md and an animation of each",
+         **{name: f"{name}.md" for name in ENGINES}, HARD: f"{HARD}/index.html"}
+SET_FILES = ("accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif", "swimming.png")
 
 
 def set_polygons(name: str, mapper: str) -> list:
@@ -154,34 +158,16 @@ def write_other(folder: Path, name: str, machine: str, progress) -> str:
     return tool.write(folder, machine, lambda: progress.advance(task))
 
 
-def measured_names(names: list[str] | None) -> list[str]:
-    """Returns the given names, or all if none are given. Refuses unknown names."""
-    every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, METHODS, SCENES, *ENGINES, HARD]
-    for name in names or ():
-        if name not in every:
-            raise UserError(f"accuracy: no set is called {name}; "
-                            f"there are {', '.join(every[:-1])} and {every[-1]}")
-    return names or every
-
-
-def written_files(names: list[str], sets: list[str]) -> list[str]:
-    """Returns the names of the written files, for the last message."""
-    files = {METHODS: ["methods.md", "methods.png", "methods.gif"],
-             SCENES: ["scenes.md and an animation of each"],
-             **{name: [f"{name}.md"] for name in ENGINES}, HARD: [f"{HARD}/index.html"]}
-    made = ["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
-            "swimming.png"] if sets else []
-    if polygon_sets.DEPTHS.keys() & set(sets):
-        made.append("pieces.png")
-    return made + [file for name, some in files.items() if name in names for file in some]
-
-
 def command(folder: Path, names: list[str] | None, machine: str | None, accept: bool) -> int:
     """``tmap accuracy``: measures, writes the report. Returns 1 if a bound is exceeded."""
     if accept and (machine or names):
         raise UserError("accuracy: --accept needs all machines and all sets")
     check_directory(folder)
-    names = measured_names(names)
+    every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, *FILES]
+    if unknown := [name for name in names or () if name not in every]:
+        raise UserError(f"accuracy: no set is called {unknown[0]}; "
+                        f"there are {', '.join(every[:-1])} and {every[-1]}")
+    names = names or every
     sets = [name for name in names if name in polygon_sets.SHAPES or name in polygon_sets.DEPTHS]
     machines, made, excess = [machine] if machine else list(MEASURED), [], []
     with bars() as progress:
@@ -195,7 +181,11 @@ def command(folder: Path, names: list[str] | None, machine: str | None, accept: 
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
                                       progress.update(task, completed=done, total=total))
-    print("\n".join(made) + f"written to {folder}: {', '.join(written_files(names, sets))}")
+    files = [*SET_FILES] if sets else []
+    if polygon_sets.DEPTHS.keys() & set(sets):
+        files.append("pieces.png")
+    files += [words for name, words in FILES.items() if name in names]
+    print("\n".join(made) + f"written to {folder}: {', '.join(files)}")
     for line in excess:
         print(f"exceeds its bound: {line}")
     return 1 if excess else 0

@@ -16,14 +16,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
+from tmap.accuracy import showcase
 from tmap.accuracy.errors import Errors
 from tmap.base import markdown
 from tmap.base.outputs import save_animation
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
-from tmap.ideal.perspective import Picture
-from tmap.model import model
-from tmap.model.mesh import polygons_at
 from tmap.model.model import Settings
 from tmap.run.run import render
 from tmap.scene_file.scene_file import Scene
@@ -62,19 +60,6 @@ def scene_of(settings: Settings) -> Scene:
                                      for m in scene.materials])
 
 
-def errors_of(scene: Scene, settings: Settings) -> Errors:
-    """Returns the errors of all frames."""
-    total = Errors()
-    size = scene.width, scene.height
-    for number in range(scene.frames):
-        for which, vertices in polygons_at(scene, number):
-            texels = scene.textures[scene.materials[which].texture].texels.shape
-            adapted = model.adapt(vertices, settings, max(texels))
-            polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
-            total.add(polygon, Picture(adapted, *size), settings)
-    return total
-
-
 def measure(machine: str, on_step=None) -> list[Method]:
     """Draws all methods on a machine."""
     made = []
@@ -83,7 +68,7 @@ def measure(machine: str, on_step=None) -> list[Method]:
         drawn = render(scene, machine, "addx")
         spent = sum(figure["cycles"] for figure in drawn.figures) / scene.frames
         made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent,
-                           errors_of(scene, settings)))
+                           showcase.errors_of(scene, 1, True)))
         if on_step:
             on_step()
     return made

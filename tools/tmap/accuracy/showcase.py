@@ -33,10 +33,11 @@ ERROR_STEP = 8
 Shown = tuple[str, dict, int, Errors]
 
 
-def errors_of(scene: Scene) -> Errors:
-    """Returns the errors of u and v. Polygons without texture or ideal are left out."""
+def errors_of(scene: Scene, step: int = ERROR_STEP, always_curve: bool = False) -> Errors:
+    """Returns the errors of u and v in every ``step``-th frame. Polygons without texture or ideal are
+    left out. ``always_curve``: against the exact curve, whatever the perspective."""
     total, size = Errors(), (scene.width, scene.height)
-    for number in range(0, scene.frames, ERROR_STEP):
+    for number in range(0, scene.frames, step):
         for which, vertices in polygons_at(scene, number):
             m = scene.materials[which]
             settings = Settings(m.edges, m.gradients, m.start, m.clip, m.perspective, m.mapper)
@@ -45,12 +46,10 @@ def errors_of(scene: Scene) -> Errors:
             if m.mapper in ("flat", *UNITS) or not has_ideal(adapted, settings):
                 continue
             polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
-            exact = ideal.Picture([v[:4] for v in adapted], *size)
-            if polygon and polygon.perspective:
-                exact = Picture(adapted, *size)
-            elif not exact.planes[0].d:  # no area
-                continue
-            total.add(polygon, exact, settings)
+            if always_curve or polygon and polygon.perspective:
+                total.add(polygon, Picture(adapted, *size), settings)
+            elif ideal.plane_of(adapted, 2).d:  # it has an area
+                total.add(polygon, ideal.Picture(adapted, *size), settings)
     return total
 
 

@@ -52,17 +52,13 @@ OURS = {
 }
 
 
-def ours(kind: str, measured: dict) -> list[Loop]:
-    """Our loops for a kind of work, out of the bench's figures."""
+def ranked(kind: str, measured: dict) -> list[Loop]:
+    """All loops for a kind of work, ours out of the bench's figures; the fastest in fast RAM first."""
     figures = bench.figures(measured["rows"])
-    return [Loop(name, source, tuple(figures[row, machine, LONG] for machine in MACHINES),
+    ours = [Loop(name, source, tuple(figures[row, machine, LONG] for machine in MACHINES),
                  figures[row, "a1200-fast", SHORT], exact, True)
             for row, name, source, exact in OURS[kind]]
-
-
-def ranked(kind: str, measured: dict) -> list[Loop]:
-    """All loops for a kind of work, the fastest in fast RAM first."""
-    return sorted([*PUBLISHED[kind], *ours(kind, measured)], key=lambda loop: loop.cycles[0])
+    return sorted([*PUBLISHED[kind], *ours], key=lambda loop: loop.cycles[0])
 
 
 def places(loops: list[Loop]) -> dict[str, list[int]]:

@@ -69,11 +69,6 @@ class Curve:
         dn, dq = (self.sign * plane.nx << 16 for plane in (self.over, self.inverse))
         return [(n + k * dn) // (q + k * dq << 16) for k in range(end - first)]
 
-    def slope(self, i: int, j: int) -> Fraction:
-        """Returns the exact growth of the value along line j at pixel i; texels per pixel."""
-        n, q = self.terms(i << 16, j << 16)
-        return Fraction(self.sign * (self.over.nx * q - self.inverse.nx * n), q * q)
-
     def vanishing(self) -> Fraction | None:
         """Returns the value's limit along a line, towards the viewer, in units; None if depth does
         not change along lines."""
