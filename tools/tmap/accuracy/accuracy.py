@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from tmap.accuracy.errors import Errors
-from tmap.accuracy.rows import as_json, mark_frontier, report, table
+from tmap.accuracy.rows import mark_frontier, report, table
 from tmap.base.errors import UserError
-from tmap.base.outputs import bars, check_directory
+from tmap.base.outputs import as_json, bars, check_directory
 from tmap.base.paths import ACCURACY_BASELINE
 from tmap.corpus import polygon_sets, random_maps
 from tmap.corpus.settings_grid import combinations, depth_combinations

@@ -5,7 +5,6 @@ The guest draws every case; its frames must be the model's. The model draws the 
 that is easy to read by eye.
 """
 
-import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
@@ -16,6 +15,7 @@ from PIL import Image
 
 from tmap.accuracy import hard_mesh_report
 from tmap.base.errors import UserError
+from tmap.base.outputs import as_json
 from tmap.corpus import hard_cases, hard_meshes
 from tmap.corpus.hard_case import called
 from tmap.corpus.hard_cases import HEIGHT, WIDTH, Case, Drawing
@@ -119,8 +119,7 @@ def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> li
 
 
 def readable_map(width: int, height: int) -> np.ndarray:
-    """Returns palette indices: squares of 8 texels in two alternating colours, 16 levels each,
-    brighter to the right and down."""
+    """Palette indices: squares of 8 texels, two colours, 16 levels, brighter right and down."""
     v, u = np.mgrid[:height, :width]
     level = (u * 8 // width + v * 8 // height).clip(0, 15)
     return (16 + (u // 8 + v // 8) % 2 * 16 + level).astype(np.uint8)
@@ -223,7 +222,5 @@ def write(folder: Path, machine: str, conditions: str,
     for case in every_case():
         Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
     (folder / "index.html").write_text(page(rows, conditions))
-    lines = ",\n".join(json.dumps(asdict(row)) for row in rows)
-    head = f'{{"conditions": {json.dumps(conditions)}, "rows": ['
-    (folder / "hard.json").write_text(f"{head}\n{lines}\n]}}\n")
+    (folder / "hard.json").write_text(as_json({"conditions": conditions, "rows": list(map(asdict, rows))}))
     return rows

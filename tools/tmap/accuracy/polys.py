@@ -9,10 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from tmap.accuracy.rows import as_json
 from tmap.base import markdown
 from tmap.base.errors import UserError
-from tmap.base.outputs import check_directory
+from tmap.base.outputs import as_json, check_directory
 from tmap.base.paths import POLYS_BASELINE
 from tmap.corpus import polygon_sets, random_maps
 from tmap.guest import guest_frames, provenance

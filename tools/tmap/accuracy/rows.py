@@ -1,7 +1,5 @@
 """Rows of accuracy.json: the frontier, tables and JSON text."""
 
-import json
-
 from tmap.base import markdown
 
 #: Mappers without texture. All others draw the same picture, so they share a frontier; each of
@@ -52,10 +50,3 @@ def report(found: dict) -> str:
             f"{found['compiler']}.\n")
     return text + "".join(f"\n## {name}, {machine}\n\n" + table(found["rows"], name, machine)
                           for name, machine in tables(found["rows"]))
-
-
-def as_json(found: dict) -> str:
-    """Returns JSON with one row a line."""
-    head = json.dumps({k: v for k, v in found.items() if k != "rows"}, indent=1)
-    rows = ",\n  ".join(map(json.dumps, found["rows"]))
-    return f'{head[:-2]},\n "rows": [\n  {rows}\n ]\n}}\n'

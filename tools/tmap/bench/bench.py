@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 
 from tmap.base import markdown
 from tmap.base.errors import UserError
-from tmap.base.outputs import bars, check_directory
+from tmap.base.outputs import as_json, bars, check_directory
 from tmap.base.paths import BASELINE
 from tmap.bench import cases, rules as bench_rules, scenes
 from tmap.bench.modes import measure as bench_modes
@@ -171,14 +171,6 @@ def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
         "conditions": "DMA and interrupts off (but for rows ..._low, _high, _super: eight planes of "
                       "320, 640, 1280 dots are displayed), instruction cache warm, 256x256 8-bit map, "
                       "du 1.5, dv 1.25, the cost of the call subtracted", **found}
-
-
-def as_json(found: dict) -> str:
-    """The file's text: a row a line."""
-    fields = [f'"{key}": ' + ("[\n  " + ",\n  ".join(map(json.dumps, value)) + "\n ]"
-                             if isinstance(value, list) else json.dumps(value))
-              for key, value in found.items()]
-    return "{\n " + ",\n ".join(fields) + "\n}\n"
 
 
 def write(found: dict, out: Path) -> None:

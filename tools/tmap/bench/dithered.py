@@ -28,8 +28,7 @@ def dithered_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, gro
 
 
 def dithered_case(name: str, wide: int, length: int):
-    """A table of spans of one length from a page of noise, ``wide`` bytes a pixel; v wraps where the
-    kernel allows it."""
+    """A table of spans of one length from noise, ``wide`` bytes a pixel; v wraps if it may."""
     rng, lines, far = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256**wide, (256, 256)).astype(f">u{wide}")
     map_at = far.add(maps.to_page(picture).tobytes(), layout.load().constants["ARENA_ALIGN"])

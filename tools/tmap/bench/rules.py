@@ -150,8 +150,7 @@ def shown(group: int) -> list[np.ndarray]:
 
 
 def runs_of(names: list[str]) -> list[tuple[int, Case | None, Scene]]:
-    """What is drawn for some cases: of each group all, then each case without its rule. The group's
-    number, the case, the scene."""
+    """What is drawn: of each group all, then cases without their rules: number, case, scene."""
     runs = []
     for number, group in enumerate(GROUPS):
         cases = [case for case in group if case.name in names]
@@ -168,8 +167,7 @@ def row_of(name: str, machine: str, digests: np.ndarray, frame: int) -> dict:
 
 
 def measure(machine: str, names: list[str]) -> list[dict]:
-    """Two rows for each case, with its rule and without it, all in one boot. ``machine``: of
-    CONDITIONS; ``names``: of cases."""
+    """Two rows for each case, with its rule and without, all in one boot; ``names``: of cases."""
     runs = runs_of(names)
     if not runs:
         return []

@@ -51,8 +51,7 @@ def cut(things, table: np.ndarray, row: str, numbers: list[int]) -> tuple[list, 
 
 
 def cut_lists(scene: Scene, numbers: list[int]) -> tuple[list, list]:
-    """The engines' units and lists for these frames: each has one for the start, and one a frame unless
-    it has no more."""
+    """The engines' units and lists for these frames: one for the start and one a frame, or one."""
     units, lists = [], []
     for first, count in scene.units.tolist():
         kept = [first] + [first + 1 + number for number in numbers if count > 1]

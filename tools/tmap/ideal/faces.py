@@ -141,8 +141,7 @@ class Face:
         return aside * Fraction(-c.width, 2) + down * (line - Fraction(c.height, 2)) + row[2], aside
 
     def texels(self, line: int, first: int, end: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Returns u and v of a line's pixels in units of 1/65536 with EXTRA more fraction bits, as
-        object arrays, and 1 / w."""
+        """u and v of a line's pixels, 1/65536 with EXTRA more bits, object arrays, and 1 / w."""
         rows = [self.along(row, line) for row in self.rows]
         common = math.lcm(*(n.denominator for row in rows for n in row))
         (ua, ub), (va, vb), (qa, qb) = ([int(n * common) for n in row] for row in rows)
@@ -201,8 +200,7 @@ def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[
 
 
 def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
-    """Returns true if a pixel is as near to a drawn edge as the exact edge may be; ``off``: each
-    vertex's error."""
+    """True if a pixel is as near a drawn edge as the exact edge may be; ``off``: vertices'."""
     here = np.array(pixel, float)
     places = [np.array(v[:2], float) * UNIT for v in vertices]
     for a, b, off_a, off_b in zip(places, places[1:] + places[:1], off, off[1:] + off[:1]):

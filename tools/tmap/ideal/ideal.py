@@ -204,8 +204,7 @@ class Plane:
         return abs(gradient) / 2**31 + 3 / 2**32
 
     def rounding(self, cut: int) -> list[float]:
-        """Returns the largest errors of the steps per pixel and per line, in texels; ``cut``: low
-        bits that are 0."""
+        """The largest errors of steps per pixel and per line, texels; ``cut``: low bits of 0."""
         whole, found = abs(self.d) << cut, []
         for n in (self.nx, self.ny):
             rest = (n << 16) % whole
@@ -239,8 +238,7 @@ def plane_of(vertices, key: int) -> Plane:
 
 
 class Picture:
-    """The ideal of a convex polygon in a frame: extents {line: (first pixel, end)}, the count of
-    pixels, and the planes of u and v."""
+    """A convex polygon's ideal in a frame: extents {line: (first, end)}, pixels, planes of u, v."""
 
     def __init__(self, vertices, width: int, height: int) -> None:
         self.extents = {}

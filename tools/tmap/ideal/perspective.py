@@ -70,8 +70,7 @@ class Curve:
         return [(n + k * dn) // (q + k * dq << 16) for k in range(end - first)]
 
     def vanishing(self) -> Fraction | None:
-        """Returns the value's limit along a line, towards the viewer, in units; None if depth does
-        not change along lines."""
+        """The value's limit along a line, towards the viewer, in units; None at constant depth."""
         return Fraction(self.over.nx, self.inverse.nx) if self.inverse.nx else None
 
     def ratio(self, first: int, last: int, j: int) -> Fraction:

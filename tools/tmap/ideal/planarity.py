@@ -72,8 +72,7 @@ def is_sure(vertices, three) -> bool:
 
 
 def judge(vertices, material, pieces: int, vouched: int = 0) -> str:
-    """Returns a complaint about the number of pieces in which a convex polygon is drawn, or "".
-    ``material``: a material or Settings."""
+    """A complaint about the number of pieces of a convex polygon, or ""."""
     return judge_values(vertices, asked(material) & ~vouched, pieces)
 
 

@@ -77,8 +77,7 @@ def floored(measured: dict) -> list[dict]:
 
 
 def hard_cases(entry: Entry) -> dict:
-    """Returns the number of hard cases, the rows that exceed a bound, and the rows nearest to a
-    bound among the most exact spans."""
+    """The counts of hard cases, the excesses, and the most exact spans nearest to a bound."""
     rows = json.loads((entry.folder / "hard.json").read_text())["rows"]
     judged = [r for r in rows if r["worst_ratio"] is not None]
     exact = dict(zip(("edges", "gradients", "start", "mapper"), EXACT)).items()

@@ -23,8 +23,7 @@ DRIVERS = {"DISPLAY": "x11", "WAYLAND_DISPLAY": "wayland"}
 
 
 def answers() -> bool:
-    """Returns True if an X server answers at DISPLAY. Without one the emulator would end without a
-    message."""
+    """Returns True if an X server answers at DISPLAY: without one the emulator just ends."""
     return subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True).returncode == 0
 
 

@@ -19,8 +19,7 @@ def between(start, end, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Start and step of s, t, w: any, or of a map that is seen, whose w falls by a factor of up to
-    ``ratio`` or rises."""
+    """Start and step of s, t, w: any, or of a map that is seen, whose w falls or rises."""
     if rng.random() < 0.2:
         return rng.integers(-1 << 31, 1 << 31, 3), rng.integers(-1 << 31, 1 << 31, 3)
     ratio = float(rng.choice((1.001, 1.2, 2, 4, 20)))

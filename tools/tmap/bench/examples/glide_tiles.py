@@ -13,8 +13,7 @@ SHIFT, SHIFTS = 14, 5  # from 14.18 to a page of level 0; and how many levels ha
 
 
 def line(rng, count: int, shift: int, first: int) -> tuple[np.ndarray, np.ndarray]:
-    """Start and step of s and t: any s, and a t whose rows, signed bytes, are ROWS from ``first``
-    on."""
+    """Start and step: any s, and a t whose rows, signed bytes, are ROWS from ``first`` on."""
     one = 1 << shift
     t = rng.integers(first * one, (first + ROWS) * one, 2)
     tile = int(rng.integers(-1 << 31 - shift - 8, 1 << 31 - shift - 8)) << shift + 8
