@@ -11,7 +11,7 @@ from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.guest.emulator import MEASURED
 from tmap.model.model import Settings
-from tmap.run.run import render
+from tmap.run.run import picture_of, render
 from tmap.scene_file.scene_file import Material, Object, Scene, Texture
 
 LEAST = 1e-6  # texels: smaller errors, 0 among them, are drawn as this on a logarithmic axis
@@ -105,6 +105,4 @@ def write_mappers(out: Path) -> None:
     """Writes mappers.png: a polygon of each mapper, rendered on the emulated machine."""
     scene = compile_scene(SCENES / "mappers.toml")
     (frame,) = render(scene, MEASURED[-1], "addx").frames
-    picture = Image.fromarray(frame, "P")
-    picture.putpalette(scene.palette.tobytes())
-    picture.save(out / "mappers.png")
+    picture_of(frame, scene).save(out / "mappers.png")

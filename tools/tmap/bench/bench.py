@@ -21,7 +21,7 @@ from tmap.bench.modes import measure as bench_modes
 from tmap.guest import provenance
 from tmap.guest.conditions import CONDITIONS
 from tmap.guest.emulator import CYCLES_PER_TICK
-from tmap.guest.kernels import Case, Result, call
+from tmap.guest.kernels import Case, call
 
 #: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 25,000.
 TICKS = 25_000
@@ -57,16 +57,6 @@ def repeats(row: cases.Row) -> int:
     return max(4, ticks * CYCLES_PER_TICK // (row.units * ROUGH_CYCLES_PER_UNIT))
 
 
-def measured(row: cases.Row, result: Result, per_call: float, unit: str, machine: str) -> dict:
-    """A kernel's row, of what its call drew and took; ``per_call``: what calling alone takes."""
-    wrong = row.check(result)
-    if wrong:
-        raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
-    spent = (result.cycles / row.case.repeats - per_call) / row.units
-    return {"name": row.name, "machine": machine, "length": row.length, unit: round(spent, 3),
-            "one_tick": round(CYCLES_PER_TICK / row.case.repeats / row.units, 5)}
-
-
 def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dict]]:
     """The rows of kernels called one by one, by kind: in pixels, lines, points, instructions."""
     condition = CONDITIONS[machine]
@@ -80,7 +70,13 @@ def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dic
     nothing = Case("nothing", repeats=NOTHING_REPEATS)
     overhead, *results = call([nothing, *(row.case for _, row in rows)], condition.machine, on_case)
     for (kind, row), result in zip(rows, results, strict=True):
-        found[kind].append(measured(row, result, overhead.cycles / nothing.repeats, UNITS[kind], machine))
+        if wrong := row.check(result):
+            raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
+        spent = result.cycles / row.case.repeats - overhead.cycles / nothing.repeats
+        found[kind].append({
+            "name": row.name, "machine": machine, "length": row.length,
+            UNITS[kind]: round(spent / row.units, 3),
+            "one_tick": round(CYCLES_PER_TICK / row.case.repeats / row.units, 5)})
     return found
 
 

@@ -22,8 +22,6 @@ from tmap.setup import planarity
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.shading import LIT
 
-__all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep", "scene"]
-
 FAMILIES = (*hard_outlines.FAMILIES, *hard_textures.FAMILIES, *hard_planes.FAMILIES,
             *hard_depths.FAMILIES)
 FOUND = ROOT / "tests" / "hard_cases.json"
