@@ -3,6 +3,7 @@ of hard cases."""
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import groupby
 
 import numpy as np
 
@@ -86,11 +87,9 @@ def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene
 
 
 def grouped(drawings: list[Drawing]) -> dict[MeshCase, list[Settings]]:
-    """Returns the settings of each case."""
-    found: dict[MeshCase, list[Settings]] = {}
-    for case, settings in drawings:
-        found.setdefault(case, []).append(settings)
-    return found
+    """Returns the settings of each case, whose drawings come together."""
+    return {case: [settings for _, settings in some]
+            for case, some in groupby(drawings, lambda drawing: drawing[0])}
 
 
 def joined(scenes: list[Scene]) -> Scene:

@@ -72,10 +72,9 @@ import numpy as np
 
 from tmap.base.fixed import ceil16
 from tmap.corpus.random_polygons import is_convex
-from tmap.ideal import bounds_perspective, ideal, planarity
+from tmap.ideal import bounds_fetched, bounds_perspective, ideal, planarity
 from tmap.ideal.bounds_coverage import (FLOAT, LARGEST, crossing, edge_bound, edges_by_line,
                                         judge_coverage)
-from tmap.ideal.bounds_fetched import beside
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import in_front
 from tmap.model import model
@@ -285,7 +284,7 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
     planes = {key: coordinate(vertices, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
     found = []  # error, bounds below and above, coordinate, pixel
-    shown = []  # texels with the largest errors, how far they may be below, above
+    shown = []  # the texels of a line, how far they may be below and above
     for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
         seen, last = slice(left - line.left, right - line.left), right - 1
         stepped = polygon.coordinates(line, y)
@@ -299,17 +298,17 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
             allowed = [max(each) + mapper_bound(mapper, key, line, last, way)
                        for way, each in zip((-1, 1), zip(*bounds))]
             side = 256 if mapper == "gouraud" else size[k]
-            shown.append((beside(key, texels[k][seen], values, errors, side, left, y), *allowed))
+            shown.append(((key, texels[k][seen], values, errors, side, left, y), tuple(allowed)))
     if beyond is not None:
         longest = max(line.right - line.left for line in polygon.lines)
         most = max((max(each) for _, each, *_ in found), default=0.0) + beyond
         held = 6 * most + 2 * (longest + 1) * UNIT
         found = [(error, (held, held), *rest) for error, _, *rest in found]
-        shown = [(each, held, held) for each, *_ in shown]
+        shown = [(each, (held, held)) for each, _ in shown]
     for error, both, key, pixel in found:
         add_error(error, both, key, pixel, out)
-    for each, low, high in shown:
-        each.judge(low, high, out)
+    for each, allowed in shown:
+        bounds_fetched.judge(*each, allowed, out)
 
 
 def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:

@@ -63,8 +63,7 @@ from math import log2, sqrt
 import numpy as np
 
 from tmap.base.fixed import signed
-from tmap.ideal import ideal
-from tmap.ideal.bounds_fetched import beside
+from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves
 from tmap.setup import reciprocal, spans
@@ -238,8 +237,8 @@ def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray,
                 size: tuple[int, int], out) -> None:
     """Judges the fetched texels of a line; ``off``: errors of u or v, ``allowed``: the most."""
     side = size["uv".index(key)]
-    each = beside(key, spans.repeated(found, side), found, off, side, left, y)
-    each.judge(allowed, allowed, out)
+    bounds_fetched.judge(key, spans.repeated(found, side), found, off, side, left, y,
+                         (allowed, allowed), out)
 
 
 def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int], out) -> None:
