@@ -15,7 +15,7 @@ from tmap.bench import bench, published
 from tmap.guest import provenance
 from tmap.guest.cache import Entry
 from tmap.guest.emulator import CLOCK_HZ, MACHINES as EMULATED
-from tmap.report import pictures as report_pictures, readme_cycles, readme_modes, readme_scenes
+from tmap.report import pictures as report_pictures, readme, readme_scenes
 from tmap.report.data import MACHINE, Found
 
 TEMPLATES = Path(__file__).parent
@@ -106,15 +106,8 @@ def page(found: Found, pictures: Path) -> str:
     return environment.get_template(TEMPLATE).render(
         found=found, scenes=scenes, made=provenance.record(), clock=CLOCK_HZ / 1e6,
         machines=names, machine=MACHINE, pictures=pictures.name, columns=markdown.MACHINES,
-        versus=readme_cycles.versus_table(measured),
-        effects=readme_cycles.effects_table(measured),
-        rules=readme_cycles.rules_table(measured), meshes=readme_cycles.mesh_table(measured),
-        whole=readme_scenes.scenes_table(measured), steps=readme_modes.steps_table(measured),
-        uncalled=readme_modes.uncalled_table(measured),
-        engines={name: (readme_modes.modes_table(measured, engine),
-                        readme_modes.formats_table(measured, engine))
-                 for name, engine in engines.ENGINES.items()},
-        meant={name: engine.meant for name, engine in engines.ENGINES.items()},
+        measured=readme.measured_tables(measured, found.accuracy, found.polys),
+        whole=readme_scenes.scenes_table(measured), engines=engines.ENGINES,
         bench_source=source(all_machines, measured),
         modes_source=source(all_machines, measured, "DMA and interrupts off; what the first frame "
                             "makes is there but in its own column"),
@@ -125,12 +118,12 @@ def page(found: Found, pictures: Path) -> str:
         bench_tables={title: bench.table(measured[kind], list(bench.CONDITIONS))
                       for kind, title in bench.TITLES.items() if measured.get(kind) and kind != "rules"},
         frontiers=report_pictures.frontiers(settings, MACHINE),
-        sets=report_pictures.SETS, settings=[(f"{name}, {machine}", tables(rows.table(settings, name, machine)))
+        sets=report_pictures.SETS,
+        settings=[(f"{name}, {machine}", tables(rows.table(settings, name, machine)))
                   for name, machine in rows.tables(settings)],
         accuracy_source=source(MACHINE, found.accuracy),
-        perspective=readme_cycles.perspective_table(measured, found.accuracy),
         hard=hard_cases(found.hard) if found.hard else None,
-        polys=polys.table(found.polys["rows"]), polys_030=polys.table(found.polys["rows_68030"]),
+        polys_030=polys.table(found.polys["rows_68030"]),
         polys_source=source("a1200, a1200-fast, a1200-030", found.polys),
         errors=showcase.table([(s["scene"], s["totals"], s["count"], Errors(**s["errors"]))
                                for s in scenes], scenes[0]["machine"]), Source=source)
