@@ -105,7 +105,8 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
             if settings is USUAL:
                 errors += [("edge", *each[-2:]) for each in ideal.edge_errors(vertices, polygon)]
             else:
-                assert not judge_coverage(vertices, polygon, settings, this.width, this.height)[0], what
+                size = this.width, this.height
+                assert not judge_coverage(vertices, polygon, settings, *size)[0], what
             for name, error, bound in errors:
                 assert 0 <= error <= bound, f"{name}: {what}"
                 if settings is USUAL:

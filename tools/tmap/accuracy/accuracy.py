@@ -32,9 +32,11 @@ ASKED = "edges", "gradients", "start", "perspective", "mapper"
 #: modes (those of tmap.accuracy.engines), the page of hard cases.
 METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("n64", "glide")
 #: What is written for them, and for the sets.
-FILES = {METHODS: "methods.md, methods.png, methods.gif", SCENES: "scenes.md and an animation of each",
+FILES = {METHODS: "methods.md, methods.png, methods.gif",
+         SCENES: "scenes.md and an animation of each",
          **{name: f"{name}.md" for name in ENGINES}, HARD: f"{HARD}/index.html"}
-SET_FILES = ("accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif", "swimming.png")
+SET_FILES = ("accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
+             "swimming.png")
 
 
 def set_polygons(name: str, mapper: str) -> list:

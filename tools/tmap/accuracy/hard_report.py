@@ -75,10 +75,14 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
     """Returns a case's row, checked against its bounds."""
     size = hard_cases.map_size(case, settings.mapper)
     parts = [model.adapt(part, settings, max(size)) for part in model.parts(case.vertices, settings)]
-    if all(bounds.has_ideal(part, settings) for part in parts):
-        return row_of(case, settings, cycles, bounds.judge(case.vertices, settings, WIDTH, HEIGHT, size))
-    made = [model.set_up(part, WIDTH, HEIGHT, settings.mapper != "flat", settings, size) for part in parts]
-    return row_of(case, settings, cycles, bounds.Verdict(sum(each.pixels for each in made if each)), False)
+    has_ideal = all(bounds.has_ideal(part, settings) for part in parts)
+    if has_ideal:
+        verdict = bounds.judge(case.vertices, settings, WIDTH, HEIGHT, size)
+    else:
+        made = [model.set_up(part, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
+                for part in parts]
+        verdict = bounds.Verdict(sum(each.pixels for each in made if each))
+    return row_of(case, settings, cycles, verdict, has_ideal)
 
 
 def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
@@ -140,8 +144,9 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
     if not bounds.has_ideal(vertices, settings):
         return None
     frame = np.full((HEIGHT, WIDTH), -1, np.int16)
-    exact = (ideal if settings.perspective == "none" else ideal_perspective).Picture(vertices, WIDTH, HEIGHT)
-    if settings.perspective == "none" and not exact.planes[0].d:
+    is_flat = settings.perspective == "none"
+    exact = (ideal if is_flat else ideal_perspective).Picture(vertices, WIDTH, HEIGHT)
+    if is_flat and not exact.planes[0].d:
         return frame
     for y, (left, right) in exact.extents.items():
         u, v = (plane.texels(left, right, y) for plane in exact.planes)
@@ -200,7 +205,8 @@ def page(rows: list[Row], conditions: str) -> str:
     for row in rows:
         by_case[row.case].append(row)
     template = jinja2.Template((Path(__file__).parent / "hard.html").read_text(), autoescape=True,
-                               undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
+                               undefined=jinja2.StrictUndefined, trim_blocks=True,
+                               lstrip_blocks=True)
     return template.render(conditions=conditions, rows=rows, columns=COLUMNS, sections=[
         (case, by_case[case.name]) for case in every_case()],
         excess=sum(bool(row.complaint) for row in rows))
@@ -222,5 +228,6 @@ def write(folder: Path, machine: str, conditions: str,
     for case in every_case():
         Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
     (folder / "index.html").write_text(page(rows, conditions))
-    (folder / "hard.json").write_text(as_json({"conditions": conditions, "rows": list(map(asdict, rows))}))
+    found = {"conditions": conditions, "rows": list(map(asdict, rows))}
+    (folder / "hard.json").write_text(as_json(found))
     return rows

@@ -34,8 +34,8 @@ Shown = tuple[str, dict, int, Errors]
 
 
 def errors_of(scene: Scene, step: int = ERROR_STEP, always_curve: bool = False) -> Errors:
-    """Returns the errors of u and v in every ``step``-th frame. Polygons without texture or ideal are
-    left out. ``always_curve``: against the exact curve, whatever the perspective."""
+    """Returns the errors of u and v in every ``step``-th frame. Polygons without texture or ideal
+    are left out. ``always_curve``: against the exact curve, whatever the perspective."""
     total, size = Errors(), (scene.width, scene.height)
     for number in range(0, scene.frames, step):
         for which, vertices in polygons_at(scene, number):
@@ -69,8 +69,9 @@ def table(shown: list[Shown], machine: str) -> str:
     rows = []
     for name, t, frames, e in shown:
         errors = [f"{e.worst:.4f}", f"{e.rms:.4f}"] if e.pixels else ["", ""]
-        rows.append([name, str(frames), f"{t['polygons'] / frames:,.0f}", f"{t['cycles'] / frames:,.0f}",
-                     f"{t['cycles_per_pixel'] or 0:.1f}", *errors, ", ".join(t["spans"])])
+        rows.append([name, str(frames), f"{t['polygons'] / frames:,.0f}",
+                     f"{t['cycles'] / frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}", *errors,
+                     ", ".join(t["spans"])])
     return markdown.table([f"scene, {machine}", "frames", "polygons a frame", "cycles a frame",
                            "cycles a pixel", "largest error, texels", "rms", "spans"], rows,
                           "lrrrrrrl")

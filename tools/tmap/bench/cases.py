@@ -9,8 +9,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
-from tmap.bench import (dithered, edges, effects, instruction_costs, logarithm, mesh, n64, perspective,
-                        reciprocal, screen, steps)
+from tmap.bench import (dithered, edges, effects, instruction_costs, logarithm, mesh, n64,
+                        perspective, reciprocal, screen, steps)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
 from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
@@ -42,7 +42,8 @@ def span_calls(length: int) -> dict[str, Call]:
             for end, pair in (WIDE | more).items()}
     return ({name: span_case(f"span_{name}", form, length) for name, form in SPANS}
             | {"fill_32": span_case("span_fill_32", "flat", length)}
-            | {name: span_case(f"span_{name}", "addx", length, *pair) for name, pair in wide.items()}
+            | {name: span_case(f"span_{name}", "addx", length, *pair)
+               for name, pair in wide.items()}
             | {f"dithered{end}": dithered.dithered_case(f"span_dithered{end}", bytes_, length)
                for end, bytes_ in dithered.NAMES.items()}
             | {"affine_row": span_case("span_affine_row", "addx", length, dv=0),

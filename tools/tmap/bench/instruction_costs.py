@@ -43,8 +43,9 @@ def calls() -> list[tuple]:
     def case(words: str, count: int, rounds: int) -> Case:
         arena, far = Arena(), Arena()
         code_at, data_at = arena.add(code(words, count)), far.add(bytes(16))
-        return Case("instructions", arena, registers={"d0": 0x12345, "d1": 3, "d2": 0, "d7": rounds - 1},
-                    pointers={"a4": code_at}, far=far, far_pointers={"a0": data_at, "a1": data_at})
+        registers = {"d0": 0x12345, "d1": 3, "d2": 0, "d7": rounds - 1}
+        return Case("instructions", arena, registers=registers, pointers={"a4": code_at},
+                    far=far, far_pointers={"a0": data_at, "a1": data_at})
 
     kinds = {NONE: ("", 0, ROUNDS), LOOP: ("", 0, COUNT)}
     kinds |= {name: (words, IN_LOOP, ROUNDS) for name, (_, words) in INSTRUCTIONS.items()}

@@ -53,7 +53,7 @@ OURS = {
 
 
 def ranked(kind: str, measured: dict) -> list[Loop]:
-    """All loops for a kind of work, ours out of the bench's figures; the fastest in fast RAM first."""
+    """All loops for a kind of work, ours from the bench; the fastest in fast RAM first."""
     figures = bench.figures(measured["rows"])
     ours = [Loop(name, source, tuple(figures[row, machine, LONG] for machine in MACHINES),
                  figures[row, "a1200-fast", SHORT], exact, True)

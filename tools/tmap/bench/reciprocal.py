@@ -99,7 +99,8 @@ def lines_trial(arena: Arena, deep, constants, lines, made: list, title: str = "
     shape, out = layout.load().struct("reciprocal_line"), arena.room("reciprocal_line", len(lines))
     planes_at = add_perspective_plan(arena, deep, lines, out)
     plan_at = arena.struct("reciprocal_plan", dict(planes=planes_at, table=table(arena), to=out),
-                           **constants_fields(constants), limit=constants.limit, piece=constants.piece)
+                           **constants_fields(constants), limit=constants.limit,
+                           piece=constants.piece)
 
     def fields_of(line: reciprocals.Reciprocal) -> dict[str, int]:
         unread = {"scale"} if line.n >> line.piece else {"scale", "dq"}  # it takes no step

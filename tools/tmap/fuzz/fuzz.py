@@ -136,8 +136,9 @@ class Tally:
         wrong = ", ".join(f"{edges} {count}" for edges, count in sorted(self.coverage_errors.items()))
         worst = ", ".join(f"{mapper} {ratio:.3f}" for mapper, ratio in sorted(self.worst.items()))
         n = self.counts
-        return (f"{n['polygons']} polygons, {n['drawn']} of them with pixels, {n['pixels']} pixels, "
-                f"{n['refused']} refused; {n['judged']} judged against the ideal: pixels of wrong "
+        return (f"{n['polygons']} polygons, {n['drawn']} of them with pixels, "
+                f"{n['pixels']} pixels, {n['refused']} refused; {n['judged']} judged "
+                "against the ideal: pixels of wrong "
                 f"coverage by edges: {wrong or '-'}; worst error / bound: {worst or '-'}")
 
 

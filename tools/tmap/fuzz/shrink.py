@@ -61,8 +61,8 @@ def candidates(each: Fuzzed) -> list[Fuzzed]:
         changed += [[old if new is None else new for old, new in zip(own, some)]
                     for some in zip_longest(*map(simpler, own))]
         changed += [[*own[:k], c, *own[k + 1:]] for k in range(len(v)) for c in simpler(own[k]) + own]
-        made += [replace(each, vertices=there((*a[:column], c, *a[column + 1:]) for a, c in zip(v, values)))
-                 for values in changed]
+        made += [replace(each, vertices=there((*a[:column], c, *a[column + 1:])
+                                              for a, c in zip(v, values))) for values in changed]
     made = [m for m in dict.fromkeys(made) if weight(m) < weight(each)]
     return sorted(made, key=weight)
 

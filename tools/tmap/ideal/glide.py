@@ -43,7 +43,8 @@ class Surface(Quotients):
 
     def __init__(self, polygon: list[Corner], perspective: bool):
         three = [polygon[k] for k in corners(polygon)]
-        super().__init__([c[:2] for c in three], [[c[k] << TO_WHOLE for c in three] for k in (2, 3)],
+        super().__init__([c[:2] for c in three],
+                         [[c[k] << TO_WHOLE for c in three] for k in (2, 3)],
                          [c.w if perspective else ONE_W for c in three])
 
     def level(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:

@@ -22,8 +22,8 @@ class Coordinate(NamedTuple):
 
 
 class Quotients:
-    """The exact s and t of a planar polygon, from three points (x, y), 16.16, and there s and t over a
-    depth and 1 over it, all multiplied by one factor."""
+    """The exact s and t of a planar polygon, from three points (x, y), 16.16, and there s and t
+    over a depth and 1 over it, all multiplied by one factor."""
 
     def __init__(self, points, overs, inverse):
         self.over = [Plane(points, values) for values in overs]

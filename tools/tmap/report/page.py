@@ -116,7 +116,8 @@ def page(found: Found, pictures: Path) -> str:
         ranks={kind: published.ranked(kind, measured) for kind in published.PUBLISHED},
         places=published.places, floors=published.floors(measured), floored=floored(measured),
         bench_tables={title: bench.table(measured[kind], list(bench.CONDITIONS))
-                      for kind, title in bench.TITLES.items() if measured.get(kind) and kind != "rules"},
+                      for kind, title in bench.TITLES.items()
+                      if measured.get(kind) and kind != "rules"},
         frontiers=report_pictures.frontiers(settings, MACHINE),
         sets=report_pictures.SETS,
         settings=[(f"{name}, {machine}", tables(rows.table(settings, name, machine)))

@@ -13,8 +13,8 @@ from tmap.glide.state import Combination, Modes
 
 
 def mixed(by: Callable[..., np.ndarray]) -> Callable[..., Example]:
-    """The maker of examples of a pass with a struct glide_mix. ``by``: what the pass makes of texels
-    and others, [count][4], factors of 256, [count][1], and the flip of factors."""
+    """The maker of examples of a pass with a struct glide_mix. ``by``: what it makes of texels and
+    others, [count][4], factors of 256, [count][1], and the flip of factors."""
     def make(rng, count: int) -> Example:
         texels, others, n = any_texels(rng, count), any_texels(rng, count), np.arange(count)
         other_step = some_step(rng, count, 4, 0.2)

@@ -96,8 +96,8 @@ def limits() -> np.ndarray:
 
 
 def logarithm_bytes() -> bytes:
-    """What glide_logarithms_make makes: of each 512th of an octave the limit inside, or the most, and
-    the logarithm at its beginning."""
+    """What glide_logarithms_make makes: of each 512th of an octave the limit inside, or the most,
+    and the logarithm at its beginning."""
     first, limit = np.arange(1 << 31, 1 << 32, 1 << 22), limits()
     number = np.searchsorted(limit, first)
     following = np.append(limit, 1 << 32)[number]
@@ -122,7 +122,8 @@ def lod(rng, count: int) -> Example:
     w = abs(walked(start, step, count)[:, 2])
     values = np.resize(lods, count) + 31 * 256 - log2(np.maximum(w, 1))
     return Example(longs(start), words(np.where(w, np.clip(values, least, most), most)), count,
-                   "glide_lods", {"lods": lods.tolist(), "least": least, "most": most, "w": step[2]},
+                   "glide_lods",
+                   {"lods": lods.tolist(), "least": least, "most": most, "w": step[2]},
                    {"logarithms": logarithm_bytes()})
 
 

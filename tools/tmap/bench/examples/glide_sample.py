@@ -47,8 +47,8 @@ def axes(rng, level: int, is_clamped=(False, False), bits: int = 4) -> Axes:
 
 def walked_line(start, step, points: np.ndarray, ground: Axes) -> Example:
     """The coordinates of a line's points of s and t, without perspective."""
-    return Example(longs([*start, 0]), pairs(ground.coordinates(points)), len(points), "glide_steps",
-                   ground.values([*step, 0]))
+    return Example(longs([*start, 0]), pairs(ground.coordinates(points)), len(points),
+                   "glide_steps", ground.values([*step, 0]))
 
 
 def walk(rng, count: int, levels=(0, 3)) -> Example:
@@ -109,7 +109,8 @@ def quads(rng, count: int, to_bytes) -> Example:
     """A row and the one below; each texel with its neighbours."""
     rows = any_texels(rng, 2 * count).reshape(2, count, 4)
     beside = np.roll(rows, -1, 1)
-    return Example(pixels(rows), to_bytes(np.stack([rows[0], beside[0], rows[1], beside[1]], 1)), count)
+    corners = np.stack([rows[0], beside[0], rows[1], beside[1]], 1)
+    return Example(pixels(rows), to_bytes(corners), count)
 
 
 def any_pixels(rng, count: int) -> tuple[np.ndarray, Map]:

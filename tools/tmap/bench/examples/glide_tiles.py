@@ -47,8 +47,8 @@ def any_page(bits: int) -> Callable[..., Example]:
 
 
 def one_level(rng, side: int = 0) -> Callable[[np.ndarray], np.ndarray]:
-    """The filter of a level that repeats within a page, at places [n][2] of the map that is 16 times
-    as fine: 16 columns or rows a texel."""
+    """The filter of a level that repeats within a page, at places [n][2] of the map that is 16
+    times as fine: 16 columns or rows a texel."""
     side = side or 1 << int(rng.integers(5))
     level = Map(any_texels(rng, side * side).reshape(side, side, 4))
     return lambda at: filtered(at - 8, level, 4)

@@ -53,7 +53,8 @@ def modulate(rng, count: int) -> Example:
 
 def mapped(rng, count: int) -> Example:
     texels, tables = any_texels(rng, count), rng.integers(0, 256, (4, 256))
-    return Example(pixels(texels), pixels(tables[np.arange(4), texels]), count, table=pixels(tables))
+    found = tables[np.arange(4), texels]
+    return Example(pixels(texels), pixels(found), count, table=pixels(tables))
 
 
 def widen(rng, count: int) -> Example:
@@ -83,8 +84,9 @@ def combine(rng, count: int) -> Example:
 #: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {f"n64_{name}": make for name, make in {
     "walk": sample.walk, "threepoint": sample.threepoint, "threepoint_16": sample.threepoint_16,
-    "average": partial(sample.threepoint, averages=True), "point": sample.point, "store_16": sample.store_16,
-    "divide": depth.divide, "tile": sample.tiled, "tile_plain": partial(sample.tiled, is_plain=True),
+    "average": partial(sample.threepoint, averages=True), "point": sample.point,
+    "store_16": sample.store_16, "divide": depth.divide, "tile": sample.tiled,
+    "tile_plain": partial(sample.tiled, is_plain=True),
     "lerp": lerp, "modulate": modulate, "map": mapped, "widen": widen, "combiner": combine,
     "narrow": narrow, "shade": shade, "copy_row": copy_row, "chroma": yuv.halved,
     "convert": yuv.convert, "convert_wide": yuv.convert_wide, "matrix": yuv.matrix,

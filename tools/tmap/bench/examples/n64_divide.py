@@ -98,6 +98,6 @@ def lod(rng, count: int, apart: int = 0) -> Example:
     blendings = entries(found.tile0, found.tile1, signed(found.fraction, 9))
     values = dict(zip("stw", step)) | {f"{name}_{axis}": n for name, g in (("x", x), ("y", y))
                                        for axis, n in zip("stw", g)}
-    return Example(longs(start), pairs(np.stack([found.s, found.t], 1)), count, "n64_lod_steps", values,
-                   {"reciprocals": reciprocals(), "levels": level_bytes(state)},
+    return Example(longs(start), pairs(np.stack([found.s, found.t], 1)), count, "n64_lod_steps",
+                   values, {"reciprocals": reciprocals(), "levels": level_bytes(state)},
                    more={"blendings": longs(blendings)})

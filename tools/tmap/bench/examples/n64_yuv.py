@@ -57,4 +57,5 @@ def convert(rng, count: int) -> Example:
 
 def convert_wide(rng, count: int) -> Example:
     texels, found, blocks = conversion(rng, count)
-    return Example(texels, words(extended(found)), count, "n64_yuv_conversion", {"colours": 0}, blocks)
+    return Example(texels, words(extended(found)), count, "n64_yuv_conversion", {"colours": 0},
+                   blocks)

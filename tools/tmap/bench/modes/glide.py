@@ -41,7 +41,8 @@ class Mode(modes.Mode):
     """A material with a table ``glide``."""
 
     POLYGONS = modes.POLYGONS | MORE
-    SCHEMA, TABLE, MAPPER, PLAIN, PLAIN_SHIFT = glide, "glide", "glide", "glide_plain,glide_passes", 2
+    SCHEMA, TABLE, MAPPER = glide, "glide", "glide"
+    PLAIN, PLAIN_SHIFT = "glide_plain,glide_passes", 2
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:
