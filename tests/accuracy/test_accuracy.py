@@ -134,10 +134,9 @@ def hand_made(name: str, values) -> Errors:
         picture = perspective.Picture([(*v[:4], v[5]) for v in vertices], 320, 256)
         total.ideal_pixels += picture.pixels
         for y, (first, end) in picture.extents.items():
-            columns = np.arange(first, end)
             found = [np.array(values(curve, first, end - 1, y)) % (1 << 32) for curve in picture.planes]
-            total.compare(found, columns, y, picture)
-            total.pixels += len(columns)
+            total.texels(found, first, y, picture)
+            total.pixels += end - first
     assert total.pixels == total.ideal_pixels > 1000 * polygon_sets.COUNT
     return total
 

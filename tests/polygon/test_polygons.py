@@ -15,6 +15,7 @@ from tmap.bench import scenes
 from tmap.corpus import random_polygons
 from tmap.guest import guest_frames
 from tmap.ideal import ideal
+from tmap.ideal.bounds_coverage import judge_coverage
 from tmap.model import model
 from tmap.run.polygon_report import explain
 from tmap.scene_file import scene_file
@@ -92,21 +93,28 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
     derives. With exact edges the pixels are those of the rational polygon, however long, thin or
     steep it is."""
     this = scene(seed)
-    worst = {USUAL: ideal.Deviation(), EXACT: ideal.Deviation()}
+    drawn, worst = {USUAL: 0, EXACT: 0}, {"edge": 0.0, "texel": 0.0}
     for number, obj in enumerate(this.objects):
         vertices = scene_file.vertices_at(this, obj, number)
-        for settings, total in worst.items():
+        for settings in drawn:
             polygon = model.set_up(vertices, this.width, this.height, True, settings)
-            if polygon:
-                found = ideal.deviation(vertices, polygon, this.width)
-                assert found.edge_ratio <= 1 and found.texel_ratio <= 1 and not (
-                    settings is EXACT and found.coverage_errors), (
-                    f"seed {seed}, polygon {number}, edges {settings.edges}: {found}, vertices "
-                    f"{vertices}")
-                total.merge(found)
+            if not polygon:
+                continue
+            what = f"seed {seed}, polygon {number}, edges {settings.edges}, vertices {vertices}"
+            errors = [("texel", *each[-2:]) for each in ideal.texel_errors(vertices, polygon)]
+            if settings is USUAL:
+                errors += [("edge", *each[-2:]) for each in ideal.edge_errors(vertices, polygon)]
+            else:
+                size = this.width, this.height
+                assert not judge_coverage(vertices, polygon, settings, *size)[0], what
+            for name, error, bound in errors:
+                assert 0 <= error <= bound, f"{name}: {what}"
+                if settings is USUAL:
+                    worst[name] = max(worst[name], error / bound)
+            drawn[settings] += polygon.pixels
     # The scene tests what it should: much is drawn, and the bounds are nearly reached.
-    assert min(total.pixels for total in worst.values()) > 1_000_000
-    assert worst[USUAL].edge_ratio > 0.9 and worst[USUAL].texel_ratio > 0.9
+    assert min(drawn.values()) > 1_000_000
+    assert min(worst.values()) > 0.9
 
 
 def from_far_above() -> scene_file.Scene:
@@ -135,8 +143,8 @@ def test_edges_from_far_above() -> None:
     for number in range(2):
         vertices = scene_file.vertices_at(this, this.objects[number], number)
         polygon = model.set_up(vertices, 320, 256, False)
-        found = ideal.deviation(vertices, polygon, 320)
-        assert found.edge_ratio <= 1, f"polygon {number}: {found}"
+        assert all(error <= bound for *_, error, bound in ideal.edge_errors(vertices, polygon)), \
+            f"polygon {number}"
         assert all(edge.column(y) <= 320 for edge in polygon.right_edges
                    for y in range(edge.top, edge.end)), f"polygon {number}"
     digests, = guest_frames.draw([(this, "addx")], "a1200-fast")

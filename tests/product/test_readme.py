@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tmap.accuracy import methods
+from tmap.accuracy import methods, showcase
 from tmap.base.paths import SCENES
 from tmap.compiler import scene
 from tmap.guest import guest_frames
@@ -45,7 +45,7 @@ def test_methods_are_as_the_picture_shows_them() -> None:
     for (name, each), digests in zip(scenes.items(), drawn):
         frames = [each.palette[model.render(each, k)] for k in range(methods.SHOWN + 1)]
         cycles = int(digests["ticks"].astype(int).sum()) * CYCLES_PER_TICK / each.frames
-        errors = methods.errors_of(each, methods.METHODS[name])
+        errors = showcase.errors_of(each, 1, True)
         made.append(methods.Method(name, np.stack(frames), cycles, errors))
     with Image.open(readme.METHODS) as picture:
         shown = json.loads(picture.text["Description"])

@@ -1,13 +1,13 @@
 """Trials of the passes for Glide's texture unit against tools/tmap/bench/examples/glide.py."""
 
 from tests.kernels.trials.n64 import ROUNDS, trials_of
-from tmap.bench import glide
 from tmap.bench.examples import glide as glide_examples
+from tmap.bench.n64 import names
 from tmap.bench.trial import Trial
 
 IN_C = [f"{name}_c" for name in glide_examples.IN_C_ALONE]
 MANY = "glide_combine_line"  # each function with each factor, for colour and for alpha
-NAMES = [*glide.NAMES, *IN_C]
+NAMES = [*names(glide_examples), *IN_C]
 
 
 def trials() -> list[Trial]:

@@ -13,7 +13,7 @@ COUNTS = (1, 2, 3, 4, 5, 7, 8, 9, 15, 16, 17, 31, 33, 100)
 ROUNDS = 4
 WITH_TABLE = ("n64_divide", "n64_lod", "n64_reciprocals")  # of 128 KB, in each call: fewer rounds
 IN_C = [f"{name}_c" for name in n64_examples.IN_C_ALONE]
-NAMES = [*n64.NAMES, *IN_C]
+NAMES = [*n64.names(n64_examples), *IN_C]
 
 
 def trials_of(names: list[str], rounds: Callable[[str], int], examples) -> list[Trial]:

@@ -10,26 +10,33 @@ from pathlib import Path
 import numpy as np
 
 from tmap.accuracy.errors import Errors
-from tmap.accuracy.rows import as_json, mark_frontier, report, table
+from tmap.accuracy.rows import mark_frontier, report, table
 from tmap.base.errors import UserError
-from tmap.base.outputs import bars, check_directory
+from tmap.base.outputs import as_json, bars, check_directory
 from tmap.base.paths import ACCURACY_BASELINE
 from tmap.corpus import polygon_sets, random_maps
 from tmap.corpus.settings_grid import combinations, depth_combinations
-from tmap.guest import emulator, provenance
+from tmap.guest import guest_frames, provenance
 from tmap.guest.emulator import CYCLES_PER_TICK, MEASURED
 from tmap.ideal import ideal, perspective
 from tmap.model import model
 from tmap.model.model import Settings
-from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture,
-                                        write)
+from tmap.scene_file.scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object, Scene, Texture
 from tmap.setup.shading import LIT
 
 #: Sets whose rows are kept in the committed baseline, for README and tests.
 BASELINE_SETS = "medium", "depth"
+#: Settings in a row.
+ASKED = "edges", "gradients", "start", "perspective", "mapper"
 #: Names that --set takes in addition to the sets: the turning face, the scenes, texture engines'
 #: modes (those of tmap.accuracy.engines), the page of hard cases.
 METHODS, SCENES, HARD, ENGINES = "methods", "scenes", "hard", ("n64", "glide")
+#: What is written for them, and for the sets.
+FILES = {METHODS: "methods.md, methods.png, methods.gif",
+         SCENES: "scenes.md and an animation of each",
+         **{name: f"{name}.md" for name in ENGINES}, HARD: f"{HARD}/index.html"}
+SET_FILES = ("accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
+             "swimming.png")
 
 
 def set_polygons(name: str, mapper: str) -> list:
@@ -47,9 +54,8 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
     materials, objects, vertices = [], [], []
     for number, s in enumerate(settings):
         layout = MAPPER_LAYOUT[s.mapper]
-        materials.append(Material(s.mapper, s.edges, s.gradients, s.start, perspective=s.perspective,
-                                  colour=200, texture=layouts.index(layout) if layout else -1,
-                                  light=len(layouts) if s.mapper in LIT else -1))
+        materials.append(Material(**vars(s), texture=layouts.index(layout) if layout else -1,
+                                  colour=200, light=len(layouts) if s.mapper in LIT else -1))
         for polygon in set_polygons(name, s.mapper):
             objects.append(Object(number, len(vertices), 3, 0, 1, number + 1))
             vertices += polygon
@@ -57,28 +63,13 @@ def scene_of(name: str, settings: list[Settings]) -> Scene:
                  textures, materials, objects, np.array(vertices), np.array([IDENTITY]))
 
 
-def check_frame(scene: Scene, number: int, dump: Path, what: str) -> None:
-    """Refuses a dump of frame ``number`` that differs from the model's."""
-    expected = model.render(scene, number)
-    found = np.fromfile(dump, np.uint8).reshape(expected.shape)
-    wrong = np.argwhere(found != expected)
-    if len(wrong):
-        y, x = wrong[0]
-        raise UserError(f"accuracy: {what}: frame {number} is not the model's: {len(wrong)} pixels, "
-                        f"the first at (x {x}, y {y}): expected {expected[y, x]}, found {found[y, x]}")
-
-
 def cycles(scene: Scene, machine: str, what: str) -> list[float]:
     """Returns the cycles a polygon of each frame after the first. Every frame is checked against
     the model. ``what``: the scene, for messages."""
-    with emulator.workspace() as directory:
-        done = emulator.run("render", "input.scene", {"input.scene": write(scene)}, machine, directory)
-        if done.code:
-            raise UserError(f"accuracy: {what} on {machine}: {emulator.last_words(done.output)}")
-        for number in range(scene.frames):
-            check_frame(scene, number, done.directory / f"frame_{number:03}.chunky",
-                        f"{what} on {machine}")
-    empty, *spent = (int(line.split()[3]) for line in done.output.splitlines())
+    digests, = guest_frames.draw([(scene, "addx")], machine)
+    guest_frames.require_models((model.render(scene, number) for number in range(scene.frames)),
+                                digests, f"accuracy: {what} on {machine}")
+    empty, *spent = digests["ticks"].astype(int).tolist()
     return [(ticks - empty) * CYCLES_PER_TICK / polygon_sets.COUNT for ticks in spent]
 
 
@@ -107,11 +98,9 @@ def measure(names: list[str], machines: list[str], settings: list[Settings],
         for machine in machines:
             spent = cycles(scene, machine, f"set {name}")
             for s, total, each in zip(settings, found, spent):
-                rows.append({"name": name, "edges": s.edges, "gradients": s.gradients,
-                             "start": s.start, "perspective": s.perspective,
-                             "mapper": s.mapper, "machine": machine,
-                             "cycles_per_pixel": round(each * polygon_sets.COUNT
-                                                       / max(total.pixels, 1), 3),
+                pixel = each * polygon_sets.COUNT / max(total.pixels, 1)
+                rows.append({"name": name, **{kind: getattr(s, kind) for kind in ASKED},
+                             "machine": machine, "cycles_per_pixel": round(pixel, 3),
                              "cycles_per_polygon": round(each, 1), **total.figures()})
             if on_step:
                 on_step()
@@ -121,8 +110,7 @@ def measure(names: list[str], machines: list[str], settings: list[Settings],
 
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
     """Measures the sets and writes their report; returns the table to print."""
-    from tmap.accuracy import pictures
-    from tmap.accuracy import perspective_curves
+    from tmap.accuracy import perspective_curves, pictures
 
     flat = [name for name in names if name not in polygon_sets.DEPTHS]
     rows = measure(flat, machines, combinations(), on_step) + measure(
@@ -145,8 +133,7 @@ def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool
 
 
 def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
-    """Measures the hard cases and writes their page; returns a line for each row that exceeds a
-    bound."""
+    """Measures the hard cases and writes their page; returns a line for each excess of a bound."""
     from tmap.accuracy import hard_report
 
     about = provenance.record()
@@ -158,8 +145,7 @@ def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
 
 
 def write_other(folder: Path, name: str, machine: str, progress) -> str:
-    """Runs a set that is not made of polygons (methods, scenes, engines' modes); returns its
-    table."""
+    """Runs a set not made of polygons (methods, scenes, engines' modes); returns its table."""
     folder.mkdir(parents=True, exist_ok=True)
     if name in ENGINES:
         from tmap.accuracy import engines
@@ -174,35 +160,16 @@ def write_other(folder: Path, name: str, machine: str, progress) -> str:
     return tool.write(folder, machine, lambda: progress.advance(task))
 
 
-def measured_names(names: list[str] | None) -> list[str]:
-    """Returns the given names, or all if none are given. Refuses unknown names."""
-    every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, METHODS, SCENES, *ENGINES, HARD]
-    for name in names or ():
-        if name not in every:
-            raise UserError(f"accuracy: no set is called {name}; "
-                            f"there are {', '.join(every[:-1])} and {every[-1]}")
-    return names or every
-
-
-def written_files(names: list[str], sets: list[str]) -> list[str]:
-    """Returns the names of the written files, for the last message."""
-    files = {METHODS: ["methods.md", "methods.png", "methods.gif"],
-             SCENES: ["scenes.md and an animation of each"],
-             **{name: [f"{name}.md"] for name in ENGINES}, HARD: [f"{HARD}/index.html"]}
-    made = ["accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
-            "swimming.png"] if sets else []
-    if polygon_sets.DEPTHS.keys() & set(sets):
-        made.append("pieces.png")
-    return made + [file for name, some in files.items() if name in names for file in some]
-
-
 def command(folder: Path, names: list[str] | None, machine: str | None, accept: bool) -> int:
-    """``tmap accuracy``: measures, writes the report into ``folder``, prints a table. Returns 1 if
-    a hard case exceeds its bound."""
+    """``tmap accuracy``: measures, writes the report. Returns 1 if a bound is exceeded."""
     if accept and (machine or names):
         raise UserError("accuracy: --accept needs all machines and all sets")
     check_directory(folder)
-    names = measured_names(names)
+    every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, *FILES]
+    if unknown := [name for name in names or () if name not in every]:
+        raise UserError(f"accuracy: no set is called {unknown[0]}; "
+                        f"there are {', '.join(every[:-1])} and {every[-1]}")
+    names = names or every
     sets = [name for name in names if name in polygon_sets.SHAPES or name in polygon_sets.DEPTHS]
     machines, made, excess = [machine] if machine else list(MEASURED), [], []
     with bars() as progress:
@@ -216,7 +183,11 @@ def command(folder: Path, names: list[str] | None, machine: str | None, accept: 
             task = progress.add_task("hard cases", total=None)
             excess = write_hard_cases(folder / HARD, machines[-1], lambda done, total:
                                       progress.update(task, completed=done, total=total))
-    print("\n".join(made) + f"written to {folder}: {', '.join(written_files(names, sets))}")
+    files = [*SET_FILES] if sets else []
+    if polygon_sets.DEPTHS.keys() & set(sets):
+        files.append("pieces.png")
+    files += [words for name, words in FILES.items() if name in names]
+    print("\n".join(made) + f"written to {folder}: {', '.join(files)}")
     for line in excess:
         print(f"exceeds its bound: {line}")
     return 1 if excess else 0

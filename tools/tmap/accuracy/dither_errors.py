@@ -42,21 +42,18 @@ def square(scale: int) -> model.Polygon:
 
 
 def bilinear(picture: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Returns the exact bilinear filter of a repeated map at u, v in texels. Texel centres are at
-    0.5."""
+    """The exact bilinear filter of a repeated map at u, v in texels. Texel centres are at 0.5."""
     i, j = (np.floor(c - 0.5).astype(int) for c in (u, v))
     fu, fv = u - 0.5 - i, v - 0.5 - j
     return sum(picture[(j + down) % MAP, (i + across) % MAP] * part * share
                for down, part in ((0, 1 - fv), (1, fv)) for across, share in ((0, 1 - fu), (1, fu)))
 
 
-def blended(frame: np.ndarray) -> np.ndarray:
-    """Returns the means of all 2x2 pixels, including overlapping ones."""
-    return (frame[1:, 1:] + frame[1:, :-1] + frame[:-1, 1:] + frame[:-1, :-1]) / 4
-
-
 def errors(picture: np.ndarray, scale: int) -> dict[str, tuple[float, float]]:
     """Returns the mean errors of points and of dithered points: pixel by pixel, and blended."""
+    def blended(frame: np.ndarray) -> np.ndarray:
+        return (frame[1:, 1:] + frame[1:, :-1] + frame[:-1, 1:] + frame[:-1, :-1]) / 4
+
     polygon, found = square(scale), {}
     lines = list(enumerate(polygon.lines))
     exact = np.array([bilinear(picture, *(c / ONE for c in coordinates(line)))

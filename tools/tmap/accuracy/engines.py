@@ -44,8 +44,7 @@ ENGINES = {engine.name: engine for engine in (N64, GLIDE)}
 
 
 def table(engine: Engine, machine: str) -> str:
-    """Returns a Markdown table of cycles and errors of all modes on a machine. Each frame must be
-    the model's."""
+    """A Markdown table of all modes' cycles and errors. Each frame must be the model's."""
     rows = measure.measure(machine, list(engine.every), plain=False)["modes"]
     cycles = {row["name"]: row["cycles_per_pixel"] for row in rows}
     return markdown.table(

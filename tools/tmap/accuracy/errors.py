@@ -41,11 +41,9 @@ class Errors:
         columns = np.arange(left, left + len(found[0]))
         first, end = (left, columns[-1] + 1) if exact.endless else exact.extents.get(y, (0, 0))
         inside = (columns >= first) & (columns < end)
-        if inside.any():
-            self.compare([c[inside] for c in found], columns[inside], y, exact)
-
-    def compare(self, found, columns: np.ndarray, y: int, exact: ideal.Picture) -> None:
-        """Adds u and v of consecutive pixels of a line."""
+        if not inside.any():
+            return
+        found, columns = [c[inside] for c in found], columns[inside]
         worst, wrong = np.zeros(len(columns)), np.zeros(len(columns), bool)
         for values, plane in zip(found, exact.planes):
             error = plane.errors(values, columns, y)
@@ -58,8 +56,7 @@ class Errors:
 
     @property
     def rms(self) -> float:
-        """Root of the mean square over all pixels of the larger of u's and v's errors, in
-        texels."""
+        """Root mean square over all pixels of the larger of u's and v's errors, in texels."""
         return math.sqrt(self.squares / max(self.pixels, 1))
 
     def figures(self) -> dict:

@@ -33,15 +33,13 @@ class Pixels(NamedTuple):
     y: np.ndarray
 
     def level(self, number: int) -> np.ndarray:
-        """Returns the true level of detail of a unit's pixels, with its bias and within its
-        limits."""
+        """The true level of detail of a unit's pixels, with its bias and within its limits."""
         true = self.surfaces[number].level(self.x, self.y)
         return glide.limited(self.units[number].modes, true)
 
 
 def surface(corners: list[tuple[int, ...]], perspective: bool) -> Surface:
-    """Returns the exact surface of corners (x, y, s, t, any, w). All are multiplied by the product
-    of all w, which avoids a division."""
+    """The exact surface of corners (x, y, s, t, any, w), multiplied by the product of all w."""
     depths = [corner[5] if perspective else 1 for corner in corners]
     shares = [prod(depths) // depth for depth in depths]
     return Surface([Corner(x, y, s * share, t * share, ONE * share)

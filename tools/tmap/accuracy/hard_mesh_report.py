@@ -3,6 +3,7 @@ of hard cases."""
 
 from dataclasses import replace
 from fractions import Fraction
+from itertools import groupby
 
 import numpy as np
 
@@ -71,8 +72,8 @@ def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene
         planes=True, two_sided=case.two_sided), case.name)
     rows = tables.points, tables.normals, tables.corners, tables.faces
     mesh = Mesh(*(n for table in rows for n in (0, len(table))))
-    materials = [Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
-                          0 if MAPPER_LAYOUT[s.mapper] else -1, COLOUR) for s in settings]
+    materials = [Material(**vars(s), texture=0 if MAPPER_LAYOUT[s.mapper] else -1, colour=COLOUR)
+                 for s in settings]
     flags = FLAGS.get(case.look, 0)
     ends = (DARK << 16, BRIGHT << 16) if flags == LIT else (0, 0)
     instances = [Instance(0, k, 0, 0, 1, k, flags, *ends) for k in range(len(settings))]
@@ -86,11 +87,9 @@ def scene(case: MeshCase, settings: list[Settings], texels: np.ndarray) -> Scene
 
 
 def grouped(drawings: list[Drawing]) -> dict[MeshCase, list[Settings]]:
-    """Returns the settings of each case."""
-    found: dict[MeshCase, list[Settings]] = {}
-    for case, settings in drawings:
-        found.setdefault(case, []).append(settings)
-    return found
+    """Returns the settings of each case, whose drawings come together."""
+    return {case: [settings for _, settings in some]
+            for case, some in groupby(drawings, lambda drawing: drawing[0])}
 
 
 def joined(scenes: list[Scene]) -> Scene:
@@ -141,8 +140,7 @@ def check(each: Scene, digests: np.ndarray, names: list[str], machine: str) -> N
 
 
 def cycles(drawings: list[Drawing], machine: str) -> list[int]:
-    """Returns the cycles of each drawing on the guest; a case's drawings come together. Refuses a
-    frame that differs from the model's."""
+    """Cycles of each drawing, a case's together. Refuses a frame that is not the model's."""
     groups = grouped(drawings)
     scenes = [scene(case, settings, random_maps.of_size(256, 256)) for case, settings in groups.items()]
     spent = []

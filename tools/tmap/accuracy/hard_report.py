@@ -5,18 +5,17 @@ The guest draws every case; its frames must be the model's. The model draws the 
 that is easy to read by eye.
 """
 
-import html
-import json
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+import jinja2
 import numpy as np
 from PIL import Image
 
 from tmap.accuracy import hard_mesh_report
 from tmap.base.errors import UserError
-from tmap.base.fixed import ceil16
+from tmap.base.outputs import as_json
 from tmap.corpus import hard_cases, hard_meshes
 from tmap.corpus.hard_case import called
 from tmap.corpus.hard_cases import HEIGHT, WIDTH, Case, Drawing
@@ -59,19 +58,31 @@ class Row:
     complaint: str = ""
 
 
+def row_of(case: Case | hard_meshes.MeshCase, settings: Settings, cycles: int,
+           verdict: bounds.Verdict, has_ideal: bool = True) -> Row:
+    """Returns a case's row; ``has_ideal``: False if its pixels alone are known."""
+    row = Row(case.name, **vars(settings), cycles=cycles, pixels=verdict.pixels,
+              complaint=verdict.complaint)
+    if has_ideal and not (isinstance(case, hard_meshes.MeshCase) and settings.clip != "scissor"):
+        row.coverage_errors = verdict.coverage_errors
+    if verdict.texel_bound:
+        row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
+        row.worst_ratio = verdict.texel_ratio
+    return row
+
+
 def judged(case: Case, settings: Settings, cycles: int) -> Row:
     """Returns a case's row, checked against its bounds."""
     size = hard_cases.map_size(case, settings.mapper)
     parts = [model.adapt(part, settings, max(size)) for part in model.parts(case.vertices, settings)]
-    made = [model.set_up(part, WIDTH, HEIGHT, settings.mapper != "flat", settings, size) for part in parts]
-    row = Row(case.name, **vars(settings), cycles=cycles, pixels=sum(each.pixels for each in made if each))
-    if all(bounds.has_ideal(part, settings) for part in parts):
+    has_ideal = all(bounds.has_ideal(part, settings) for part in parts)
+    if has_ideal:
         verdict = bounds.judge(case.vertices, settings, WIDTH, HEIGHT, size)
-        row.coverage_errors, row.complaint = verdict.coverage_errors, verdict.complaint
-        if verdict.texel_bound:
-            row.texel_error, row.texel_bound = verdict.texel_error, verdict.texel_bound
-            row.worst_ratio = verdict.texel_ratio
-    return row
+    else:
+        made = [model.set_up(part, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
+                for part in parts]
+        verdict = bounds.Verdict(sum(each.pixels for each in made if each))
+    return row_of(case, settings, cycles, verdict, has_ideal)
 
 
 def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
@@ -104,25 +115,15 @@ def measure(drawings: list[Drawing], machine: str, on_part=None) -> list[Row]:
 
 
 def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> list[Row]:
-    """Returns a row for each drawing of a mesh, over all its faces. A case's drawings come
-    together."""
-    rows, spent = [], iter(hard_mesh_report.cycles(drawings, machine))
-    for case, ways in hard_mesh_report.grouped(drawings).items():
-        for settings, found in zip(ways, hard_mesh_report.judge(case, ways)):
-            row = Row(case.name, **vars(settings), cycles=next(spent), pixels=found.pixels,
-                      complaint=found.complaint)
-            if settings.clip == "scissor":
-                row.coverage_errors = found.coverage_errors
-            if found.texel_bound:
-                row.texel_error, row.texel_bound = found.texel_error, found.texel_bound
-                row.worst_ratio = found.texel_ratio
-            rows.append(row)
-    return rows
+    """A row for each drawing of a mesh, over all its faces. A case's drawings come together."""
+    spent = iter(hard_mesh_report.cycles(drawings, machine))
+    return [row_of(case, settings, next(spent), found)
+            for case, ways in hard_mesh_report.grouped(drawings).items()
+            for settings, found in zip(ways, hard_mesh_report.judge(case, ways))]
 
 
 def readable_map(width: int, height: int) -> np.ndarray:
-    """Returns palette indices: squares of 8 texels in two alternating colours, 16 levels each,
-    brighter to the right and down."""
+    """Palette indices: squares of 8 texels, two colours, 16 levels, brighter right and down."""
     v, u = np.mgrid[:height, :width]
     level = (u * 8 // width + v * 8 // height).clip(0, 15)
     return (16 + (u // 8 + v // 8) % 2 * 16 + level).astype(np.uint8)
@@ -143,16 +144,12 @@ def exact_picture(vertices, settings: Settings, texels: np.ndarray | None) -> np
     if not bounds.has_ideal(vertices, settings):
         return None
     frame = np.full((HEIGHT, WIDTH), -1, np.int16)
-    three = [vertices[k] for k in ideal.corners(vertices)]
-    planes = [ideal.Plane([p[:2] for p in three], [p[k] for p in three]) for k in (2, 3)]
-    if not planes[0].d:
+    is_flat = settings.perspective == "none"
+    exact = (ideal if is_flat else ideal_perspective).Picture(vertices, WIDTH, HEIGHT)
+    if is_flat and not exact.planes[0].d:
         return frame
-    if settings.perspective != "none":
-        planes = ideal_perspective.curves(vertices)
-    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
-    for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), HEIGHT)):
-        left, right = (min(max(-(-n // (d << 16)), 0), WIDTH) for n, d in extent(y))
-        u, v = (plane.texels(left, right, y) for plane in planes)
+    for y, (left, right) in exact.extents.items():
+        u, v = (plane.texels(left, right, y) for plane in exact.planes)
         frame[y, left:right] = (200 if settings.mapper == "flat" else [value & 255 for value in u]
                                 if settings.mapper == "gouraud" else
                                 [texels[b % texels.shape[0], a % texels.shape[1]]
@@ -202,49 +199,17 @@ def picture(case: Case | hard_meshes.MeshCase) -> np.ndarray:
     return joined.repeat(SCALE, axis=0).repeat(SCALE, axis=1)
 
 
-def cell(value) -> str:
-    """Returns a table's value as text."""
-    return "-" if value is None else f"{value:.6f}" if isinstance(value, float) else html.escape(
-        f"{value:,}" if isinstance(value, int) else str(value))
-
-
-def section(case: Case | hard_meshes.MeshCase, rows: list[Row]) -> str:
-    """Returns the page's section of one case."""
-    name = html.escape(case.name)
-    body = "".join("<tr" + " class=bad" * bool(row.complaint) + ">" + "".join(
-        f"<td>{cell(getattr(row, column))}" for column in COLUMNS) + "\n" for row in rows)
-    ratios = [row.worst_ratio for row in rows if row.worst_ratio is not None]
-    head = "".join(f"<th>{column.replace('_', ' ')}" for column in COLUMNS)
-    return (f'<section id="{name}"><h2>{name}</h2><p>{html.escape(case.sentence)}</p>'
-            f'<img src="{name}.png" alt="exact ideal, ours, difference" loading="lazy">'
-            f"<details><summary>{len(rows)} settings, {min(r.cycles for r in rows):,} to "
-            f"{max(r.cycles for r in rows):,} cycles, {max(r.pixels for r in rows):,} pixels"
-            + (f", error at most {max(ratios):.3f} of its bound" if ratios else "")
-            + f"</summary><div><table><tr>{head}\n{body}</table></div></details></section>\n")
-
-
-STYLE = """body{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:auto;padding:1rem}
-img{max-width:100%;image-rendering:pixelated}div{overflow-x:auto}table{border-collapse:collapse}
-td,th{padding:.1rem .5rem;text-align:right;border-bottom:1px solid #ccc}.bad{background:#fbb}
-h2{margin:2rem 0 0}"""
-
-
 def page(rows: list[Row], conditions: str) -> str:
-    """Returns the text of index.html."""
-    by_case: dict[str, list[Row]] = {}
+    """Returns the text of index.html; the template is hard.html in this folder."""
+    by_case: dict[str, list[Row]] = {case.name: [] for case in every_case()}
     for row in rows:
-        by_case.setdefault(row.case, []).append(row)
-    excess = [row for row in rows if row.complaint]
-    summary = (f"{len(by_case)} cases, {len(rows)} drawings, every frame the integer model's; "
-               + (f"<b>{len(excess)} exceed a bound</b>" if excess else "none exceeds its bound"))
-    return (f'<!doctype html><html lang="en"><meta charset="utf-8"><title>Hard cases</title>'
-            f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style>'
-            f"<h1>Hard cases</h1><p>{summary}. {html.escape(conditions)} Errors in texels (shades) "
-            "against the exact rational ideal; pictures: the ideal, ours (exact edges, plane, "
-            "sub-texel), and what differs. Of meshes the ideal is that of exact faces before an "
-            "exact camera: the first pixels that differ are those of points rounded on the way.</p>\n"
-            + "".join(section(case, by_case[case.name]) for case in every_case())
-            + "</html>\n")
+        by_case[row.case].append(row)
+    template = jinja2.Template((Path(__file__).parent / "hard.html").read_text(), autoescape=True,
+                               undefined=jinja2.StrictUndefined, trim_blocks=True,
+                               lstrip_blocks=True)
+    return template.render(conditions=conditions, rows=rows, columns=COLUMNS, sections=[
+        (case, by_case[case.name]) for case in every_case()],
+        excess=sum(bool(row.complaint) for row in rows))
 
 
 def every_case() -> list[Case | hard_meshes.MeshCase]:
@@ -263,7 +228,6 @@ def write(folder: Path, machine: str, conditions: str,
     for case in every_case():
         Image.fromarray(picture(case)).save(folder / f"{case.name}.png")
     (folder / "index.html").write_text(page(rows, conditions))
-    lines = ",\n".join(json.dumps(asdict(row)) for row in rows)
-    head = f'{{"conditions": {json.dumps(conditions)}, "rows": ['
-    (folder / "hard.json").write_text(f"{head}\n{lines}\n]}}\n")
+    found = {"conditions": conditions, "rows": list(map(asdict, rows))}
+    (folder / "hard.json").write_text(as_json(found))
     return rows

@@ -16,14 +16,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
+from tmap.accuracy import showcase
 from tmap.accuracy.errors import Errors
 from tmap.base import markdown
 from tmap.base.outputs import save_animation
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
-from tmap.ideal.perspective import Picture
-from tmap.model import model
-from tmap.model.mesh import polygons_at
 from tmap.model.model import Settings
 from tmap.run.run import render
 from tmap.scene_file.scene_file import Scene
@@ -58,22 +56,8 @@ class Method:
 def scene_of(settings: Settings) -> Scene:
     """Returns the scene of the face, drawn with other settings."""
     scene = compile_scene(SCENES / "face.toml")
-    looks = dict(edges=settings.edges, gradients=settings.gradients, start=settings.start,
-                 perspective=settings.perspective)
-    return replace(scene, materials=[replace(m, **looks) for m in scene.materials])
-
-
-def errors_of(scene: Scene, settings: Settings) -> Errors:
-    """Returns the errors of all frames."""
-    total = Errors()
-    size = scene.width, scene.height
-    for number in range(scene.frames):
-        for which, vertices in polygons_at(scene, number):
-            texels = scene.textures[scene.materials[which].texture].texels.shape
-            adapted = model.adapt(vertices, settings, max(texels))
-            polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
-            total.add(polygon, Picture(adapted, *size), settings)
-    return total
+    return replace(scene, materials=[replace(m, **vars(settings) | {"mapper": m.mapper})
+                                     for m in scene.materials])
 
 
 def measure(machine: str, on_step=None) -> list[Method]:
@@ -84,7 +68,7 @@ def measure(machine: str, on_step=None) -> list[Method]:
         drawn = render(scene, machine, "addx")
         spent = sum(figure["cycles"] for figure in drawn.figures) / scene.frames
         made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent,
-                           errors_of(scene, settings)))
+                           showcase.errors_of(scene, 1, True)))
         if on_step:
             on_step()
     return made

@@ -37,8 +37,7 @@ def pixels_of(mode: Mode, kind: str) -> Pixels:
     vertices = [Vertex(x, y, s, t, w, shade=shade) for x, y, s, t, shade, w in mode.vertices]
     settings = replace(SETTINGS, edges=scene.materials[0].edges)
     at = prepare(state, np.zeros((HEIGHT, WIDTH), np.uint32), vertices, settings).at
-    return Pixels(state, vertices, n64.Surface(vertices, bool(state.modes.perspective)),
-                  at.x, at.y)
+    return Pixels(state, vertices, n64.Surface(vertices, bool(state.modes.perspective)), at.x, at.y)
 
 
 def shades(on: Pixels) -> np.ndarray:

@@ -16,15 +16,13 @@ LEAST = 1e-3  # texels: smaller errors are drawn as this on the logarithmic axis
 
 
 def span(ratio: int = RATIO) -> Curve:
-    """Returns u from 0 to TEXELS over SPAN pixels of line 0; the depth grows from 1 to
-    ``ratio``."""
+    """u from 0 to TEXELS over SPAN pixels of line 0; the depth grows from 1 to ``ratio``."""
     corners = [(0, 0), (SPAN << 16, 0), (0, ONE)]
     return Curve(corners, [0, TEXELS << 16, 0], [ONE, ratio * ONE, ONE])
 
 
 def piece_errors(n: int, ratio: int = RATIO) -> np.ndarray:
-    """Returns curve minus chord at every pixel of the span and at its end, in texels, with pieces
-    of n pixels that are exact at their ends."""
+    """Curve minus chord at every pixel of the span and its end, in texels; pieces of n pixels."""
     curve = span(ratio)
     errors = [curve.chord_errors(first, n, 0)[:n] for first in range(0, SPAN, n)]
     return np.array([float(error) for piece in errors for error in piece] + [0.0])

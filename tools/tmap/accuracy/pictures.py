@@ -11,7 +11,7 @@ from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.guest.emulator import MEASURED
 from tmap.model.model import Settings
-from tmap.run.run import render
+from tmap.run.run import picture_of, render
 from tmap.scene_file.scene_file import Material, Object, Scene, Texture
 
 LEAST = 1e-6  # texels: smaller errors, 0 among them, are drawn as this on a logarithmic axis
@@ -26,8 +26,7 @@ def drawn_by(row: dict) -> str:
 
 
 def plot(rows: list[dict], path: Path) -> None:
-    """Plots error against cycles of the texture mappers: a panel for each set, with the
-    frontier."""
+    """Plots error against cycles of the texture mappers: a panel a set, with the frontier."""
     machine = rows[-1]["machine"]
     names = list(dict.fromkeys(r["name"] for r in rows))
     columns = min(len(names), 4)
@@ -78,7 +77,7 @@ def swimming_scene() -> Scene:
     corners = [(6, 4, 0, 0, 0, 1), (52, 22, 92, 36, 0, 1), (17, 56, 22, 104, 0, 1)]
     vertices = [tuple(c << 16 for c in corner) for corner in corners]
     for number, s in enumerate(SWIMMERS):
-        materials.append(Material("affine", s.edges, s.gradients, s.start, texture=0))
+        materials.append(Material(**vars(s), texture=0))
         objects.append(Object(number, 0, 3, len(poses), SWIM_FRAMES, 0))
         poses += [(65536, 0, 0, 65536, (number * SWIM_SIDE << 16) + k * 8192, k * 4096)
                   for k in range(SWIM_FRAMES)]
@@ -89,8 +88,7 @@ def swimming_scene() -> Scene:
 
 
 def write_swimming(out: Path) -> None:
-    """Writes swimming.gif and swimming.png: rendered on the emulated machine, enlarged five
-    times."""
+    """Writes swimming.gif and swimming.png, drawn on the emulated machine, five times as large."""
     scene = swimming_scene()
     frames = render(scene, MEASURED[-1], "addx").frames
     pictures = []
@@ -107,6 +105,4 @@ def write_mappers(out: Path) -> None:
     """Writes mappers.png: a polygon of each mapper, rendered on the emulated machine."""
     scene = compile_scene(SCENES / "mappers.toml")
     (frame,) = render(scene, MEASURED[-1], "addx").frames
-    picture = Image.fromarray(frame, "P")
-    picture.putpalette(scene.palette.tobytes())
-    picture.save(out / "mappers.png")
+    picture_of(frame, scene).save(out / "mappers.png")

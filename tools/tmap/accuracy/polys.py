@@ -9,10 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
-from tmap.accuracy.rows import as_json
 from tmap.base import markdown
 from tmap.base.errors import UserError
-from tmap.base.outputs import check_directory
+from tmap.base.outputs import as_json, check_directory
 from tmap.base.paths import POLYS_BASELINE
 from tmap.corpus import polygon_sets, random_maps
 from tmap.guest import guest_frames, provenance
@@ -52,8 +51,7 @@ def frames(row: str, count: int) -> list[np.ndarray]:
 
 
 def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[dict]:
-    """Returns a machine's rows, measured in one boot. Every frame must be the model's. ``cache``:
-    with a data cache."""
+    """A machine's rows, from one boot; frames must be the model's. ``cache``: with a data cache."""
     form = "addx DCACHE" if cache else "addx"
     drawn = guest_frames.draw([(scene(name, count), form) for name in ROWS], machine)
     rows = []

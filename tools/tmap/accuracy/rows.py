@@ -1,7 +1,5 @@
 """Rows of accuracy.json: the frontier, tables and JSON text."""
 
-import json
-
 from tmap.base import markdown
 
 #: Mappers without texture. All others draw the same picture, so they share a frontier; each of
@@ -40,19 +38,15 @@ def table(rows: list[dict], name: str, machine: str) -> str:
     return markdown.table([c.replace("_", " ") for c in COLUMNS], rows, "lllllrrrrrrl") + "\n"
 
 
+def tables(rows: list[dict]) -> list[tuple[str, str]]:
+    """Returns name and machine of each table that rows make."""
+    return [(name, machine) for name in dict.fromkeys(r["name"] for r in rows)
+            for machine in dict.fromkeys(r["machine"] for r in rows)]
+
+
 def report(found: dict) -> str:
     """Returns the text of accuracy.md."""
     text = ("# What accuracy costs\n\n" + found["conditions"] + f" {found['emulator']}, "
             f"{found['compiler']}.\n")
-    rows = found["rows"]
-    for name in dict.fromkeys(r["name"] for r in rows):
-        for machine in dict.fromkeys(r["machine"] for r in rows):
-            text += f"\n## {name}, {machine}\n\n" + table(rows, name, machine)
-    return text
-
-
-def as_json(found: dict) -> str:
-    """Returns JSON with one row a line."""
-    head = json.dumps({k: v for k, v in found.items() if k != "rows"}, indent=1)
-    rows = ",\n  ".join(map(json.dumps, found["rows"]))
-    return f'{head[:-2]},\n "rows": [\n  {rows}\n ]\n}}\n'
+    return text + "".join(f"\n## {name}, {machine}\n\n" + table(found["rows"], name, machine)
+                          for name, machine in tables(found["rows"]))

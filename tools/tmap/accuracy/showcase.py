@@ -5,7 +5,6 @@ plane, over every ERROR_STEP-th frame. Texture engines are left out; the errors 
 in tmap.accuracy.engines.
 """
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -30,21 +29,15 @@ NAMES = ("cube", "floor", "corridor", "environment", "rotator", "lit", "shaded")
 ERROR_STEP = 8
 
 
-@dataclass
-class Shown:
-    """One scene's figures."""
-
-    name: str
-    totals: dict  # as tmap.run.run.total gives them
-    frames: int
-    errors: Errors
+#: A scene's name, its figures as tmap.run.run.total gives them, its frames, its errors.
+Shown = tuple[str, dict, int, Errors]
 
 
-def errors_of(scene: Scene) -> Errors:
-    """Returns the errors of the polygons' u and v. Polygons without texture or ideal are left
-    out."""
+def errors_of(scene: Scene, step: int = ERROR_STEP, always_curve: bool = False) -> Errors:
+    """Returns the errors of u and v in every ``step``-th frame. Polygons without texture or ideal
+    are left out. ``always_curve``: against the exact curve, whatever the perspective."""
     total, size = Errors(), (scene.width, scene.height)
-    for number in range(0, scene.frames, ERROR_STEP):
+    for number in range(0, scene.frames, step):
         for which, vertices in polygons_at(scene, number):
             m = scene.materials[which]
             settings = Settings(m.edges, m.gradients, m.start, m.clip, m.perspective, m.mapper)
@@ -53,12 +46,10 @@ def errors_of(scene: Scene) -> Errors:
             if m.mapper in ("flat", *UNITS) or not has_ideal(adapted, settings):
                 continue
             polygon = model.set_up(adapted, *size, True, settings, texels[::-1])
-            exact = ideal.Picture([v[:4] for v in adapted], *size)
-            if polygon and polygon.perspective:
-                exact = Picture(adapted, *size)
-            elif not exact.planes[0].d:  # no area
-                continue
-            total.add(polygon, exact, settings)
+            if always_curve or polygon and polygon.perspective:
+                total.add(polygon, Picture(adapted, *size), settings)
+            elif ideal.plane_of(adapted, 2).d:  # it has an area
+                total.add(polygon, ideal.Picture(adapted, *size), settings)
     return total
 
 
@@ -70,18 +61,17 @@ def show(name: str, machine: str, folder: Path) -> Shown:
         raise UserError(f"{name}: a frame of one colour")
     pictures = [run.picture_of(frame, scene) for frame in drawn.frames]
     save_animation(folder / f"{name}.gif", pictures, run.gif_frame_ms(scene.frames))
-    return Shown(name, run.total(drawn.figures), scene.frames, errors_of(scene))
+    return name, run.total(drawn.figures), scene.frames, errors_of(scene)
 
 
 def table(shown: list[Shown], machine: str) -> str:
     """Returns the figures as a Markdown table."""
     rows = []
-    for each in shown:
-        t, e = each.totals, each.errors
+    for name, t, frames, e in shown:
         errors = [f"{e.worst:.4f}", f"{e.rms:.4f}"] if e.pixels else ["", ""]
-        rows.append([each.name, str(each.frames), f"{t['polygons'] / each.frames:,.0f}",
-                     f"{t['cycles'] / each.frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}",
-                     *errors, ", ".join(t["spans"])])
+        rows.append([name, str(frames), f"{t['polygons'] / frames:,.0f}",
+                     f"{t['cycles'] / frames:,.0f}", f"{t['cycles_per_pixel'] or 0:.1f}", *errors,
+                     ", ".join(t["spans"])])
     return markdown.table([f"scene, {machine}", "frames", "polygons a frame", "cycles a frame",
                            "cycles a pixel", "largest error, texels", "rms", "spans"], rows,
                           "lrrrrrrl")

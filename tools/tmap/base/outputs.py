@@ -1,5 +1,6 @@
 """The commands' output: folders that are replaced as a whole, animations, progress bars."""
 
+import json
 import os
 import shutil
 import sys
@@ -29,6 +30,14 @@ def bars() -> Progress:
     return Progress(TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(),
                     TimeElapsedColumn(), console=Console(stderr=True), transient=True,
                     disable=not sys.stderr.isatty())
+
+
+def as_json(found: dict) -> str:
+    """The text of a file of figures: a field a line, of tables a row a line."""
+    fields = [f'"{key}": ' + ("[\n  " + ",\n  ".join(map(json.dumps, value)) + "\n ]"
+                             if isinstance(value, list) else json.dumps(value))
+              for key, value in found.items()]
+    return "{\n " + ",\n ".join(fields) + "\n}\n"
 
 
 @contextmanager

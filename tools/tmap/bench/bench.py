@@ -14,14 +14,14 @@ import matplotlib.pyplot as plt
 
 from tmap.base import markdown
 from tmap.base.errors import UserError
-from tmap.base.outputs import bars, check_directory
+from tmap.base.outputs import as_json, bars, check_directory
 from tmap.base.paths import BASELINE
 from tmap.bench import cases, rules as bench_rules, scenes
 from tmap.bench.modes import measure as bench_modes
 from tmap.guest import provenance
 from tmap.guest.conditions import CONDITIONS
 from tmap.guest.emulator import CYCLES_PER_TICK
-from tmap.guest.kernels import Case, Result, call
+from tmap.guest.kernels import Case, call
 
 #: Ticks a measurement lasts at least: one tick of doubt is then below 1 in 25,000.
 TICKS = 25_000
@@ -57,24 +57,12 @@ def repeats(row: cases.Row) -> int:
     return max(4, ticks * CYCLES_PER_TICK // (row.units * ROUGH_CYCLES_PER_UNIT))
 
 
-def measured(row: cases.Row, result: Result, per_call: float, unit: str, machine: str) -> dict:
-    """A kernel's row, of what its call drew and took; ``per_call``: what calling alone takes."""
-    wrong = row.check(result)
-    if wrong:
-        raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
-    spent = (result.cycles / row.case.repeats - per_call) / row.units
-    return {"name": row.name, "machine": machine, "length": row.length, unit: round(spent, 3),
-            "one_tick": round(CYCLES_PER_TICK / row.case.repeats / row.units, 5)}
-
-
 def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dict]]:
     """The rows of kernels called one by one, by kind: in pixels, lines, points, instructions."""
     condition = CONDITIONS[machine]
-    makers = {"rows": cases.pixel_rows, "lines": cases.line_rows,
-              "points": cases.point_rows, "instructions": cases.instruction_rows}
-    rows = [(kind, row) for kind, make in makers.items() for row in make(condition.chip)
+    rows = [(kind, row) for kind in cases.KINDS for row in cases.rows(kind, condition.chip)
             if fnmatch.fnmatch(row.name, only)]
-    found: dict[str, list[dict]] = {kind: [] for kind in makers}
+    found: dict[str, list[dict]] = {kind: [] for kind in cases.KINDS}
     if not rows:
         return found
     for _, row in rows:
@@ -82,7 +70,13 @@ def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dic
     nothing = Case("nothing", repeats=NOTHING_REPEATS)
     overhead, *results = call([nothing, *(row.case for _, row in rows)], condition.machine, on_case)
     for (kind, row), result in zip(rows, results, strict=True):
-        found[kind].append(measured(row, result, overhead.cycles / nothing.repeats, UNITS[kind], machine))
+        if wrong := row.check(result):
+            raise UserError(f"bench: {row.name}, length {row.length}, {machine}: {wrong}")
+        spent = result.cycles / row.case.repeats - overhead.cycles / nothing.repeats
+        found[kind].append({
+            "name": row.name, "machine": machine, "length": row.length,
+            UNITS[kind]: round(spent / row.units, 3),
+            "one_tick": round(CYCLES_PER_TICK / row.case.repeats / row.units, 5)})
     return found
 
 
@@ -175,19 +169,10 @@ def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
                       "du 1.5, dv 1.25, the cost of the call subtracted", **found}
 
 
-def as_json(found: dict) -> str:
-    """The file's text: a row a line."""
-    fields = [f'"{key}": ' + ("[\n  " + ",\n  ".join(map(json.dumps, value)) + "\n ]"
-                             if isinstance(value, list) else json.dumps(value))
-              for key, value in found.items()]
-    return "{\n " + ",\n ".join(fields) + "\n}\n"
-
-
 def write(found: dict, out: Path) -> None:
     """bench.json, bench.md and bench.png into ``out``."""
     out.mkdir(parents=True, exist_ok=True)
-    machines = list(dict.fromkeys(row["machine"] for kind in UNITS
-                                  for row in found[kind]))
+    machines = list(dict.fromkeys(row["machine"] for kind in UNITS for row in found[kind]))
     text = "# Cycles\n\n" + found["conditions"] + f". {found['emulator']}, {found['compiler']}.\n"
     text += "".join(f"\n{title}:\n\n" + table(found[kind], machines) for kind, title in TITLES.items())
     if found["rows"]:

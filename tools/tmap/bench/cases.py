@@ -5,17 +5,21 @@ Conditions: DMA and interrupts off, instruction cache warm; 256x256 8-bit map,
 du 1.5 and dv 1.25 texels a pixel, 16 fraction bits, u and v both wrap.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from tmap.bench import (edges, glide, instruction_costs, logarithm, n64, perspective, reciprocal,
-                        screen, steps as bench_steps)
-from tmap.bench.dithered import dithered_rows
-from tmap.bench.effects import LIT, ROTATORS, SCREEN, lit_case, rotator_case, shade_case
+from tmap.base.fixed import ONE
+from tmap.bench import (dithered, edges, effects, instruction_costs, logarithm, mesh, n64,
+                        perspective, reciprocal, screen, steps)
+from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
-from tmap.bench.mesh import CASES as MESH_CASES
 from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
 from tmap.bench.trial import Check
 from tmap.guest.kernels import Case
+
+#: Ends of the names of spans with wide texels, and their steps.
+WIDE = {"": (DU, DV), "_wrap": (DU, DV), "_row": (DU, 0)}
+Call = tuple[int, Case, Check]  # units, case and check
 
 
 @dataclass
@@ -32,107 +36,92 @@ class Row:
     check: Check
 
 
-def special_rows() -> list[Row]:
-    """The spans of special cases; what ends in _once draws a table of one pixel."""
-    rows = [Row(name, length, *span_case(f"span_{name}", "addx", length, du, dv))
-            for name, du, dv, lengths in SPECIAL for length in lengths]
-    rows += [Row(f"{name}_once", 1, *span_case(f"span_{name}", "addx", 1, lines=1))
-             for name in ("affine_addx", "affine_short")]
-    rows += [Row("gouraud_short", n, *mapper_case("gouraud_short", n)) for n in (48, 16, 4, 1)]
-    return rows + [Row(f"affine_{name}", n, *lit_case(f"span_{name}", n))
-                   for name in ("lit_short", "lit_short_wrap") for n in (12, 4, 1)]
-
-
-def wide_rows(length: int) -> list[Row]:
-    """The spans with texels of 16 and 32 bits."""
-    steps = {"": (DU, DV), "_wrap": (DU, DV), "_row": (DU, 0), "_copy": (1 << 16, 0)}
-    names = {f"affine_{bits}{kind}": pair for bits in (16, 32) for kind, pair in steps.items()
-             if (bits, kind) != (32, "_copy")}
-    return [Row("fill_32", length, *span_case("span_fill_32", "flat", length))] + [
-        Row(name, length, *span_case(f"span_{name}", "addx", length, *pair))
-        for name, pair in names.items()]
-
-
-def placed(rows: list[Row], chip: bool) -> list[Row]:
-    """The rows, with their data in chip RAM or not."""
-    for row in rows:
-        row.case.chip = chip
-    return rows
-
-
-def span_rows(length: int) -> list[Row]:
+def span_calls(length: int) -> dict[str, Call]:
     """The spans that have a row at each of LENGTHS."""
-    rows = [Row(name, length, *span_case(f"span_{name}", form, length)) for name, form in SPANS]
-    rows += wide_rows(length)
-    rows += [Row(*row) for row in dithered_rows(length)]
-    rows.append(Row("affine_row", length, *span_case("span_affine_row", "addx", length, dv=0)))
-    rows.append(Row("affine_column", length, *span_case("span_affine_column", "addx", length, du=0)))
-    rows += [Row(name, length, *mapper_case(name, length))
-             for name in ("gouraud", "arbitrary", "generated")]
-    rows += [Row(name, length, *perspective.span_case(setting, ratio, length))
-             for name, (setting, ratio) in perspective.SPANS.items()]
-    rows += [Row(name, length, *reciprocal.span_case(m, length))
-             for name, m in reciprocal.SPANS.items()]
-    rows.append(Row("persp_pixel", length, *logarithm.span_case(length)))
-    rows.append(Row("arbitrary_row", length, *mapper_case("arbitrary", length, dv=1 << 16)))
-    return rows + [Row(name, length, *lit_case(kernel, length)) for name, kernel in LIT.items()]
+    wide = {f"affine_{bits}{end}": pair for bits, more in ((16, {"_copy": (ONE, 0)}), (32, {}))
+            for end, pair in (WIDE | more).items()}
+    return ({name: span_case(f"span_{name}", form, length) for name, form in SPANS}
+            | {"fill_32": span_case("span_fill_32", "flat", length)}
+            | {name: span_case(f"span_{name}", "addx", length, *pair)
+               for name, pair in wide.items()}
+            | {f"dithered{end}": dithered.dithered_case(f"span_dithered{end}", bytes_, length)
+               for end, bytes_ in dithered.NAMES.items()}
+            | {"affine_row": span_case("span_affine_row", "addx", length, dv=0),
+               "affine_column": span_case("span_affine_column", "addx", length, du=0)}
+            | {name: mapper_case(name, length) for name in ("gouraud", "arbitrary", "generated")}
+            | {name: perspective.span_case(*how, length) for name, how in perspective.SPANS.items()}
+            | {name: reciprocal.span_case(m, length) for name, m in reciprocal.SPANS.items()}
+            | {"persp_pixel": logarithm.span_case(length),
+               "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
+            | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()})
 
 
-def race_rows() -> list[Row]:
-    """addx against swap, and memory alone."""
-    rows = []
-    for count in (1, 2, 3):
-        rows += [Row(f"step_{form}_{count}", bench_steps.STEPS, *bench_steps.step_case(form, count))
-                 for form in ("swap", "addx", "chain")]
-        rows += [Row(f"pixel_{form}_{count}", bench_steps.PIXELS, *bench_steps.pixel_case(form, count))
-                 for form in ("swap", "addx")]
-    return rows + [Row(f"floor_{name}", bench_steps.STEPS, *bench_steps.floor_case(name))
-                   for name in ("fetch", "store", "copy")]
+def special_calls() -> Iterator[tuple[str, int, Call]]:
+    """The spans of special cases; what ends in _once draws a table of one pixel."""
+    for name, du, dv, lengths in SPECIAL:
+        for length in lengths:
+            yield name, length, span_case(f"span_{name}", "addx", length, du, dv)
+    for name in ("affine_addx", "affine_short"):
+        yield f"{name}_once", 1, span_case(f"span_{name}", "addx", 1, lines=1)
+    for n in (48, 16, 4, 1):
+        yield "gouraud_short", n, mapper_case("gouraud_short", n)
+    for name in ("lit_short", "lit_short_wrap"):
+        for n in (12, 4, 1):
+            yield f"affine_{name}", n, effects.lit_case(f"span_{name}", n)
 
 
-def pass_rows() -> list[Row]:
-    """A line by each pass of the texture engines, and a screen by each way to it."""
-    return [*(Row(name, n64.LENGTH, *n64.pass_case(name)) for name in n64.NAMES),
-            *(Row(name, n64.LENGTH, *glide.pass_case(name)) for name in glide.NAMES),
-            *(Row(name, screen.SCREENS[screen.routine_of(name)][0],
-                  *screen.screen_case(name)) for name in screen.NAMES)]
-
-
-def pixel_rows(chip: bool) -> list[Row]:
-    """All rows counted in pixels (or steps of one pixel)."""
-    rows = [row for length in LENGTHS for row in span_rows(length)] + special_rows()
-    rows += [Row(name, SCREEN[0], *rotator_case(*how)) for name, how in ROTATORS.items()]
+def pixel_calls() -> Iterator[tuple[str, int, Call]]:
+    """All that is counted in pixels (or steps of one pixel)."""
+    for length in LENGTHS:
+        for name, call in span_calls(length).items():
+            yield name, length, call
+    yield from special_calls()
+    for name, how in effects.ROTATORS.items():
+        yield name, effects.SCREEN[0], effects.rotator_case(*how)
     # One line: written, flushed and drawn once.
-    rows.append(Row("generated_once", 1024, *mapper_case("generated", 1024, lines=1)))
-    rows += race_rows() + pass_rows()
+    yield "generated_once", 1024, mapper_case("generated", 1024, lines=1)
+    for count in (1, 2, 3):  # addx against swap
+        for form in ("swap", "addx", "chain"):
+            yield f"step_{form}_{count}", steps.STEPS, steps.step_case(form, count)
+        for form in ("swap", "addx"):
+            yield f"pixel_{form}_{count}", steps.PIXELS, steps.pixel_case(form, count)
+    for name in ("fetch", "store", "copy"):  # memory alone
+        yield f"floor_{name}", steps.STEPS, steps.floor_case(name)
+    for examples in (n64_examples, glide_examples):
+        for name in n64.names(examples):
+            yield name, n64.LENGTH, n64.pass_case(name, examples)
+    for name in screen.NAMES:
+        yield name, screen.SCREENS[screen.routine_of(name)][0], screen.screen_case(name)
     for end in ("_low", "_super"):  # what is drawn while something is shown
-        rows.append(Row(f"affine_addx{end}", 256, *span_case("span_affine_addx", "addx", 256)))
-        rows[-1].case.display = screen.SHOWN[end]
-    return placed(rows, chip)
+        call = span_case("span_affine_addx", "addx", 256)
+        call[1].display = screen.SHOWN[end]
+        yield f"affine_addx{end}", 256, call
 
 
-def line_rows(chip: bool) -> list[Row]:
-    """All rows counted in lines: the edge steppers."""
-    rows = [Row(name, edges.LINES, *edges.edge_case(name)) for name in (
-        "edge_addx", "edge_addx_exact", "edge_plain", "edge_plain_exact", "edge_swap",
-        "edge_flat", "edge_flat_exact")]
-    rows.append(Row("edge_ramp", edges.LINES, *edges.ramp_case()))
-    rows.append(Row("edge_shade", edges.LINES, *shade_case()))
-    rows.append(Row("edge_shade_inside", edges.LINES, *shade_case(inside=1)))
-    rows += [Row(name, perspective.LINES, *perspective.lines_case(setting))
-             for name, setting in (("perspective_lines", "every16"),
-                                   ("perspective_lines_curves", "pixel"))]
-    rows.append(Row("level_lines", perspective.LINES, *perspective.level_case()))
-    rows.append(Row("reciprocal_lines", perspective.LINES, *reciprocal.lines_case(16)))
-    rows.append(Row("logarithm_lines", perspective.LINES, *logarithm.lines_case()))
-    return placed(rows, chip)
+def line_calls() -> Iterator[tuple[str, int, Call]]:
+    """All that is counted in lines: the edge steppers, and what makes lines in perspective."""
+    for name in ("edge_addx", "edge_addx_exact", "edge_plain", "edge_plain_exact", "edge_swap",
+                 "edge_flat", "edge_flat_exact"):
+        yield name, edges.LINES, edges.edge_case(name)
+    for name, call in {"edge_ramp": edges.ramp_case(), "edge_shade": effects.shade_case(),
+                       "edge_shade_inside": effects.shade_case(inside=1),
+                       "perspective_lines": perspective.lines_case("every16"),
+                       "perspective_lines_curves": perspective.lines_case("pixel"),
+                       "level_lines": perspective.level_case(),
+                       "reciprocal_lines": reciprocal.lines_case(16),
+                       "logarithm_lines": logarithm.lines_case()}.items():
+        yield name, edges.LINES, call
 
 
-def point_rows(chip: bool) -> list[Row]:
-    """All rows counted in points, normals, faces or vertices of meshes."""
-    return placed([Row(name, 1, *make()) for name, make in MESH_CASES.items()], chip)
+#: A kind of rows to what makes names, lengths and calls. Points are normals, faces or vertices too.
+KINDS = {"rows": pixel_calls, "lines": line_calls,
+         "points": lambda: ((name, 1, make()) for name, make in mesh.CASES.items()),
+         "instructions": instruction_costs.calls}
 
 
-def instruction_rows(chip: bool) -> list[Row]:
-    """All rows counted in instructions."""
-    return placed([Row(*row) for row in instruction_costs.rows()], chip)
+def rows(kind: str, chip: bool) -> list[Row]:
+    """The rows of one of KINDS; ``chip``: their data are in chip RAM."""
+    made = [Row(name, length, *call) for name, length, call in KINDS[kind]()]
+    for row in made:
+        row.case.chip = chip
+    return made

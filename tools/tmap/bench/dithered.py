@@ -18,8 +18,7 @@ NAMES = {"": 1, "_wrap": 1, "_16": 2, "_16_wrap": 2, "_32": 4, "_32_wrap": 4}
 
 def dithered_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground,
                    title: str = "", *, dudx: int, dvdx: int, odd: int, **more) -> Trial:
-    """One table of lines, whose u and v are less than their points' by MOST; ``odd``: the first
-    line's parity."""
+    """One table of lines, u and v less than their points' by MOST; ``odd``: line 0's parity."""
     def drawn(k: int, _: int, column: int, count: int, u: int, v: int) -> np.ndarray:
         du, dv = dithered.moves(column, column + count, k + odd)
         return texels(ground.picture, u + MOST + du, v + MOST + dv, dudx, dvdx, count)
@@ -29,8 +28,7 @@ def dithered_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, gro
 
 
 def dithered_case(name: str, wide: int, length: int):
-    """A table of spans of one length from a page of noise, ``wide`` bytes a pixel; v wraps where the
-    kernel allows it."""
+    """A table of spans of one length from noise, ``wide`` bytes a pixel; v wraps if it may."""
     rng, lines, far = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256**wide, (256, 256)).astype(f">u{wide}")
     map_at = far.add(maps.to_page(picture).tobytes(), layout.load().constants["ARENA_ALIGN"])
@@ -44,9 +42,3 @@ def dithered_case(name: str, wide: int, length: int):
     return dithered_trial(name, starts, length + GAP, Arena(),
                           framed(far, map_at, picture, lines, length), dudx=DU, dvdx=DV,
                           odd=0).row(lines * length)
-
-
-def dithered_rows(length: int) -> list[tuple]:
-    """Name, length, pixels, case and check of each kernel."""
-    return [(f"dithered{end}", length, *dithered_case(f"span_dithered{end}", wide, length))
-            for end, wide in NAMES.items()]

@@ -83,16 +83,14 @@ def shade_trial(arena: Arena, lines: list[tuple[int, int]], title: str = "", **p
 
 
 def shade_case(inside: int = 0):
-    """Shades of LINES lines of 10 pixels and more, which move to the right; ``inside``: of struct
-    shade_plan."""
+    """Shades of LINES lines of 10 pixels and more; ``inside``: of struct shade_plan."""
     lines = [(BIAS + 40 + n // 2, 11 + n - n // 2) for n in range(LINES)]
     return shade_trial(Arena(), lines, added=0, shade=(20 << 16) - DC * BIAS & M32, dcdx=DC,
                        dcdy=-0x800, low=0, high=(LEVELS << 16) - 4, inside=inside).row(LINES)
 
 
 def rotator_case(kernel: str, form: str, steps: tuple[int, int]):
-    """A screen of turned texture in one call: 256 lines of 320 pixels, each a step of the texture
-    further down."""
+    """A screen of turned texture in one call: 256 lines of 320 pixels, each a step further down."""
     (width, height), (du, dv), far, picture = SCREEN, steps, Arena(), random_maps.page()
     map_at = far.add(picture.tobytes(), ONE)
     ground = Ground(far, far.add(bytes(width * height)), map_at, picture)

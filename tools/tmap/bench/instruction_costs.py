@@ -35,24 +35,21 @@ def code(words: str, count: int = IN_LOOP) -> bytes:
     return body + DBRA + (-len(body) - 2 & 0xFFFF).to_bytes(2, "big") + RTS
 
 
-def case(words: str, count: int, rounds: int) -> Case:
-    """A call that runs the code."""
-    arena, far = Arena(), Arena()
-    code_at, data_at = arena.add(code(words, count)), far.add(bytes(16))
-    return Case("instructions", arena, registers={"d0": 0x12345, "d1": 3, "d2": 0, "d7": rounds - 1},
-                pointers={"a4": code_at}, far=far, far_pointers={"a0": data_at, "a1": data_at})
+def calls() -> list[tuple]:
+    """Name, length and call of each row; its loop must be gone through to its end."""
+    def check(result: Result) -> str | None:
+        return None if result.registers["d7"] & 0xFFFF == 0xFFFF else "the code did not count down"
 
+    def case(words: str, count: int, rounds: int) -> Case:
+        arena, far = Arena(), Arena()
+        code_at, data_at = arena.add(code(words, count)), far.add(bytes(16))
+        registers = {"d0": 0x12345, "d1": 3, "d2": 0, "d7": rounds - 1}
+        return Case("instructions", arena, registers=registers, pointers={"a4": code_at},
+                    far=far, far_pointers={"a0": data_at, "a1": data_at})
 
-def check(result: Result) -> str | None:
-    """The loop was gone through to its end."""
-    return None if result.registers["d7"] & 0xFFFF == 0xFFFF else "the code did not count down"
-
-
-def rows() -> list[tuple]:
-    """Name, length, units, case and check of each row."""
     kinds = {NONE: ("", 0, ROUNDS), LOOP: ("", 0, COUNT)}
     kinds |= {name: (words, IN_LOOP, ROUNDS) for name, (_, words) in INSTRUCTIONS.items()}
-    return [(ROW + name, COUNT, COUNT, case(*how), check) for name, how in kinds.items()]
+    return [(ROW + name, COUNT, (COUNT, case(*how), check)) for name, how in kinds.items()]
 
 
 def prices(baseline: dict) -> dict[tuple[str, str], float]:

@@ -66,19 +66,14 @@ def span_case(length: int):
     return row_of_records(length, lambda k, rng: line(k, length, rng), span_trial)
 
 
-def add_logarithm_plan(arena: Arena, planes_at: int, constants) -> tuple[int, int]:
-    """Adds a reciprocal_plan with its constants, and the tables but for the powers."""
-    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **constants_fields(constants),
-                        limit=0, piece=0, table=0, to=0)
-    return plan, arena.struct("logarithm_tables", dict(logs=log_table(arena)), powers=0,
-                              parts=logarithms.parts())
-
-
 def lines_trial(arena: Arena, deep, constants, lines, made: list, title: str = "") -> Trial:
     """logarithm_lines on lines (left, right, y), of which those are ``made``."""
     shape, out = layout.load().struct("logarithm_line"), arena.room("logarithm_line", len(lines))
     planes_at = add_perspective_plan(arena, deep, lines, out)
-    plan, tables = add_logarithm_plan(arena, planes_at, constants)
+    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **constants_fields(constants),
+                        limit=0, piece=0, table=0, to=0)
+    tables = arena.struct("logarithm_tables", dict(logs=log_table(arena)), powers=0,
+                          parts=logarithms.parts())
 
     def fields_of(line: logarithms.Logarithmic) -> dict[str, int]:
         return {name: value for name, value in shape.unpack(entry(line)).items() if name != "spare"}

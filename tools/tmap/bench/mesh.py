@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from tmap.base.fixed import M32
 from tmap.base.linear import length, product
+from tmap.bench.examples.example import longs
 from tmap.bench.trial import Trial, Write, fields, long_write
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
@@ -29,11 +29,6 @@ def view(depth: int) -> list[int]:
         axes.append(sign * rest / length(rest))
     turn = np.array(axes).T
     return [*np.rint(turn * (1 << 30)).astype(int).ravel().tolist(), 0, 0, depth, *([0] * 13)]
-
-
-def longs(values) -> bytes:
-    """Longwords, modulo 2^32."""
-    return b"".join((value & M32).to_bytes(4, "big") for value in values)
 
 
 def outside(point, near: int) -> int:

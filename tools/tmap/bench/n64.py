@@ -1,8 +1,7 @@
-"""Calls of the N64's passes."""
+"""Calls of the passes of both texture units."""
 
 import numpy as np
 
-from tmap.bench.examples import n64
 from tmap.bench.trial import Trial, Write
 from tmap.guest.kernels import Arena, Case
 
@@ -14,13 +13,9 @@ def names(examples) -> list[str]:
     return [name for name in examples.MAKERS if name not in examples.IN_C_ALONE]
 
 
-NAMES = names(n64)
-
-
-def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str = "",
-               examples=n64) -> Trial:
-    """The call of a pass on ``count`` pixels, with input, output, texels and tables in the far
-    arena."""
+def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str,
+               examples) -> Trial:
+    """A pass on ``count`` pixels: input, output, texels and tables are in the far arena."""
     example = examples.MAKERS[name.removesuffix("_c")](rng, count)
     kernel = examples.FORMS.get(name, name)
     source, out = far.add(example.source), far.add(bytes(example.size))
@@ -57,7 +52,7 @@ def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str 
                  writes=[Write(at, block, far=True) for at, block in written.items()])
 
 
-def pass_case(name: str, examples=n64):
+def pass_case(name: str, examples):
     """One line of LENGTH pixels."""
-    return pass_trial(name, np.random.default_rng(LENGTH), LENGTH, Arena(), Arena(),
-                      examples=examples).row(LENGTH)
+    return pass_trial(name, np.random.default_rng(LENGTH), LENGTH, Arena(), Arena(), "",
+                      examples).row(LENGTH)

@@ -64,14 +64,9 @@ def origin(baseline: dict) -> str:
     return f"{baseline['emulator']}, {baseline['compiler']}, {baseline['commit']}"
 
 
-def thousandths(figures: dict, entry: Entry, machine: str | None) -> int:
-    """A committed figure; 0 for none."""
-    return round(1000 * figures[entry.name, machine, entry.length]) if machine else 0
-
-
 def rows() -> list[bench_cases.Row]:
     """The bench's rows of all entries, as often called as there."""
-    made = {(row.name, row.length): row for row in bench_cases.pixel_rows(False)}
+    made = {(row.name, row.length): row for row in bench_cases.rows("rows", False)}
     chosen = []
     for entry in ENTRIES:
         assert len(entry.title) <= TITLE, entry
@@ -98,7 +93,8 @@ def make() -> bytes:
     chosen = rows()
     cases = [Case("nothing", repeats=NOTHING_REPEATS, shown=Shown(origin(baseline), 0, 0, 0, 0))]
     for entry, row, sums in zip(ENTRIES, chosen, drawn(chosen)):
-        chip, fast = (thousandths(figures, entry, machine) for machine in entry.conditions)
+        chip, fast = (round(1000 * figures[entry.name, machine, entry.length]) if machine else 0
+                      for machine in entry.conditions)
         row.case.shown = Shown(entry.title, row.units, chip, fast, sums)
         cases.append(row.case)
     return plan(cases)

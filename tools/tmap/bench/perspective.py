@@ -114,8 +114,7 @@ def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[s
 
 
 def polygon_lines():
-    """The planes of a turned triangle whose w differs RATIO times, and (left, right, y) of
-    LINES lines."""
+    """A turned triangle's planes, whose w differs RATIO times, and its LINES (left, right, y)."""
     corners = [(0, 0, 0, 0, 1 << 16), (200 << 16, 10 << 16, 200 << 16, 7 << 16, RATIO << 16),
                (20 << 16, 90 << 16, 30 << 16, 100 << 16, 2 << 16)]
     sides = measure(corners, 256, 10 + LINES)

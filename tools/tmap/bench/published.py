@@ -52,17 +52,13 @@ OURS = {
 }
 
 
-def ours(kind: str, measured: dict) -> list[Loop]:
-    """Our loops for a kind of work, out of the bench's figures."""
+def ranked(kind: str, measured: dict) -> list[Loop]:
+    """All loops for a kind of work, ours from the bench; the fastest in fast RAM first."""
     figures = bench.figures(measured["rows"])
-    return [Loop(name, source, tuple(figures[row, machine, LONG] for machine in MACHINES),
+    ours = [Loop(name, source, tuple(figures[row, machine, LONG] for machine in MACHINES),
                  figures[row, "a1200-fast", SHORT], exact, True)
             for row, name, source, exact in OURS[kind]]
-
-
-def ranked(kind: str, measured: dict) -> list[Loop]:
-    """All loops for a kind of work, the fastest in fast RAM first."""
-    return sorted([*PUBLISHED[kind], *ours(kind, measured)], key=lambda loop: loop.cycles[0])
+    return sorted([*PUBLISHED[kind], *ours], key=lambda loop: loop.cycles[0])
 
 
 def places(loops: list[Loop]) -> dict[str, list[int]]:
@@ -72,7 +68,6 @@ def places(loops: list[Loop]) -> dict[str, list[int]]:
 
 
 def floors(measured: dict, row: str = "floor_copy") -> tuple[float, ...]:
-    """What memory alone takes on each of MACHINES, a pixel: one byte fetched and one stored, or
-    another ``row`` of the bench."""
+    """What memory alone takes a pixel on each of MACHINES: a byte fetched and one stored."""
     figures = bench.figures(measured["rows"])
     return tuple(figures[row, machine, FLOOR_LONG] for machine in MACHINES)

@@ -65,12 +65,6 @@ def constants_fields(constants) -> dict:
         | {"ku": signed(constants.k[0]), "kv": signed(constants.k[1])}
 
 
-def add_reciprocal_plan(arena: Arena, planes_at: int, constants, table_at: int, to_at: int) -> int:
-    """Adds a reciprocal_plan with its constants."""
-    return arena.struct("reciprocal_plan", dict(planes=planes_at, table=table_at, to=to_at),
-                        **constants_fields(constants), limit=constants.limit, piece=constants.piece)
-
-
 def constants_of(deep, piece: int | None, width: int, lines):
     """The constants of a polygon with lines (left, right, y), and the pixel they are found at."""
     x, y = next((left - deep.i, k) for k, (left, right, _) in enumerate(lines) if right > left)
@@ -104,7 +98,9 @@ def lines_trial(arena: Arena, deep, constants, lines, made: list, title: str = "
     """reciprocal_lines on lines (left, right, y), of which those are ``made``."""
     shape, out = layout.load().struct("reciprocal_line"), arena.room("reciprocal_line", len(lines))
     planes_at = add_perspective_plan(arena, deep, lines, out)
-    plan_at = add_reciprocal_plan(arena, planes_at, constants, table(arena), out)
+    plan_at = arena.struct("reciprocal_plan", dict(planes=planes_at, table=table(arena), to=out),
+                           **constants_fields(constants), limit=constants.limit,
+                           piece=constants.piece)
 
     def fields_of(line: reciprocals.Reciprocal) -> dict[str, int]:
         unread = {"scale"} if line.n >> line.piece else {"scale", "dq"}  # it takes no step

@@ -149,28 +149,12 @@ def shown(group: int) -> list[np.ndarray]:
     return [model.render(scene, number) for number in range(scene.frames)]
 
 
-@dataclass(frozen=True)
-class Run:
-    """A scene drawn once: all cases of a group with their rules, or one case without its own."""
-
-    group: int
-    case: Case | None
-    scene: Scene
-
-    @property
-    def options(self) -> str:
-        """What ``render`` is told."""
-        return f" OFF {self.case.rule}" if self.case else ""
-
-
-def runs_of(names: list[str]) -> list[Run]:
-    """What is drawn for some cases: of each group all, then each case without its rule."""
+def runs_of(names: list[str]) -> list[tuple[int, Case | None, Scene]]:
+    """What is drawn: of each group all, then cases without their rules: number, case, scene."""
     runs = []
     for number, group in enumerate(GROUPS):
         cases = [case for case in group if case.name in names]
-        if cases:
-            runs.append(Run(number, None, scene_of(group, COPIES)))
-            runs += [Run(number, case, scene_of(group, COPIES, case)) for case in cases]
+        runs += [(number, case, scene_of(group, COPIES, case)) for case in (None, *cases) if cases]
     return runs
 
 
@@ -183,23 +167,23 @@ def row_of(name: str, machine: str, digests: np.ndarray, frame: int) -> dict:
 
 
 def measure(machine: str, names: list[str]) -> list[dict]:
-    """Two rows for each case, with its rule and without it, all in one boot. ``machine``: of
-    CONDITIONS; ``names``: of cases."""
+    """Two rows for each case, with its rule and without, all in one boot; ``names``: of cases."""
     runs = runs_of(names)
     if not runs:
         return []
     condition = CONDITIONS[machine]
-    drawn = guest_frames.draw([(run.scene, f"addx{condition.options}{run.options}") for run in runs],
-                              condition.machine)
+    off = [f" OFF {case.rule}" if case else "" for _, case, _ in runs]
+    drawn = guest_frames.draw([(scene, f"addx{condition.options}{end}")
+                               for end, (_, _, scene) in zip(off, runs)], condition.machine)
     rows, lowered = [], {}  # the latter: digests by group
-    for run, digests in zip(runs, drawn):
-        group = GROUPS[run.group]
-        guest_frames.require_models(shown(run.group), digests, f"bench: rules{run.options}, {machine}",
+    for end, (number, case, _), digests in zip(off, runs, drawn):
+        group = GROUPS[number]
+        guest_frames.require_models(shown(number), digests, f"bench: rules{end}, {machine}",
                                     ["empty", *(case.name for case in group)])
-        if run.case is None:
-            lowered[run.group] = digests
+        if case is None:
+            lowered[number] = digests
             continue
-        frame, name = group.index(run.case) + 1, f"{ROW}{run.case.name}"
-        rows += [row_of(name, machine, lowered[run.group], frame),
+        frame, name = group.index(case) + 1, f"{ROW}{case.name}"
+        rows += [row_of(name, machine, lowered[number], frame),
                  row_of(name + WITHOUT, machine, digests, frame)]
     return rows

@@ -7,6 +7,7 @@ levels decoded by then.
 
 from dataclasses import replace
 from functools import cache
+from itertools import groupby
 
 import numpy as np
 
@@ -25,17 +26,6 @@ FRAMES = 4
 ROW = "scene_"
 
 
-def runs(numbers: list[int]) -> list[list[int]]:
-    """Ascending numbers, those that follow each other together."""
-    found: list[list[int]] = []
-    for number in numbers:
-        if found and number == found[-1][-1] + 1:
-            found[-1].append(number)
-        else:
-            found.append([number])
-    return found
-
-
 def cut(things, table: np.ndarray, row: str, numbers: list[int]) -> tuple[list, list, list[int]]:
     """Objects (``row``: "pose") or instances ("view") in these frames alone, the rows of ``table`` that
     they have there, and how many are kept of the first n, by n. One that comes again becomes two."""
@@ -43,7 +33,9 @@ def cut(things, table: np.ndarray, row: str, numbers: list[int]) -> tuple[list, 
     for each in things:
         first, count = getattr(each, row), getattr(each, f"{row}s")
         ages = [number - each.first_frame for number in numbers]
-        for run in runs([k for k, age in enumerate(ages) if 0 <= age < count]):
+        shown = [k for k, age in enumerate(ages) if 0 <= age < count]
+        for _, some in groupby(enumerate(shown), lambda pair: pair[1] - pair[0]):
+            run = [k for _, k in some]  # frames that follow each other
             kept.append(replace(each, first_frame=run[0], **{row: len(rows), f"{row}s": len(run)}))
             rows += [table[first + ages[k]] for k in run]
         places.append(len(kept))
@@ -51,8 +43,7 @@ def cut(things, table: np.ndarray, row: str, numbers: list[int]) -> tuple[list, 
 
 
 def cut_lists(scene: Scene, numbers: list[int]) -> tuple[list, list]:
-    """The engines' units and lists for these frames: each has one for the start, and one a frame unless
-    it has no more."""
+    """The engines' units and lists for these frames: one for the start and one a frame, or one."""
     units, lists = [], []
     for first, count in scene.units.tolist():
         kept = [first] + [first + 1 + number for number in numbers if count > 1]

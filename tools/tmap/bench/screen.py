@@ -58,8 +58,7 @@ def writes_of(planes: planar.Planes, dots: np.ndarray, out: int) -> list[Write]:
 
 def frame_trial(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Planes, arena: Arena,
                 far: Arena, before: bytes, title: str = "") -> Trial:
-    """A frame to planes, pixels in the near arena, planes in the far one, where the block of planes
-    holds ``before``."""
+    """A frame in the near arena to planes in the far one, whose block holds ``before``."""
     content, first = frame(pixels, pitch, b"\xa5")
     at, out = arena.add(content, 8), far.add(before)
     plan = arena.struct(
@@ -77,8 +76,7 @@ def frame_trial(kernel: str, pixels: np.ndarray, pitch: int, planes: planar.Plan
 
 
 def screen_case(row_name: str):
-    """A screen of noise, the maps' (a plan has it once), in one call; each plane behind the one
-    before."""
+    """A screen of noise, the maps' (a plan has it once), in one call; planes follow each other."""
     name = routine_of(row_name)
     in_c = row_name == f"{name}_c"
     form, (width, rows) = planar.FORMS[name], SCREENS[name]

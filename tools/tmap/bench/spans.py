@@ -167,8 +167,7 @@ def add_map(far: Arena, kernel: str, picture: np.ndarray) -> int:
 
 
 def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV, lines: int = 0):
-    """A table of spans of one length; starts such that v wraps once in a long one. ``lines``: how many
-    (line_count's)."""
+    """A table of spans of one length; v wraps once in a long one. ``lines``: or line_count's."""
     rng = np.random.default_rng(length)
     lines = lines or line_count(length)
     far, picture = Arena(), wide_texture(kernel)

@@ -38,8 +38,7 @@ class Case:
 
 
 def laid(start: tuple, along_x: tuple, along_y: tuple = (0, 0)) -> Texture:
-    """Returns a texture from (s, t) at the first vertex and their growth per pixel right and
-    down."""
+    """A texture from (s, t) at the first vertex and their growth per pixel right and down."""
     def texture(points: Points) -> list[tuple[Fraction, Fraction]]:
         x0, y0 = points[0]
         return [tuple(Fraction(a) + Fraction(b) * (x - x0) + Fraction(c) * (y - y0)
@@ -48,8 +47,7 @@ def laid(start: tuple, along_x: tuple, along_y: tuple = (0, 0)) -> Texture:
 
 
 def spread(values: list[Fraction], low: Fraction, high: Fraction, steepest: int) -> list[Fraction]:
-    """Scales values by at most ``steepest`` and moves them, so that they are centred in a range and
-    inside it."""
+    """Scales values by at most ``steepest``; moves them so that they are in a range's middle."""
     least, extent = min(values), max(values) - min(values)
     scale = min(Fraction(steepest), (high - low) / extent) if extent else 0
     first = (low + high - scale * extent) / 2
@@ -57,8 +55,7 @@ def spread(values: list[Fraction], low: Fraction, high: Fraction, steepest: int)
 
 
 def fitted(size: tuple[int, int] = (256, 256)) -> Texture:
-    """Returns a rotated texture of at most one texel per pixel that stays inside a map of this
-    size."""
+    """A rotated texture of at most one texel per pixel that stays inside a map of this size."""
     def texture(points: Points) -> list[tuple[Fraction, Fraction]]:
         turned = ([Fraction(4 * x + 3 * y, 5) for x, y in points],
                   [Fraction(4 * y - 3 * x, 5) for x, y in points])

@@ -22,9 +22,6 @@ from tmap.setup import planarity
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.shading import LIT
 
-__all__ = ["FAMILIES", "FOUND", "HEIGHT", "WIDTH", "Case", "cases", "combinations", "keep",
-           "scene"]
-
 FAMILIES = (*hard_outlines.FAMILIES, *hard_textures.FAMILIES, *hard_planes.FAMILIES,
             *hard_depths.FAMILIES)
 FOUND = ROOT / "tests" / "hard_cases.json"
@@ -59,17 +56,13 @@ def map_size(case: Case, mapper: str) -> tuple[int, int]:
     return (256, 256) if size_fault(MAPPER_LAYOUT[mapper], *case.map_size) else case.map_size
 
 
-def is_clipped(case: Case) -> bool:
-    """Returns true if clipping the vertices changes anything."""
-    vertices = [v[:2] for v in case.vertices]
-    return clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
-
-
 def combinations(case: Case) -> Iterator[Settings]:
     """Yields the settings with which a case is drawn: all different ones if the mapper is affine or
     flat, the usual ones and clipped vertices for other mappers, and each perspective if it has
     depth."""
-    clips = SETTINGS["clip"] if is_clipped(case) else ("scissor",)
+    vertices = [v[:2] for v in case.vertices]
+    is_clipped = clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
+    clips = SETTINGS["clip"] if is_clipped else ("scissor",)
     for mapper in case.mappers:
         if case.depth:
             made = [Settings(e, perspective=p) for e in ("subpixel", "exact")
@@ -94,8 +87,7 @@ def scene(drawings: list[Drawing]) -> Scene:
         if layout:
             texture = textures.setdefault((layout, map_size(case, s.mapper)), len(textures))
         light = textures.setdefault(("light", (256, 64)), len(textures)) if s.mapper in LIT else -1
-        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
-                            texture, 200, light)
+        material = Material(**vars(s), texture=texture, colour=200, light=light)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(case.vertices), 0, 1, number,
                               planarity.vouched(case.vertices, s.mapper, False, 1)))

@@ -139,8 +139,7 @@ def horizons() -> Iterator[Case]:
 
 
 def near_planes() -> Iterator[Case]:
-    """Polygons as clipped at the nearest w: far outside the screen there, at the horizon at the
-    other end."""
+    """Polygons as clipped at the nearest w: far off the screen there, up to the horizon."""
     reach, beside = 16000, Fraction(1, 256)
     k = 1 / (NEAREST * reach)
     for way, (x, y) in {"below": (0, 1), "above": (0, -1), "right": (1, 0), "left": (-1, 0)}.items():

@@ -102,8 +102,7 @@ def box(low, high, inward: bool = False) -> list[list[tuple]]:
 
 
 def ring(count: int, radius, height, middle=(0, 0)) -> list[tuple]:
-    """Returns ground of ``count`` corners around a place, s and t flat on it; radius a multiple of
-    1/16."""
+    """Ground of ``count`` corners around a place, s and t flat on it; radius a multiple of 1/16."""
     angles = [math.tau * k / count for k in range(count)]
     corners = [(round(float(radius) * 4096 * cos(a)), round(float(radius) * 4096 * sin(a)))
                for a in angles]
@@ -112,8 +111,7 @@ def ring(count: int, radius, height, middle=(0, 0)) -> list[tuple]:
 
 
 def ball(radius, middle, around: int, inward: bool = False) -> list[list[tuple]]:
-    """Returns the triangles of a globe, ``around`` of them round it; s and t are its longitude and
-    latitude."""
+    """The triangles of a globe, ``around`` of them round it; s and t are longitude and latitude."""
     down = 8
 
     def place(k: int, n: int) -> tuple:
@@ -191,8 +189,7 @@ def edge_on() -> Iterator[MeshCase]:
 
 
 def guard_bands() -> Iterator[MeshCase]:
-    """Faces that leave the range that may be projected: 128 pixels from the middle, so twice as far
-    sideways as away."""
+    """Faces that leave the range that may be projected: 128 pixels from the screen's middle."""
     for name, (x, y) in {"left": (-1, 0), "right": (1, 0), "above": (0, -1), "below": (0, 1),
                          "corner": (1, 1)}.items():
         face = sheet((-1 + 7 * min(x, 0), -1 + 7 * min(y, 0), 2), (2 + 7 * abs(x), 0, 0),

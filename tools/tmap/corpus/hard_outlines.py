@@ -35,8 +35,7 @@ def leaning(units: Fraction) -> Fraction:
 
 
 def slivers() -> Iterator[Case]:
-    """Height or width from 1/65536 pixel up: slopes are huge or nearly 0, areas tiny, and a single
-    unit decides if a pixel is covered."""
+    """Height or width from 1/65536 pixel up: huge slopes, tiny areas, a unit decides coverage."""
     for size in SMALL:
         yield make(f"sliver_{label(size)}_high", "Its flat top lies on a scanline and shows, "
                    "however low the triangle is.", [(9.25, 40), (118.5, 40), (60, 40 + size)])
@@ -239,8 +238,7 @@ def vertex_counts() -> Iterator[Case]:
 
 def windings() -> Iterator[Case]:
     """The same polygon from every vertex on, in both directions."""
-    shapes = {"triangle": [(20.3, 10.7), (110.1, 40.2), (40.9, 85.5)],
-              "pentagon": ring(5, 44.1)}
+    shapes = {"triangle": [(20.3, 10.7), (110.1, 40.2), (40.9, 85.5)], "pentagon": ring(5, 44.1)}
     for shape, points in shapes.items():
         for first in range(0, len(points), 2):
             turned = points[first:] + points[:first]

@@ -47,8 +47,7 @@ def on_texel_borders() -> Iterator[Case]:
 
 
 def gradients() -> Iterator[Case]:
-    """From 0 to 256 texels per pixel, horizontal and vertical, in triangles that cross the
-    screen."""
+    """From 0 to 256 texels per pixel, level and upright, in triangles that cross the screen."""
     for step in (0, UNIT, Fraction(1, 256), Fraction(1, 4), 1, 4, 16, 128, 255, 256):
         start = (-step * 50, -step * 40)
         mappers = {} if step > 1 else {"mappers": REPEATING + ("arbitrary",)}
@@ -99,8 +98,7 @@ def seams() -> Iterator[Case]:
 
 
 def repeats() -> Iterator[Case]:
-    """u crosses the map's seam inside lines, once or many times, or ends at it: v's row must not
-    change."""
+    """u crosses the map's seam in lines, once or often, or ends at it: v's row must not change."""
     for count in (1, 2, 8):
         step = Fraction(PAGE * count - 6, 128)
         for way, start, along in (("up", 3, step), ("down", PAGE * count - 3, -step),

@@ -111,8 +111,7 @@ def polygons(name: str, inside: float | None = None) -> list[list[tuple[int, ...
 
 
 def random_triangles(count: int, seed: int = 1997) -> list[list[tuple[int, ...]]]:
-    """Returns triangles like those of fatmap2's test program: x in 0 to 320, y in 0 to 200,
-    s and t anywhere on a 256x256 map."""
+    """Triangles as in fatmap2's test program: x to 320, y to 200, s and t anywhere on the map."""
     rng = random.Random(seed)
     return [[tuple(map(fix, (rng.uniform(0, 320), rng.uniform(0, 200), rng.uniform(0, 255),
                              rng.uniform(0, 255), rng.randrange(256), 1))) for _ in range(3)]

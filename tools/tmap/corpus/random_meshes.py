@@ -54,8 +54,7 @@ def fan(rng: random.Random) -> Net:
 
 
 def net_of(rng: random.Random, rows: int, columns: int, points) -> Net:
-    """Returns rows and columns of four-cornered cells, each cut along either diagonal. ``points``:
-    row by row."""
+    """Rows and columns of cells, each cut along either diagonal. ``points``: row by row."""
     def at(i: int, j: int) -> int:
         return j * (columns + 1) + i
 
@@ -76,16 +75,6 @@ def grid(rng: random.Random, rows: int, columns: int) -> Net:
                (2 * j - rows + rng.uniform(-0.6, 0.6)) / side)
               for j in range(rows + 1) for i in range(columns + 1)]
     return net_of(rng, rows, columns, points)
-
-
-def strip(rng: random.Random) -> Net:
-    """Returns one row of cells."""
-    return grid(rng, 1, rng.randint(1, 8))
-
-
-def field(rng: random.Random) -> Net:
-    """Returns some rows of cells."""
-    return grid(rng, rng.randint(2, 4), rng.randint(2, 4))
 
 
 def split_edge(net: Net, rng: random.Random) -> None:
@@ -128,8 +117,7 @@ def subdivision(rng: random.Random) -> Net:
 
 
 def tiles(rng: random.Random) -> Net:
-    """Returns rows of handwritten rectangles, on whole numbers, of equal size or not, each cut
-    along either diagonal."""
+    """Rows of handwritten rectangles, on whole numbers, each cut along either diagonal."""
     columns, rows = rng.randint(1, 4), rng.randint(1, 4)
     ends = []
     for count in (columns, rows):
@@ -138,7 +126,9 @@ def tiles(rng: random.Random) -> Net:
     return net_of(rng, rows, columns, [(x, y) for y in ends[1] for x in ends[0]])
 
 
-KINDS = {"fan": fan, "strip": strip, "grid": field, "subdivision": subdivision, "tiles": tiles}
+KINDS = {"fan": fan, "strip": lambda rng: grid(rng, 1, rng.randint(1, 8)),
+         "grid": lambda rng: grid(rng, rng.randint(2, 4), rng.randint(2, 4)),
+         "subdivision": subdivision, "tiles": tiles}
 
 
 def place(rng: random.Random, net: Net, width: int, height: int) -> list[tuple[int, int]]:

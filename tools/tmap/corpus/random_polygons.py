@@ -19,8 +19,7 @@ from tmap.scene_file.textures import Texture
 
 
 def convex_polygon(rng: random.Random, width: int, height: int) -> list[tuple[int, int]]:
-    """Returns corners on an ellipse of random place, size, thinness and rotation, either
-    winding."""
+    """Corners on an ellipse of random place, size, thinness and rotation, either winding."""
     count = rng.choice((3, 3, 4, 4, 5, 6, 7, 8))
     size = rng.choice((2, 10, 40, 100, 300))
     major, minor = size * rng.uniform(0.3, 1), size * rng.uniform(0.3, 1)
@@ -82,8 +81,7 @@ def covering_polygon(rng: random.Random, width: int, height: int):
 
 def scene(seed: int, count: int, width: int, height: int, first: int = 0,
           pixels: str = "chunky") -> Scene:
-    """Returns a scene of ``count`` polygons, one per frame: number k depends only on seed and
-    first + k. ``pixels``: a name of FORMATS."""
+    """A scene of polygons, one per frame: number k depends only on seed and first + k."""
     noise, pixel = np.random.default_rng(seed), FORMATS[pixels]
     texture = Texture(noise.integers(0, 256**pixel.bytes, (256, 256), dtype=pixel.dtype))
     palette = noise.integers(0, 256, (256, 3), dtype=np.uint8)

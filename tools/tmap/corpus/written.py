@@ -33,8 +33,7 @@ def by_weight(rng: random.Random, weights: dict[str, int]) -> str:
 
 
 def whole(rng: random.Random, side: int) -> int:
-    """Returns a place along a side of the frame: an end, the middle, a multiple of 8, any pixel, or
-    just outside."""
+    """A place along a side of the frame: an end, the middle, a multiple of 8, any, just outside."""
     return rng.choice((0, side, side // 2, 8 * rng.randint(0, side // 8), rng.randint(0, side),
                        rng.randint(-4, side + 4)))
 

@@ -8,6 +8,7 @@ polygon is made simpler as long as it fails, and explained.
 import os
 import signal
 import sys
+from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
@@ -35,8 +36,7 @@ FORMS = ("addx", "addx", "swap", "addx", "c")
 
 @dataclass
 class Checked:
-    """The host's results for a polygon: the correct frame, and the verdict on the model's
-    errors."""
+    """The host's results for a polygon: the right frame, the verdict on the model's errors."""
 
     frame: np.ndarray
     result: int  # enum polygon_result that the guest must return: 0, or why it is refused
@@ -107,36 +107,27 @@ def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
 
 @dataclass
 class Tally:
-    """The counts of a run."""
+    """The counts of a run: polygons, drawn, refused, judged ones, pixels."""
 
-    polygons: int = 0
-    drawn: int = 0
-    refused: int = 0
-    judged: int = 0
-    pixels: int = 0
-    coverage_errors: dict[str, int] = field(default_factory=dict)  # by edges; judged ones
+    counts: Counter = field(default_factory=Counter)
+    coverage_errors: Counter = field(default_factory=Counter)  # by edges; judged ones
     worst: dict[str, float] = field(default_factory=dict)  # error / bound by mapper
     failed: dict[int, Fault] = field(default_factory=dict)  # by number
 
     def add(self, each: Fuzzed, checked: Checked) -> None:
         """Counts a polygon."""
         verdict, settings = checked.verdict, each.settings
-        self.polygons += 1
-        self.refused += checked.result != 0
-        self.drawn += verdict.pixels > 0
-        self.pixels += verdict.pixels
-        if checked.judged and settings.clip == "scissor":
-            self.judged += 1
-            self.coverage_errors[settings.edges] = (self.coverage_errors.get(settings.edges, 0)
-                                                    + verdict.coverage_errors)
+        judged = checked.judged and settings.clip == "scissor"
+        self.counts.update(polygons=1, drawn=verdict.pixels > 0, refused=checked.result != 0,
+                           judged=judged, pixels=verdict.pixels)
+        if judged:
+            self.coverage_errors[settings.edges] += verdict.coverage_errors
         self.worst[settings.mapper] = max(self.worst.get(settings.mapper, 0), verdict.texel_ratio)
 
     def merge(self, other: "Tally") -> None:
         """Adds another part's counts."""
-        for name in ("polygons", "drawn", "refused", "judged", "pixels"):
-            setattr(self, name, getattr(self, name) + getattr(other, name))
-        for edges, count in other.coverage_errors.items():
-            self.coverage_errors[edges] = self.coverage_errors.get(edges, 0) + count
+        self.counts.update(other.counts)
+        self.coverage_errors.update(other.coverage_errors)
         for mapper, ratio in other.worst.items():
             self.worst[mapper] = max(self.worst.get(mapper, 0), ratio)
         self.failed |= other.failed
@@ -144,8 +135,10 @@ class Tally:
     def __str__(self) -> str:
         wrong = ", ".join(f"{edges} {count}" for edges, count in sorted(self.coverage_errors.items()))
         worst = ", ".join(f"{mapper} {ratio:.3f}" for mapper, ratio in sorted(self.worst.items()))
-        return (f"{self.polygons} polygons, {self.drawn} of them with pixels, {self.pixels} pixels, "
-                f"{self.refused} refused; {self.judged} judged against the ideal: pixels of wrong "
+        n = self.counts
+        return (f"{n['polygons']} polygons, {n['drawn']} of them with pixels, "
+                f"{n['pixels']} pixels, {n['refused']} refused; {n['judged']} judged "
+                "against the ideal: pixels of wrong "
                 f"coverage by edges: {wrong or '-'}; worst error / bound: {worst or '-'}")
 
 
@@ -197,8 +190,7 @@ def run_part(seed: int, numbers: range, machine: str) -> Tally:
 
 def run(seed: int, first: int, count: int, machine: str = MACHINE,
         on_part: Callable[[Tally], None] | None = None) -> Tally:
-    """Draws and checks polygons ``first`` to ``first + count - 1`` of a seed, on all of the host's
-    processors."""
+    """Checks ``count`` polygons of a seed from ``first`` on, on all of the host's processors."""
     size = BLOCK * BLOCKS
     starts = [first, *range(first // size * size + size, first + count, size)]
     ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]
@@ -260,7 +252,7 @@ def command(seed: int, first: int, count: int, machine: str, keep: str | None) -
                   transient=True, disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("polygons", total=count)
         tally = run(seed, first, count, machine,
-                    lambda part: progress.advance(task, part.polygons))
+                    lambda part: progress.advance(task, part.counts["polygons"]))
     print(tally)
     if not tally.failed:
         return 0

@@ -223,10 +223,10 @@ def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:
     maps = textures(seed, block)
     objects, vertices = [], []
     for number, each in enumerate(polygons):
-        s = each.settings
-        material = Material(s.mapper, s.edges, s.gradients, s.start, s.clip, s.perspective,
-                            each.texture, 200 if s.mapper == "flat" else 0,
-                            len(maps) - 1 if s.mapper in LIT else -1, s.tolerance)
+        mapper = each.settings.mapper
+        material = Material(**vars(each.settings), texture=each.texture,
+                            colour=200 if mapper == "flat" else 0,
+                            light=len(maps) - 1 if mapper in LIT else -1)
         objects.append(Object(materials.setdefault(material, len(materials)), len(vertices),
                               len(each.vertices), 0, 1, number, 0))
         vertices += each.vertices

@@ -1,7 +1,7 @@
 """Makes a failing polygon simpler as long as it fails: fewer vertices, rounder and smaller
 numbers, simpler settings."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import zip_longest
 from typing import TypeVar
@@ -45,12 +45,6 @@ def simpler(c: int) -> list[int]:
     return [m for m in dict.fromkeys(made) if m != c]
 
 
-def with_column(vertices, column: int, values) -> Iterator[tuple[int, ...]]:
-    """Yields the vertices with other values in a column."""
-    for vertex, value in zip(vertices, values):
-        yield *vertex[:column], value, *vertex[column + 1:]
-
-
 def candidates(each: Fuzzed) -> list[Fuzzed]:
     """Returns simpler polygons, the simplest first."""
     v, made = each.vertices, []
@@ -67,15 +61,15 @@ def candidates(each: Fuzzed) -> list[Fuzzed]:
         changed += [[old if new is None else new for old, new in zip(own, some)]
                     for some in zip_longest(*map(simpler, own))]
         changed += [[*own[:k], c, *own[k + 1:]] for k in range(len(v)) for c in simpler(own[k]) + own]
-        made += [replace(each, vertices=there(with_column(v, column, values))) for values in changed]
+        made += [replace(each, vertices=there((*a[:column], c, *a[column + 1:])
+                                              for a, c in zip(v, values))) for values in changed]
     made = [m for m in dict.fromkeys(made) if weight(m) < weight(each)]
     return sorted(made, key=weight)
 
 
 def shrink(each: Fuzzed, fault: FaultT,
            failing: Callable[[list[Fuzzed]], dict[int, FaultT]]) -> tuple[Fuzzed, FaultT]:
-    """Returns the simplest failing polygon found, and its fault. ``failing`` returns the faults of
-    the failing candidates, by index."""
+    """The simplest failing polygon, and its fault. ``failing``: faults of candidates, by index."""
     for _ in range(ROUNDS):
         tried = candidates(each)
         found = failing(tried) if tried else {}

@@ -72,10 +72,9 @@ import numpy as np
 
 from tmap.base.fixed import ceil16
 from tmap.corpus.random_polygons import is_convex
-from tmap.ideal import bounds_perspective, ideal, planarity
+from tmap.ideal import bounds_fetched, bounds_perspective, ideal, planarity
 from tmap.ideal.bounds_coverage import (FLOAT, LARGEST, crossing, edge_bound, edges_by_line,
                                         judge_coverage)
-from tmap.ideal.bounds_fetched import beside
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import in_front
 from tmap.model import model
@@ -145,18 +144,16 @@ class Coordinate:
     down: float  # d_y, per line (plane)
 
 
-def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
-    """Returns the plane of ``vertices`` [key] through the corners ``three`` and its steps'
-    bounds."""
-    points = [vertices[k] for k in three]
-    plane = ideal.Plane([p[:2] for p in points], [p[key] for p in points])
+def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
+    """Returns the plane of ``vertices`` [key] through their corners, and its steps' bounds."""
+    plane = ideal.plane_of(vertices, key)
     cut = t.cuts[key - 2] if t else CUT.get(settings.mapper, (0, 0))[key - 2]
     g, h = abs(plane.nx / plane.d), abs(plane.ny / plane.d)
     if settings.gradients == "plane":
         rounding = UNIT / 2 * (1 << cut)
         return Coordinate(plane, cut, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
-    top, bottom, middle = points
-    height = bottom[1] - top[1]
+    top, bottom, _ = ideal.corners(vertices)
+    height = vertices[bottom][1] - vertices[top][1]
     width = abs(plane.d / height) * UNIT if height else 0.0
     step = g + LARGEST
     if width > UNIT:
@@ -167,8 +164,7 @@ def coordinate(vertices, three, key: int, t: model.Texturing | None, settings: S
 
 
 def coarse(cut: int) -> int:
-    """Returns twice the rounding of a step without a plane, its quotient's rounding included;
-    units."""
+    """Twice the rounding of a step without a plane, its quotient's rounding included; units."""
     return 1 + (1 << cut) if cut else 1
 
 
@@ -218,8 +214,7 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
 
 def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
                    settings: Settings) -> tuple[float, float]:
-    """Returns u at a pixel between both exact edges, and its bound if each line has its own
-    steps."""
+    """u at a pixel between both exact edges, and its bound if each line has its own steps."""
     index = "uv".index(key) + 2
     x, u, a, off = [], [], [], []
     for edge in edges:
@@ -257,8 +252,7 @@ def add_error(error: float, bounds: tuple[float, float], key: str, pixel: tuple,
 
 
 def mapper_bound(mapper: str, key: str, line: Line, i: int, error: float) -> float:
-    """Returns a mapper's addition to the bound of u or v at pixel i of a line, on the error's side
-    of the exact value."""
+    """What a mapper adds to the bound of u or v at pixel i of a line, on the error's side."""
     if mapper == "generated":
         lost = (getattr(line, key) & 0xFFFF) - BIAS
         return max(-lost if error > 0 else lost, 0) * UNIT
@@ -285,17 +279,13 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
                  beyond: float | None, out: Verdict) -> None:
     """Adds the error of u and v at both ends of every line inside the exact polygon, as both are
     linear between them, and judges the texels that are fetched at all its pixels."""
-    three, mapper, t = ideal.corners(vertices), polygon.mapper, polygon.texturing
+    mapper, t = polygon.mapper, polygon.texturing
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
-    planes = {key: coordinate(vertices, three, index, t, settings)
+    planes = {key: coordinate(vertices, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
-    found, extent = [], ideal.extents(vertices)  # error, bounds below and above, coordinate, pixel
-    shown = []  # texels with the largest errors, how far they may be below, above
-    for y, line in enumerate(polygon.lines, polygon.top):
-        ends = [-(-n // (d << 16)) for n, d in extent(y)]
-        left, right = max(line.left, ends[0]), min(line.right, ends[1])
-        if left >= right:
-            continue
+    found = []  # error, bounds below and above, coordinate, pixel
+    shown = []  # the texels of a line, how far they may be below and above
+    for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
         seen, last = slice(left - line.left, right - line.left), right - 1
         stepped = polygon.coordinates(line, y)
         texels = spans.fetched(line, mapper, size, stepped)
@@ -308,30 +298,27 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
             allowed = [max(each) + mapper_bound(mapper, key, line, last, way)
                        for way, each in zip((-1, 1), zip(*bounds))]
             side = 256 if mapper == "gouraud" else size[k]
-            shown.append((beside(key, texels[k][seen], values, errors, side, left, y), *allowed))
+            shown.append(((key, texels[k][seen], values, errors, side, left, y), tuple(allowed)))
     if beyond is not None:
         longest = max(line.right - line.left for line in polygon.lines)
         most = max((max(each) for _, each, *_ in found), default=0.0) + beyond
         held = 6 * most + 2 * (longest + 1) * UNIT
         found = [(error, (held, held), *rest) for error, _, *rest in found]
-        shown = [(each, held, held) for each, *_ in shown]
+        shown = [(each, (held, held)) for each, _ in shown]
     for error, both, key, pixel in found:
         add_error(error, both, key, pixel, out)
-    for each, low, high in shown:
-        each.judge(low, high, out)
+    for each, allowed in shown:
+        bounds_fetched.judge(*each, allowed, out)
 
 
 def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     """Adds the error of the level at both ends of every line inside the exact polygon."""
-    t, light, three = polygon.shading.plane, polygon.shading, ideal.corners(vertices)
-    plane = ideal.Plane([vertices[k][:2] for k in three], [vertices[k][-1] for k in three])
+    t, light, plane = polygon.shading.plane, polygon.shading, ideal.plane_of(vertices, -1)
     (least, _), (most, _) = model.plane_range(vertices, t)
     beyond = max(0, light.low - least, most - light.high) * UNIT
-    found, extent = [], ideal.extents(vertices)  # error, bound on the plane, pixel
-    for y, line in enumerate(polygon.lines, polygon.top):
-        left, right = (-(-n // (d << 16)) for n, d in extent(y))
-        left, right = max(line.left, left), min(line.right, right)
-        for i in {left, right - 1} if left < right else ():
+    found = []  # error, bound on the plane, pixel
+    for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
+        for i in {left, right - 1}:
             found.append((plane.error(line.c + (i - line.left) * line.dcdx, i, y),
                           plane.bound(i, y, t, t.u_cut), (i, y)))
     bound = 6 * (max((b for _, b, _ in found), default=0.0) + beyond) + 8 * UNIT

@@ -39,8 +39,7 @@ def crossing(edge: Edge, line: int) -> float:
 
 
 def across(vertices, i: int, j: int) -> float:
-    """Returns the distance of pixel (i, j) from the nearest straight line through an edge,
-    pixels."""
+    """The distance of pixel (i, j) from the nearest straight line through an edge, pixels."""
     best = LARGEST
     for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
         dx, dy = x1 - x0, y1 - y0
@@ -65,8 +64,7 @@ def exact_extents(vertices, width: int, height: int) -> dict[int, list[tuple[int
 
 def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
                    height: int) -> tuple[int, str]:
-    """Returns the count of a convex polygon's wrong pixels, and a text on the first that is too far
-    from its edge."""
+    """The count of a convex polygon's wrong pixels; a text on the first too far from its edge."""
     exact = exact_extents(vertices, width, height)
     lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] if polygon else []

@@ -63,8 +63,7 @@ from math import log2, sqrt
 import numpy as np
 
 from tmap.base.fixed import signed
-from tmap.ideal import ideal
-from tmap.ideal.bounds_fetched import beside
+from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves
 from tmap.setup import reciprocal, spans
@@ -78,8 +77,7 @@ BOUNDLESS = 32768.0  # texels: values are modulo twice that
 
 
 def plane_error(plane, scale: int, x: float, y: float) -> float:
-    """Returns the error of a plane x pixels and y lines from the first corner, in the value's
-    units."""
+    """The error of a plane x pixels and y lines from the first corner, in the value's units."""
     gradients = [abs(signed(g, 64)) / 2**scale for g in (plane.dx, plane.dy)]
     return sum(way * (g / 2**31 + 3 / 2**16) for way, g in zip((x, y), gradients)) + 2 / 2**16
 
@@ -134,20 +132,14 @@ class Bound:
         return min((max(b0, b1) + way * part + 3) * UNIT, BOUNDLESS)
 
 
-def chords(values: np.ndarray, m: int) -> np.ndarray:
-    """Returns straight pieces of m pixels through exact values, minus these, at each pixel."""
-    n = len(values) - 1
-    if not n:
-        return np.zeros(1)
-    nodes = [*range(0, n, m)]
-    nodes = np.array([*nodes, n])
-    return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
-
-
 def intended(values: np.ndarray, setting: str) -> np.ndarray:
-    """Returns a setting's intended error at a line's pixels: its chords minus the exact values,
-    else 0; texels."""
-    return chords(values, PIECES[setting]) if setting in PIECES else np.zeros(len(values))
+    """A setting's intended error at a line's pixels: straight pieces through exact values, minus
+    these; else 0; texels."""
+    n = len(values) - 1
+    if not n or setting not in PIECES:
+        return np.zeros(n + 1)
+    nodes = np.array([*range(0, n, PIECES[setting]), n])
+    return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
 
 
 def level_bound(b: float, setting: str, n: int) -> float:
@@ -203,8 +195,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
     ``vertices``: from ``model.adapt``, in front of the viewer."""
     p = polygon.perspective
     three = [vertices[k] for k in ideal.corners(vertices)]
-    bounds = [Bound(vertices, three, key, curve, p)
-              for key, curve in zip((2, 3), curves(vertices))]
+    bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves(vertices))]
     for y, line, extent, left, right in inner_lines(vertices, polygon):
         made = ends(p, line.left, line.right, y)
         inside = line.left >= extent[0], line.right <= extent[1]
@@ -244,11 +235,10 @@ def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool
 
 def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
                 size: tuple[int, int], out) -> None:
-    """Judges the texels that are fetched at the pixels of a line; ``off``: the errors of u or v,
-    ``allowed``: the largest allowed."""
+    """Judges the fetched texels of a line; ``off``: errors of u or v, ``allowed``: the most."""
     side = size["uv".index(key)]
-    each = beside(key, spans.repeated(found, side), found, off, side, left, y)
-    each.judge(allowed, allowed, out)
+    bounds_fetched.judge(key, spans.repeated(found, side), found, off, side, left, y,
+                         (allowed, allowed), out)
 
 
 def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int], out) -> None:
@@ -279,13 +269,11 @@ def judge_flattened(vertices, polygon, tolerance: float | None, size: tuple[int,
     its planes are not accurate enough; out.unsure counts those."""
     out.unsure += tolerance is None
     spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
-    three = [vertices[k] for k in ideal.corners(vertices)]
-    both = curves(vertices)
+    both, planes = curves(vertices), [ideal.plane_of(vertices, key) for key in (2, 3)]
     for y, line, _, left, right in inner_lines(vertices, polygon):
         columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
-        for key, curve, found in zip((2, 3), both, polygon.coordinates(line, y)):
+        for key, curve, plane, found in zip((2, 3), both, planes, polygon.coordinates(line, y)):
             values = [v[key] for v in vertices]
-            plane = ideal.Plane([v[:2] for v in three], [v[key] for v in three])
             bound = max(plane.bound(i, y, t, t.cuts[key - 2]) for i in (left, right - 1)) + (
                 spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
             error = curve.errors(found[seen], columns, y)

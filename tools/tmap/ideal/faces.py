@@ -141,8 +141,7 @@ class Face:
         return aside * Fraction(-c.width, 2) + down * (line - Fraction(c.height, 2)) + row[2], aside
 
     def texels(self, line: int, first: int, end: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Returns u and v of a line's pixels in units of 1/65536 with EXTRA more fraction bits, as
-        object arrays, and 1 / w."""
+        """u and v of a line's pixels, 1/65536 with EXTRA more bits, object arrays, and 1 / w."""
         rows = [self.along(row, line) for row in self.rows]
         common = math.lcm(*(n.denominator for row in rows for n in row))
         (ua, ub), (va, vb), (qa, qb) = ([int(n * common) for n in row] for row in rows)
@@ -152,8 +151,7 @@ class Face:
         return u, v, np.array([q / common for q in near])
 
     def values(self, line: int) -> list[np.ndarray]:
-        """Returns u and v of all pixels of a line, float64 texels. They are computed once, as every
-        way to draw the face needs them."""
+        """u and v of all pixels of a line, float64 texels, computed once."""
         if line not in self.lines:
             self.lines[line] = [np.array([n / (1 << 16 + EXTRA) for n in c])
                                 for c in self.texels(line, *self.extents[line])[:2]]
@@ -161,8 +159,7 @@ class Face:
 
 
 def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) -> list[Face]:
-    """Returns an instance's faces before the exact camera; ``longer``: the longer side of its map,
-    texels."""
+    """An instance's faces before the exact camera; ``longer``: texels of its map's longer side."""
     mesh, made = scene.meshes[instance.mesh], []
     points = scene.points[mesh.point:mesh.point + mesh.points].tolist()
     places = [ideal_mesh.camera(camera.factors, camera.move, point) for point in points]
@@ -203,8 +200,7 @@ def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[
 
 
 def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
-    """Returns true if a pixel is as near to a drawn edge as the exact edge may be; ``off``: each
-    vertex's error."""
+    """True if a pixel is as near a drawn edge as the exact edge may be; ``off``: vertices'."""
     here = np.array(pixel, float)
     places = [np.array(v[:2], float) * UNIT for v in vertices]
     for a, b, off_a, off_b in zip(places, places[1:] + places[:1], off, off[1:] + off[:1]):
@@ -258,8 +254,7 @@ def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
             key = 2 + "uv".index(noun)
             yield key, y, columns, error, wanted, allowed + 0 * error, curves[key - 2].values(columns, y)
         return
-    t, three = polygon.texturing, [adapted[k] for k in ideal.corners(adapted)]
-    planes = [ideal.Plane([v[:2] for v in three], [v[key] for v in three]) for key in (2, 3)]
+    t, planes = polygon.texturing, [ideal.plane_of(adapted, key) for key in (2, 3)]
     for y, line in enumerate(polygon.lines, polygon.top):
         columns = np.arange(line.left, line.right)
         for key, plane, found in zip((2, 3), planes, model.coordinates(line)) if len(columns) else ():

@@ -21,16 +21,15 @@ from tmap.glide.coordinates import sides, within
 from tmap.glide.state import (DETAIL, LAST_LEVEL, LOCAL, LOCAL_ALPHA, LOD_FRACTION, ONE_W,
                               OTHER_ALPHA, Combination, Modes, Unit)
 from tmap.glide.texels import fetch, owns
-from tmap.ideal.ideal import Plane, corners
-from tmap.ideal.texels import Coordinate, bilinear, scaled
+from tmap.ideal.ideal import corners
+from tmap.ideal.texels import Coordinate, Quotients, bilinear, scaled
 
 TO_WHOLE = 12  # s/w of 14.18 over 1/w of 2.30 is s over 2^12
 FILTERS = ("point", "bilinear", "trilinear")
 
 
 class Corner(NamedTuple):
-    """A polygon's corner: ``x``, ``y``: 16.16; ``s``, ``t``: s/w and t/w, 14.18; ``w``: 1/w,
-    2.30."""
+    """A corner: ``x``, ``y``: 16.16; ``s``, ``t``: s/w and t/w, 14.18; ``w``: 1/w, 2.30."""
 
     x: int
     y: int
@@ -39,37 +38,14 @@ class Corner(NamedTuple):
     w: int = ONE_W
 
 
-class Surface:
-    """The exact s and t of a planar polygon; ``perspective``: divided by 1/w."""
+class Surface(Quotients):
+    """The exact s and t, in units of 1/256 of the longer side; ``perspective``: divided by 1/w."""
 
     def __init__(self, polygon: list[Corner], perspective: bool):
         three = [polygon[k] for k in corners(polygon)]
-        points = [corner[:2] for corner in three]
-        self.over = [Plane(points, [corner[k] for corner in three]) for k in (2, 3)]
-        self.inverse = Plane(points, [c.w if perspective else ONE_W for c in three])
-        if not self.inverse.d:
-            raise UserError("ideal: the polygon has no area")
-
-    def terms(self, x: np.ndarray, y: np.ndarray) -> list[np.ndarray]:
-        """Returns s/w, t/w and 1/w at pixels [n], all scaled by the same factor, as objects."""
-        found = []
-        for plane in (*self.over, self.inverse):
-            rise = (np.asarray(x).astype(object) * ONE - plane.x0) * plane.nx
-            rise = rise + (np.asarray(y).astype(object) * ONE - plane.y0) * plane.ny
-            found.append((rise + plane.value0 * plane.d) * (1 if plane.d > 0 else -1))
-        if (found[-1] <= 0).any():
-            raise UserError("ideal: a pixel lies behind the viewer")
-        return found
-
-    def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
-        """Returns s and t at pixels [n], in units of 1/256 of the longer side, exact."""
-        *overs, inverse = self.terms(x, y)
-        found = []
-        for over in overs:
-            index = (over << TO_WHOLE) // inverse
-            rest = (over << TO_WHOLE) - index * inverse
-            found.append(Coordinate(index.astype(np.int64), (rest / inverse).astype(np.float64)))
-        return tuple(found)
+        super().__init__([c[:2] for c in three],
+                         [[c[k] << TO_WHOLE for c in three] for k in (2, 3)],
+                         [c.w if perspective else ONE_W for c in three])
 
     def level(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Returns the true level of detail at pixels [n]: of the longer of the vectors by which
@@ -80,7 +56,7 @@ class Surface:
         for name in ("nx", "ny"):
             steps = [getattr(plane, name) * ONE * (1 if plane.d > 0 else -1)
                      for plane in (*self.over, self.inverse)]
-            slopes = [((step * inverse - over * steps[-1] << TO_WHOLE) / (inverse * inverse))
+            slopes = [(step * inverse - over * steps[-1]) / (inverse * inverse)
                       for step, over in zip(steps[:2], overs)]
             across, down = (slope.astype(np.float64) for slope in slopes)
             lengths.append(np.sqrt(across * across + down * down))
@@ -112,8 +88,7 @@ def sample_level(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray,
             axes.append(moved - down)
         (i, fs), (j, ft), at = axes[:2], axes[2:], level[here]
         if linear:
-            texels = [fetch(unit, at, a, b) for b in j for a in i]
-            found[here] = bilinear(texels, fs, ft)
+            found[here] = bilinear([fetch(unit, at, a, b) for b in j for a in i], fs, ft)
         else:
             found[here] = fetch(unit, at, i[0], j[0])
     return found
@@ -147,8 +122,7 @@ def sample(unit: Unit, s: Coordinate, t: Coordinate, level: np.ndarray, how: str
 
 def factor(modes: Modes, half: Combination, level: np.ndarray, own: np.ndarray,
            local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Returns the factor of a half of the combine unit, 0..1: colours are divided by 255, levels
-    and detail are used unchanged."""
+    """The factor of a half of the unit, 0..1: colours over 255, levels and detail as they are."""
     near = np.maximum(modes.detail_bias - level, 0) * 2.0 ** modes.detail_scale / 256
     choice = {LOCAL: own / 255, OTHER_ALPHA: other[:, ALPHA:] / 255,
               LOCAL_ALPHA: local[:, ALPHA:] / 255, LOD_FRACTION: (level % 1)[:, None],
@@ -159,8 +133,7 @@ def factor(modes: Modes, half: Combination, level: np.ndarray, own: np.ndarray,
 
 
 def combined(modes: Modes, level: np.ndarray, local: np.ndarray, other: np.ndarray) -> np.ndarray:
-    """Returns the unit's ideal output colours [n, 4], 0..255. ``level``: [n]; ``local``, ``other``:
-    [n, 4]."""
+    """The unit's ideal colours [n, 4], 0..255. ``level``: [n]; ``local``, ``other``: [n, 4]."""
     parts = []
     for half, channels in ((modes.rgb, slice(0, ALPHA)), (modes.alpha, slice(ALPHA, 4))):
         own, alpha = local[:, channels], local[:, ALPHA:]

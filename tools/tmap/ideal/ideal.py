@@ -37,7 +37,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache, partial
-from math import inf
 
 import numpy as np
 
@@ -45,27 +44,6 @@ from tmap.model import model
 from tmap.model.model import Polygon, Settings
 
 UNIT = 1 / 65536
-
-
-@dataclass
-class Deviation:
-    """The largest errors over some polygons, each in its own unit and as error / bound."""
-
-    edge: float = 0.0  # pixels
-    edge_ratio: float = 0.0
-    texel: float = 0.0  # texels
-    texel_ratio: float = 0.0
-    coverage_errors: int = 0  # pixels lit or left out against the ideal
-    pixels: int = 0
-
-    def merge(self, other: "Deviation") -> None:
-        """Takes the worse of both."""
-        self.edge = max(self.edge, other.edge)
-        self.edge_ratio = max(self.edge_ratio, other.edge_ratio)
-        self.texel = max(self.texel, other.texel)
-        self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
-        self.coverage_errors += other.coverage_errors
-        self.pixels += other.pixels
 
 
 def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
@@ -139,8 +117,7 @@ class Crossing:
         return slack
 
     def near(self, column: int, settings: Settings, width: int, height: int) -> bool:
-        """Returns true if a pixel may be on the other side of the renderer's edge than of this
-        one."""
+        """True if a pixel may be on the other side of the renderer's edge than of this one."""
         slack = self.slack(settings, width, height)
         return slack > 0 and self.distance(column) <= slack
 
@@ -200,8 +177,7 @@ class Plane:
         return self.value0 + Fraction(self.nx * (x - self.x0) + self.ny * (y - self.y0), self.d)
 
     def texels(self, first: int, end: int, j: int) -> list[int]:
-        """Returns the exact value at pixels ``first`` to ``end`` - 1 of line j, in whole texels,
-        rounded down."""
+        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels, rounded down."""
         rise = self.nx * ((first << 16) - self.x0) + self.ny * ((j << 16) - self.y0)
         start = self.value0 * self.d + rise
         return [(start + k * (self.nx << 16)) // (self.d << 16) for k in range(end - first)]
@@ -228,8 +204,7 @@ class Plane:
         return abs(gradient) / 2**31 + 3 / 2**32
 
     def rounding(self, cut: int) -> list[float]:
-        """Returns the largest errors of the steps per pixel and per line, in texels; ``cut``: low
-        bits that are 0."""
+        """The largest errors of steps per pixel and per line, texels; ``cut``: low bits of 0."""
         whole, found = abs(self.d) << cut, []
         for n in (self.nx, self.ny):
             rest = (n << 16) % whole
@@ -237,8 +212,7 @@ class Plane:
         return found
 
     def raised(self, t: model.Texturing, cut: int) -> float:
-        """Returns the most by which set-up raises the values, in texels; ``cut``: low bits that are
-        0."""
+        """The most by which set-up raises the values, in texels; ``cut``: low bits that are 0."""
         ways = t.i - t.box[0], t.j - t.box[1]
         away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + sum(ways) + 2
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
@@ -257,9 +231,14 @@ class Plane:
         return max(abs(self.nx), abs(self.ny)) >= abs(self.d) << 30
 
 
+def plane_of(vertices, key: int) -> Plane:
+    """Returns the plane of a polygon's numbers ``key``, through its three corners."""
+    three = [vertices[k] for k in corners(vertices)]
+    return Plane([v[:2] for v in three], [v[key] for v in three])
+
+
 class Picture:
-    """The ideal of a convex polygon in a frame: extents {line: (first pixel, end)}, the count of
-    pixels, and the planes of u and v."""
+    """A convex polygon's ideal in a frame: extents {line: (first, end)}, pixels, planes of u, v."""
 
     def __init__(self, vertices, width: int, height: int) -> None:
         self.extents = {}
@@ -269,8 +248,7 @@ class Picture:
             if ends[0] < ends[1]:
                 self.extents[y] = tuple(ends)
         self.pixels = sum(end - first for first, end in self.extents.values())
-        three = [vertices[k] for k in corners(vertices)]
-        self.planes = [Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
+        self.planes = [plane_of(vertices, k) for k in (2, 3)]
         self.endless = True  # planes continue beyond the polygon
 
 
@@ -291,9 +269,7 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
     line, in texels; no error may be below 0. Along a line both are linear, so the ends have the
     largest errors."""
     plane = polygon.texturing
-    three = [vertices[k] for k in corners(vertices)]
-    points = [v[:2] for v in three]
-    exact = [Plane(points, [v[k] for v in three]) for k in (2, 3)]
+    exact = [plane_of(vertices, k) for k in (2, 3)]
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right <= line.left:
             continue
@@ -301,28 +277,3 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
             for k, i in ((0, line.left), (-1, line.right - 1)):
                 yield (name, i, y, coordinate.error(int(found[k]), i, y),
                        coordinate.bound(i, y, plane, cut))
-
-
-def coverage_errors(vertices, polygon: Polygon, width: int) -> int:
-    """Returns the count of pixels of the polygon's lines that are lit or left out against the
-    ideal."""
-    wrong, exact = 0, extents(vertices)
-    for y, line in enumerate(polygon.lines, polygon.top):
-        left, right = (min(max(-(-n // (d << 16)), 0), width) for n, d in exact(y))
-        if line.right > line.left or right > left:
-            wrong += abs(line.left - left) + abs(line.right - right)
-    return wrong
-
-
-def deviation(vertices, polygon: Polygon, width: int) -> Deviation:
-    """Returns the errors of a set-up polygon (the model's) against the ideal."""
-    out = Deviation(coverage_errors=coverage_errors(vertices, polygon, width),
-                    pixels=polygon.pixels)
-    if not polygon.left_edges[0].exact:
-        for _, _, error, bound in edge_errors(vertices, polygon):
-            out.edge, out.edge_ratio = max(out.edge, error), max(out.edge_ratio, error / bound)
-    if polygon.texturing:
-        for *_, error, bound in texel_errors(vertices, polygon):
-            out.texel = max(out.texel, abs(error))
-            out.texel_ratio = max(out.texel_ratio, error / bound if error >= 0 else inf)
-    return out

@@ -51,8 +51,7 @@ def camera_error(reach: float) -> float:
 
 
 def screen_error(guard: int, w: float, reach: float) -> float:
-    """Returns the error of x and y on the screen of a point inside the borders, pixels; ``w``: the
-    exact depth."""
+    """The error of x and y on the screen of a point inside the borders, pixels; ``w``: exact."""
     return off_screen(guard, w, camera_error(reach))
 
 
@@ -68,8 +67,7 @@ def look_error(radius: float) -> float:
 
 
 def seen_error(eye, reach: float) -> float:
-    """Returns the largest distance of the eye from a face's plane at which the face may be seen or
-    not."""
+    """The largest distance of the eye from a face's plane at which the face may be seen or not."""
     return (sum(abs(float(c)) for c in eye) + 3 * reach) * 2.0 ** -31 + (math.sqrt(3) + 3) * 2.0 ** -17
 
 

@@ -1,11 +1,12 @@
 """The ideal of the N64's texture engine: exact perspective and filters with exact fractions.
 
-Coordinates are quotients of two planes over the screen (tmap.ideal.perspective), so the texel of a
+Coordinates are quotients of two planes over the screen (tmap.ideal.texels), so the texel of a
 pixel, and the triangle between four texels, are decided in integers; colours are float64. The
 remaining errors of a mode's colours are the hardware's: coordinates of 5 fraction bits, the
 reciprocal's table, colours of 8 bits.
 """
 
+from math import prod
 from typing import NamedTuple
 
 import numpy as np
@@ -13,8 +14,7 @@ import numpy as np
 from tmap.base.errors import UserError
 from tmap.base.fixed import ONE
 from tmap.ideal.ideal import corners
-from tmap.ideal.perspective import Curve
-from tmap.ideal.texels import Coordinate, bilinear, scaled
+from tmap.ideal.texels import Coordinate, Quotients, bilinear, scaled
 from tmap.n64.combiner import ALPHA, ALPHA_NAMES, RGB, RGB_NAMES, names
 from tmap.n64.polygon import Vertex
 from tmap.n64.state import TWO_CYCLES, YUV, Axis, State
@@ -23,37 +23,23 @@ from tmap.n64.texels import fetch
 FILTERS = ("point", "three-point", "bilinear")
 
 
-class Surface:
-    """The exact s and t of a planar polygon; ``perspective``: divided by depth."""
+class Surface(Quotients):
+    """The exact s and t of a planar polygon, in texels; ``perspective``: divided by depth."""
 
     def __init__(self, vertices: list[Vertex], perspective: bool):
         three = [vertices[k] for k in corners(vertices)]
-        points = [v[:2] for v in three]
-        depths = [v.w if perspective else ONE for v in three]
-        self.curves = [Curve(points, [v[k] for v in three], depths) for k in (2, 3)]
-
-    def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
-        """Returns s and t in texels at pixels [n], exact."""
-        found = []
-        for curve in self.curves:
-            over, inverse = curve.terms(*(np.asarray(c).astype(object) * ONE for c in (x, y)))
-            below = np.broadcast_to(inverse * ONE, over.shape)
-            if (below <= 0).any():
-                raise UserError("ideal: a pixel lies behind the viewer")
-            index = over // below
-            fraction = ((over - index * below) / below).astype(np.float64)
-            found.append(Coordinate(index.astype(np.int64), fraction))
-        return tuple(found)
+        depths = [v.w if perspective else 1 for v in three]
+        near = [prod(depths) // depth for depth in depths]
+        super().__init__([v[:2] for v in three], [[v[k] * p for v, p in zip(three, near)]
+                                                  for k in (2, 3)], [ONE * p for p in near])
 
     def distance(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
         """Returns the texels to the next pixel right or below along s or t, the largest of the
         four, float64: the ideal source of the level of detail."""
-        here, most = self.at(x, y), np.zeros(np.shape(x))
-        for there in (self.at(x + 1, y), self.at(x, y + 1)):
-            for a, b in zip(here, there):
-                moved = (b.index - a.index) + (b.fraction - a.fraction)
-                most = np.maximum(most, np.abs(moved))
-        return most
+        here = self.at(x, y)
+        return np.max([abs((b.index - a.index) + (b.fraction - a.fraction))
+                       for there in (self.at(x + 1, y), self.at(x, y + 1))
+                       for a, b in zip(here, there)], axis=0)
 
 
 def placed(axis: Axis, c: Coordinate) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -83,8 +69,7 @@ def wrapped(axis: Axis, index: np.ndarray) -> np.ndarray:
 
 
 def three_point(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """Filters texels (this one, right, below, both) [n, channels] by fractions [n] of the triangle
-    that contains the pixel."""
+    """Filters texels (this one, right, below, both) [n, channels] by fractions of the triangle."""
     (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     return np.where(fs + ft < 1, c00 + fs * (c10 - c00) + ft * (c01 - c00),
                     c11 + (1 - fs) * (c01 - c11) + (1 - ft) * (c10 - c11))
@@ -110,8 +95,7 @@ def sample(state: State, number: int, s: Coordinate, t: Coordinate, how: str) ->
 
 
 def converted(k: list[int], texel: np.ndarray) -> np.ndarray:
-    """Converts U, V, Y and an unused value to R, G, B, Y: [n, 4]; ``k``: K0.. as in the convert
-    word."""
+    """Converts U, V, Y and an unused value to R, G, B, Y: [n, 4]; ``k``: the convert word's."""
     u, v, y = (texel[:, n] for n in range(3))
     k0, k1, k2, k3 = ((2 * c + 1) / 256 for c in k[:4])
     return np.stack([y + k0 * v, y + k1 * u + k2 * v, y + k3 * u, y], -1)

@@ -64,20 +64,13 @@ class Curve:
         return Fraction(*self.terms(x, y))
 
     def texels(self, first: int, end: int, j: int) -> list[int]:
-        """Returns the exact value at pixels ``first`` to ``end`` - 1 of line j, in whole texels,
-        rounded down."""
+        """The exact value at pixels ``first`` to ``end`` - 1 of line j, in texels, rounded down."""
         n, q = self.terms(first << 16, j << 16)
         dn, dq = (self.sign * plane.nx << 16 for plane in (self.over, self.inverse))
         return [(n + k * dn) // (q + k * dq << 16) for k in range(end - first)]
 
-    def slope(self, i: int, j: int) -> Fraction:
-        """Returns the exact growth of the value along line j at pixel i; texels per pixel."""
-        n, q = self.terms(i << 16, j << 16)
-        return Fraction(self.sign * (self.over.nx * q - self.inverse.nx * n), q * q)
-
     def vanishing(self) -> Fraction | None:
-        """Returns the value's limit along a line, towards the viewer, in units; None if depth does
-        not change along lines."""
+        """The value's limit along a line, towards the viewer, in units; None at constant depth."""
         return Fraction(self.over.nx, self.inverse.nx) if self.inverse.nx else None
 
     def ratio(self, first: int, last: int, j: int) -> Fraction:
@@ -130,8 +123,7 @@ class Curve:
         return float(abs(rise) * (1 - flatter)) * UNIT / (root * root)
 
     def chord_errors(self, i: int, n: int, j: int) -> list[Fraction]:
-        """Returns the curve minus its chord over n pixels at each of them and at the end, exact;
-        texels."""
+        """The curve minus its chord over n pixels at each of them and at the end, exact; texels."""
         (n0, q0), (n1, q1) = (self.terms(k << 16, j << 16) for k in (i, i + n))
         rise = (Fraction(n1, q1) - Fraction(n0, q0)) * (q1 - q0) * Fraction(UNIT)
         return [rise * Fraction(k * (n - k), n * (q0 * (n - k) + q1 * k)) for k in range(n + 1)]

@@ -72,14 +72,9 @@ def is_sure(vertices, three) -> bool:
 
 
 def judge(vertices, material, pieces: int, vouched: int = 0) -> str:
-    """Returns a complaint about the number of pieces in which a convex polygon is drawn, or "".
-    ``material``: a material or Settings."""
-    return judge_values(vertices, asked(material) & ~vouched, pieces)
-
-
-def judge_values(vertices, kinds: int, pieces: int) -> str:
-    """``judge`` by the kinds of values that are drawn as planes."""
-    three = ideal.corners(vertices)
+    """A complaint about the number of pieces of a convex polygon, or "". ``vouched``: kinds of
+    values that are known to be planar."""
+    kinds, three = asked(material) & ~vouched, ideal.corners(vertices)
     if len(vertices) == 3 or not is_sure(vertices, three):
         return ""
     must_cut, must_keep = "", True

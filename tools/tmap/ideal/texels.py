@@ -4,10 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tmap.base.errors import UserError
+from tmap.base.fixed import ONE
+from tmap.ideal.ideal import Plane
+
 
 class Coordinate(NamedTuple):
-    """Coordinates of pixels [n]. ``index``: whole texels, int64, exact; ``fraction``: float64,
-    0 <= f < 1."""
+    """Coordinates of pixels [n]: exact whole texels, int64; ``fraction``: float64, 0 <= f < 1."""
 
     index: np.ndarray
     fraction: np.ndarray
@@ -18,9 +21,38 @@ class Coordinate(NamedTuple):
         return self.index + self.fraction
 
 
+class Quotients:
+    """The exact s and t of a planar polygon, from three points (x, y), 16.16, and there s and t
+    over a depth and 1 over it, all multiplied by one factor."""
+
+    def __init__(self, points, overs, inverse):
+        self.over = [Plane(points, values) for values in overs]
+        self.inverse = Plane(points, inverse)
+        if not self.inverse.d:
+            raise UserError("ideal: the polygon has no area")
+
+    def terms(self, x: np.ndarray, y: np.ndarray) -> list[np.ndarray]:
+        """Returns the three values at pixels [n], all scaled by the same factor, as objects."""
+        found = []
+        for plane in (*self.over, self.inverse):
+            rise = (np.asarray(x).astype(object) * ONE - plane.x0) * plane.nx
+            rise = rise + (np.asarray(y).astype(object) * ONE - plane.y0) * plane.ny
+            found.append((rise + plane.value0 * plane.d) * (1 if plane.d > 0 else -1))
+        if (found[-1] <= 0).any():
+            raise UserError("ideal: a pixel lies behind the viewer")
+        return found
+
+    def at(self, x: np.ndarray, y: np.ndarray) -> tuple[Coordinate, Coordinate]:
+        """Returns s and t in texels at pixels [n], exact."""
+        *overs, inverse = self.terms(x, y)
+        index = [over // inverse for over in overs]
+        return tuple(Coordinate(whole.astype(np.int64),
+                                ((over - whole * inverse) / inverse).astype(np.float64))
+                     for over, whole in zip(overs, index))
+
+
 def scaled(c: Coordinate, shift: int) -> Coordinate:
-    """Applies an N64 tile's shift to a coordinate: 0..10 shift right by that, 11..15 shift left by
-    16 - shift."""
+    """Applies an N64 tile's shift: 0..10 shift right by that, 11..15 shift left by 16 - shift."""
     if shift <= 10:
         whole = c.index >> shift
         rest = (c.index - (whole << shift) + c.fraction) / (1 << shift)
@@ -32,8 +64,7 @@ def scaled(c: Coordinate, shift: int) -> Coordinate:
 
 
 def bilinear(c: list[np.ndarray], fs: np.ndarray, ft: np.ndarray) -> np.ndarray:
-    """Filters texels (this one, right, below, both) [n, channels] by fractions [n] of the
-    square."""
+    """Filters texels (this one, right, below, both) [n, channels] by fractions [n]."""
     (c00, c10, c01, c11), fs, ft = c, fs[:, None], ft[:, None]
     upper, lower = c00 + fs * (c10 - c00), c01 + fs * (c11 - c01)
     return upper + ft * (lower - upper)

@@ -52,8 +52,7 @@ def key(module: str, files: Iterable[Path] = (), *words: str) -> str:
 
 
 def of_scene(name: str, machine: str) -> Entry:
-    """Draws a scene; returns run.json's content without dumps and palette, with the texels'
-    errors."""
+    """Draws a scene; returns run.json without dumps and palette, with the texels' errors."""
     path = SCENES / f"{name}.toml"
 
     def make(folder: Path) -> dict:
@@ -71,16 +70,10 @@ def of_scene(name: str, machine: str) -> Entry:
     return cache.kept(f"scene_{name}", identity, make)
 
 
-def bench_scene_files() -> list[Path]:
-    """Returns the files of the scenes that the bench draws."""
-    from tmap.bench import scenes as bench_scenes
-
-    return [file for name in bench_scenes.NAMES
-            for file in cache.scene_files(SCENES / f"{name}.toml")]
-
-
 def of_bench(tell: Tell) -> Entry:
     """Returns all rows of the bench on all machines."""
+    from tmap.bench import scenes
+
     def make(folder: Path) -> dict:
         from tmap.bench import bench
 
@@ -88,7 +81,8 @@ def of_bench(tell: Tell) -> Entry:
         bench.write(found, folder)
         return found
 
-    return cache.kept("bench", key("tmap/bench/bench", bench_scene_files()), make)
+    files = [file for name in scenes.NAMES for file in cache.scene_files(SCENES / f"{name}.toml")]
+    return cache.kept("bench", key("tmap/bench/bench", files), make)
 
 
 def of_accuracy(tell: Tell) -> Entry:
@@ -99,8 +93,7 @@ def of_accuracy(tell: Tell) -> Entry:
 
         names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], count(1)
         total = len(names) * len(MEASURED)
-        accuracy.write_sets(folder, names, list(MEASURED), False,
-                            lambda: tell(next(done), total))
+        accuracy.write_sets(folder, names, list(MEASURED), False, lambda: tell(next(done), total))
         return json.loads((folder / "accuracy.json").read_text())
 
     files = cache.scene_files(SCENES / "mappers.toml")

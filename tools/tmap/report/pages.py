@@ -39,15 +39,6 @@ def prose(text: str) -> str:
     return INDENTED.sub("", FENCE.sub("", text))
 
 
-def with_table(text: str, page: str, title: str, content: str) -> str:
-    """Returns a page's text with a table put between its marker lines."""
-    head, rest = text.split(BEGIN.format(title), 1)
-    old, end, tail = rest.partition(END)
-    if not end or MARKER.search(old):
-        raise UserError(f"{page}: the table {title!r} has no line {END!r} behind it")
-    return f"{head}{BEGIN.format(title)}\n{content}\n{END}{tail}"
-
-
 def with_tables(texts: dict[str, str], tables: dict[str, str]) -> dict[str, str]:
     """Returns the pages' texts by name, with all tables up to date."""
     pages: dict[str, str] = {}
@@ -62,7 +53,11 @@ def with_tables(texts: dict[str, str], tables: dict[str, str]) -> dict[str, str]
         raise UserError(f"no page has the table {min(missing)!r}")
     made = dict(texts)
     for title, page in pages.items():
-        made[page] = with_table(made[page], page, title, tables[title])
+        head, begin, rest = made[page].partition(BEGIN.format(title))
+        old, end, tail = rest.partition(END)
+        if not end or MARKER.search(old):
+            raise UserError(f"{page}: the table {title!r} has no line {END!r} behind it")
+        made[page] = f"{head}{begin}\n{tables[title]}\n{END}{tail}"
     return made
 
 

@@ -23,8 +23,7 @@ def plotted(rows: list[dict], machine: str) -> list[dict]:
 
 
 def frontier(rows: list[dict]) -> list[dict]:
-    """Returns the rows that no other row beats in cycles and error, cheapest first. The error is
-    that of texels alone."""
+    """The rows that none beats in cycles and error of texels alone, cheapest first."""
     best = []
     for row in sorted(rows, key=lambda r: (r["cycles_per_pixel"], r["texel_error_rms"])):
         if not best or row["texel_error_rms"] < best[-1]["texel_error_rms"]:

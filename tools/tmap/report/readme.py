@@ -25,32 +25,32 @@ METHODS = SCENES / "methods.png"
 COLOURS = 24  # of the animation
 
 
-def tables() -> dict[str, str]:
-    """Returns all tables of all pages by title, from the baselines."""
-    measured, accuracy = (json.loads(path.read_text()) for path in (BASELINE, ACCURACY_BASELINE))
-    counted = json.loads(POLYS_BASELINE.read_text())
+def measured_tables(measured: dict, accuracy: dict, counted: dict) -> dict[str, str]:
+    """Returns the tables of pages and report by title. The arguments: as bench.json, accuracy.json
+    and polys.json."""
     found = {"addx against swap": readme_cycles.versus_table(measured),
              "effects": readme_cycles.effects_table(measured),
              "meshes": readme_cycles.mesh_table(measured),
              "rules": readme_cycles.rules_table(measured),
-             "what accuracy costs": readme_cycles.accuracy_table(accuracy),
-             "dithered points": readme_cycles.dithered_tables(measured),
              "perspective": readme_cycles.perspective_table(measured, accuracy),
              "polygons a second": polys.table(counted["rows"]).rstrip(),
-             "instructions": instruction_costs.table(measured, MACHINES),
              "Glide's steps": readme_modes.steps_table(measured),
              "Glide's steps not called for": readme_modes.uncalled_table(measured)}
     for engine in engines.ENGINES.values():
         found |= {f"{engine.title} modes": readme_modes.modes_table(measured, engine),
                   f"{engine.title} formats": readme_modes.formats_table(measured, engine)}
-    return (found | rooms.tables() | readme_numbers.tables() | readme_programs.tables(measured)
-            | readme_scenes.tables(measured, accuracy, counted))
+    return found
 
 
-def picture() -> Image.Image:
-    """Returns frame 0 of the default scene, as the emulated machine draws it."""
-    compiled = scene.compile_scene(SCENES / "default.toml", 1)
-    return run.picture_of(run.render(compiled, "a1200-fast", "addx").frames[0], compiled)
+def tables() -> dict[str, str]:
+    """Returns all tables of all pages by title, from the baselines."""
+    measured, accuracy, counted = (json.loads(path.read_text()) for path in (
+        BASELINE, ACCURACY_BASELINE, POLYS_BASELINE))
+    return (measured_tables(measured, accuracy, counted) | rooms.tables() | readme_numbers.tables()
+            | readme_programs.tables(measured) | readme_scenes.tables(measured, accuracy, counted)
+            | {"what accuracy costs": readme_cycles.accuracy_table(accuracy),
+               "dithered points": readme_cycles.dithered_tables(measured),
+               "instructions": instruction_costs.table(measured, MACHINES)})
 
 
 def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -64,8 +64,7 @@ def fewer_colours(full: np.ndarray, frame: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def animation() -> list[Image.Image]:
-    """Returns every second frame of the environment-mapped knot, in few colours, to halve the
-    bytes."""
+    """Every second frame of the environment-mapped knot, in few colours, to halve the bytes."""
     compiled = scene.compile_scene(SCENES / "environment.toml")
     frames = run.render(compiled, "a1200-fast", "addx").frames
     colours, entries = fewer_colours(compiled.palette, frames[0])
@@ -82,7 +81,9 @@ def command() -> int:
     changed = [name for name, text in after.items() if text != before[name]]
     for name in changed:
         (ROOT / name).write_text(after[name])
-    picture().save(PICTURE, optimize=True)
+    first = scene.compile_scene(SCENES / "default.toml", 1)
+    frame, = run.render(first, "a1200-fast", "addx").frames
+    run.picture_of(frame, first).save(PICTURE, optimize=True)
     save_animation(ANIMATION, animation(), 80)
     methods.write_picture(methods.measure("a1200-fast"), METHODS)
     pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]

@@ -59,8 +59,7 @@ PERSPECTIVE_LINES = (("none: affine", "none", "affine_addx", None),
 
 
 def perspective_table(baseline: dict, accuracy: dict) -> str:
-    """Returns a Markdown table: spans of 256 pixels in fast and mixed RAM, whole polygons in fast
-    RAM."""
+    """A Markdown table: spans of 256 pixels in fast and mixed RAM, whole polygons in fast RAM."""
     figures = bench.figures(baseline["rows"])
     found = {r["perspective"]: r for r in accuracy["rows"] if r["name"] == "depth"
              and (r["machine"], r["edges"]) == ("a1200-fast", "exact")}
@@ -107,8 +106,7 @@ DITHERED_LINES = (("8 bits", "dithered", "affine_addx"),
 
 
 def dithered_tables(baseline: dict) -> str:
-    """Returns Markdown tables: errors of dithered points against the bilinear filter, and
-    cycles."""
+    """Markdown tables: errors of dithered points against the bilinear filter, and cycles."""
     figures = bench.figures(baseline["rows"])
     rows = [[title, *(" / ".join(f"{figures[name, machine, 256]:.1f}" for name in names)
                       for machine in MACHINES)] for title, *names in DITHERED_LINES]

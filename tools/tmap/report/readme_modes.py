@@ -34,8 +34,7 @@ def thousands(cycles: float) -> str:
 
 
 def modes_table(baseline: dict, engine: Engine) -> str:
-    """Returns a Markdown table: cycles a pixel, in plain C, and of the first frame; errors on both
-    pictures."""
+    """A Markdown table: cycles a pixel, in plain C, of the first frame; errors on both pictures."""
     figures, rows = figures_of(baseline), []
     for mode in engine.modes:
         cells = [f"{figures[ROW + mode.name, machine]:,.1f}" for machine in MACHINES]
@@ -114,8 +113,7 @@ UNCALLED = (Step("clamping, inside the map", "glide_point", "glide_point_inside"
 
 
 def steps_table(baseline: dict) -> str:
-    """Returns a Markdown table: cycles that each step of Glide's unit adds when it has an
-    effect."""
+    """A Markdown table: cycles that each step of Glide's unit adds when it has an effect."""
     figures, rows = figures_of(baseline), []
     for step in STEPS:
         cells = []

@@ -127,8 +127,7 @@ def judged(settings: Settings, name: str) -> bounds.Verdict:
 
 @cache
 def judged_table() -> str:
-    """Returns a Markdown table: the largest error of every setting, and the bound derived for that
-    pixel."""
+    """A Markdown table: the largest error of every setting, and the bound derived there."""
     rows = [(title, settings, "large") for title, settings in JUDGED]
     rows += [(title, replace(EXACT, perspective=setting), "depth") for title, setting in DEEP]
     cells = []

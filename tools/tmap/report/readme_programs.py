@@ -24,12 +24,6 @@ def about(source: Path) -> tuple[str, str, str]:
     return source.stem, f"`{arguments}`" if arguments else "none", " ".join(summary[2].split())
 
 
-def programs_table() -> str:
-    """Returns a Markdown table: each program."""
-    return table(["program", "template", "does"],
-                 [about(source) for source in sorted(PROGRAMS.glob("*.c"))], "l")
-
-
 #: Chunky to planar: title of the frame's format, row, pixels of a line; for each display of 320x256
 #: its title and the end of the row's name.
 PLANAR_LINES = (
@@ -40,8 +34,7 @@ PLANAR_LINES = (
 
 
 def planar_table(baseline: dict) -> str:
-    """Returns a Markdown table: cycles a pixel of the frame, with the display off and with the
-    frame's own display."""
+    """A Markdown table: cycles a pixel of the frame, display off and with the frame's own."""
     figures, rows = bench.figures(baseline["rows"]), []
     for title, name, width, displays in PLANAR_LINES:
         for shown, end in displays:
@@ -56,4 +49,6 @@ def planar_table(baseline: dict) -> str:
 
 def tables(baseline: dict) -> dict[str, str]:
     """Returns the tables by title."""
-    return {"programs": programs_table(), "chunky to planar": planar_table(baseline)}
+    programs = [about(source) for source in sorted(PROGRAMS.glob("*.c"))]
+    return {"programs": table(["program", "template", "does"], programs, "l"),
+            "chunky to planar": planar_table(baseline)}

@@ -29,8 +29,7 @@ def shows(name: str) -> str:
 
 
 def scenes_table(baseline: dict) -> str:
-    """Returns a Markdown table: each scene, cycles of a frame and frames a second; blank if not
-    measured."""
+    """A Markdown table: each scene, its cycles a frame and frames a second if measured."""
     figures, rows = bench.figures(baseline["frames"]), []
     for name in sorted(path.stem for path in SCENES.glob("*.toml")):
         cells = []
@@ -43,8 +42,7 @@ def scenes_table(baseline: dict) -> str:
 
 
 def fatmap2(accuracy: dict, counted: dict) -> list[tuple[str, str]]:
-    """Returns questions and answers: cycles of exactness, and fatmap2's fillers compared with
-    ours."""
+    """Questions and answers: cycles of exactness, and fatmap2's fillers compared with ours."""
     rows = {(row["edges"], row["gradients"], row["start"]): row for row in accuracy["rows"]
             if (row["name"], row["machine"], row["mapper"]) == ("medium", "a1200-fast", "affine")}
     plain, exact = (rows[settings] for settings in (

@@ -40,8 +40,7 @@ def write(found: Found, out: Path) -> None:
 
 
 def command(out: Path, scenes: list[str] | None, machine: str, only_committed: bool) -> int:
-    """``tmap report``: measures parts that are not in the cache, writes the page, prints its
-    path."""
+    """``tmap report``: measures what the cache lacks, writes the page, prints its path."""
     check_directory(out)
     names = data.scene_names(scenes)
     with bars() as progress:

@@ -43,11 +43,6 @@ def indices(path: Path) -> tuple[np.ndarray, np.ndarray]:
     return where.reshape(pixels.shape[:2]).astype(np.uint8), padded(colours)
 
 
-def laid_out(picture: np.ndarray, layout: str) -> np.ndarray:
-    """Returns the texels in memory order."""
-    return {"linear": np.ravel, "tiled": maps.to_tiled, "columns": maps.to_columns}[layout](picture)
-
-
 def unlaid(texels: np.ndarray, layout: str, width: int, height: int) -> np.ndarray:
     """Returns the picture of texels in memory order."""
     if layout == "linear":
@@ -73,7 +68,8 @@ def map_command(source: Path, out: Path, layout: str, pixel: str) -> int:
         raise UserError(f"{source}: {width}x{height} texels; layout {layout} needs {needs}")
     about = {"width": width, "height": height, "layout": layout, "format": pixel,
              "palette": None if palette is None else palette.tolist()}
-    out.write_bytes(laid_out(picture, layout).tobytes())
+    laid = {"linear": np.ravel, "tiled": maps.to_tiled, "columns": maps.to_columns}[layout](picture)
+    out.write_bytes(laid.tobytes())
     out.with_name(out.name + ".json").write_text(json.dumps(about) + "\n")
     print(f"{out}: {width}x{height}, {layout}, {pixel}")
     return 0

@@ -4,15 +4,12 @@
 scenes it names, compiled from the TOML beside it.
 """
 
-import math
 import re
 import shutil
 from pathlib import Path
 
-from tmap.base.errors import UserError
 from tmap.base.paths import PROGRAMS, ROOT
 from tmap.compiler.scene import compile_scene
-from tmap.guest import emulator
 from tmap.run import show
 from tmap.scene_file.scene_file import write
 
@@ -44,19 +41,6 @@ def make(out: Path) -> list[Path]:
     return [out / name for name in written]
 
 
-def play(machine: str, display: emulator.Display) -> None:
-    """Plays the demo in a window until its end, escape, or until the window is closed."""
-    with emulator.workspace() as directory:
-        try:
-            done = emulator.run("demo", '""', data(), machine, directory, patience=math.inf,
-                                display=display)
-        except emulator.Closed:
-            return
-    print(done.output, end="")
-    if done.code:
-        raise UserError(f"demo: return code {done.code}; {emulator.last_words(done.output)}")
-
-
 def command(out: Path, machine: str | None) -> int:
     """``tmap demo``: writes the folder; if a machine is given, plays it too."""
     display = show.window() if machine else None
@@ -64,5 +48,5 @@ def command(out: Path, machine: str | None) -> int:
     size = sum(path.stat().st_size for path in made)
     print(f"{out}: demo and {len(made) - 1} files in data, {size:,} bytes")
     if machine:
-        play(machine, display)
+        print(show.play("demo", '""', data(), machine, display), end="")
     return 0

@@ -25,8 +25,7 @@ GIF_FRAME_MS = 40
 GIF_LEAST_MS, GIF_SLOWEST_MS = 1600, 200  # shortest animation, and slowest frame to reach it
 ROWS_MAX = 10  # frames listed one by one, at most
 #: Files that a run writes and the next one replaces. run.json is first: it describes the rest.
-WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky",
-           "frame_[0-9][0-9][0-9].png")
+WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky", "frame_[0-9][0-9][0-9].png")
 COUNTS = r"((?: [a-z]\w* \d+)*)"
 FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
 MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) rules{COUNTS} spans{COUNTS}")
@@ -52,8 +51,7 @@ def parse_lines(lines: list[str], pattern: re.Pattern, noun: str) -> list[re.Mat
 
 
 def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], list[dict]]:
-    """Parses the output of ``render``, a line for each frame and material; returns their
-    figures."""
+    """Parses ``render``'s output, a line for each frame and material; returns their figures."""
     lines = output.splitlines()
     if len(lines) != frames + materials:
         raise UserError(f"render: {len(lines)} lines of output for {frames} frames and "
@@ -118,8 +116,7 @@ def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Ren
             lambda output: bar.update(task, completed=output.count("\n")),
             patience=emulator.PATIENT_SECONDS if len(scene.units) + len(scene.pipes) else None)
         if done.code:
-            raise UserError(f"render: return code {done.code}; "
-                            + emulator.last_words(done.output))
+            raise UserError(f"render: return code {done.code}; " + emulator.last_words(done.output))
         figures, executed = parse_output(done.output, scene.frames, len(scene.materials))
         return Rendered(load_dumps(done.directory, scene), figures, executed)
 
@@ -169,18 +166,6 @@ def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> N
     (folder / "run.json").write_text(as_json(about))
 
 
-def publish(out: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
-    """Replaces an earlier run in ``out``."""
-    with replaced(out, WRITTEN, WRITTEN[0]) as folder:
-        save(folder, frames, scene, about)
-
-
-def asked(material: dict) -> str:
-    """Returns a material's mapper, and its perspective if it has one."""
-    settings, depth = material["asked"], material["asked"]["perspective"]
-    return settings["mapper"] + (f", perspective {depth}" if depth != "none" else "")
-
-
 def print_lowering(materials: dict) -> None:
     """Prints for each material its settings, the spans executed, and the rules that chose them."""
     width = max(map(len, materials), default=0)
@@ -188,7 +173,9 @@ def print_lowering(materials: dict) -> None:
         pixels = sum(material["spans"].values())
         spans = ", ".join(f"{kind} {100 * count / pixels:.3g} %"
                           for kind, count in material["spans"].items()) or "nothing"
-        print(f"{name:<{width}}  asked {asked(material)}; drew {spans}")
+        mapper, depth = (material["asked"][kind] for kind in ("mapper", "perspective"))
+        asked = mapper + (f", perspective {depth}" if depth != "none" else "")
+        print(f"{name:<{width}}  asked {asked}; drew {spans}")
         if material["rules"]:
             print(f"{'':<{width}}  by " + ", ".join(f"{rule} {count:,}" for rule, count
                                                     in material["rules"].items()))
@@ -252,7 +239,8 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
              "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
              "frames": done.figures, "totals": total(done.figures)}
-    publish(out, done.frames, scene, about)
+    with replaced(out, WRITTEN, WRITTEN[0]) as folder:
+        save(folder, done.frames, scene, about)
     return about
 
 

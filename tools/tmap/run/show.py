@@ -23,8 +23,7 @@ DRIVERS = {"DISPLAY": "x11", "WAYLAND_DISPLAY": "wayland"}
 
 
 def answers() -> bool:
-    """Returns True if an X server answers at DISPLAY. Without one the emulator would end without a
-    message."""
+    """Returns True if an X server answers at DISPLAY: without one the emulator just ends."""
     return subprocess.run(["xdotool", "getdisplaygeometry"], capture_output=True).returncode == 0
 
 
@@ -38,16 +37,22 @@ def window() -> Display:
     raise UserError("show: there is no DISPLAY to open a window on; tmap run makes pictures")
 
 
-def command(path: Path, machine: str, display: Display) -> int:
-    """Plays a scene file in a window until escape is pressed or the window is closed; raises
-    UserError."""
-    scene = compile_scene(path)
+def play(program: str, arguments: str, files: dict[str, bytes], machine: str,
+         display: Display) -> str:
+    """Runs a program in a window until its end, escape, or until the window is closed; returns what
+    it printed, nothing if it was closed."""
     with emulator.workspace() as directory:
         try:
-            done = emulator.run("show", SCENE_NAME, {SCENE_NAME: write(scene)}, machine,
-                                directory, patience=math.inf, display=display)
+            done = emulator.run(program, arguments, files, machine, directory, patience=math.inf,
+                                display=display)
         except emulator.Closed:
-            return 0
+            return ""
     if done.code:
-        raise UserError(f"show: return code {done.code}; {emulator.last_words(done.output)}")
+        raise UserError(f"{program}: return code {done.code}; {emulator.last_words(done.output)}")
+    return done.output
+
+
+def command(path: Path, machine: str, display: Display) -> int:
+    """``tmap show``: plays a scene file; raises UserError."""
+    play("show", SCENE_NAME, {SCENE_NAME: write(compile_scene(path))}, machine, display)
     return 0

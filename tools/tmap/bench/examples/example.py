@@ -22,7 +22,6 @@ class Example:
     ``stride``: bytes from pixel to pixel where the first ones of each alone are written.
     """
 
-    kernel: str
     source: bytes
     expected: bytes
     count: int
@@ -78,8 +77,7 @@ def some_coordinates(rng, count: int, edges: tuple[int, ...], part: float) -> np
 
 
 def some_step(rng, count: int, size: int, part: float = 0.3) -> int:
-    """Bytes from a pixel's input to the next one's: ``size``, of a part of examples 0, one for
-    all."""
+    """Bytes from a pixel's input to the next one's: ``size``, or 0 in a part of examples."""
     return 0 if rng.random() < part and count != BENCH else size
 
 

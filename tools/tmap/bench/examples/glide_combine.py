@@ -1,6 +1,7 @@
 """Examples of the passes that mix texels: between levels, and the combine unit."""
 
-from dataclasses import astuple, fields, replace
+from collections.abc import Callable
+from dataclasses import astuple, replace
 
 import numpy as np
 
@@ -11,57 +12,32 @@ from tmap.glide.functions import FACTORS, FUNCTIONS, combination
 from tmap.glide.state import Combination, Modes
 
 
-class Mix:
-    """A random struct glide_mix for ``count`` texels."""
-
-    def __init__(self, rng, count: int) -> None:
-        n = np.arange(count)
-        self.others = any_texels(rng, count)
+def mixed(by: Callable[..., np.ndarray]) -> Callable[..., Example]:
+    """The maker of examples of a pass with a struct glide_mix. ``by``: what it makes of texels and
+    others, [count][4], factors of 256, [count][1], and the flip of factors."""
+    def make(rng, count: int) -> Example:
+        texels, others, n = any_texels(rng, count), any_texels(rng, count), np.arange(count)
         other_step = some_step(rng, count, 4, 0.2)
-        self.other = self.others[n * other_step // 4]
         step = 2 if count == BENCH else int(rng.choice((0, 1, 2, 4)))
         factors = rng.integers(0, 256, 4 * count)
         factors = np.where(rng.random(4 * count) < 0.2, rng.choice((0, 255), 4 * count), factors)
-        flip = 255 * int(rng.integers(2))
-        one = int(rng.integers(2))
-        #: Of 256, [count][1].
-        self.factor = ((factors[n * step] ^ flip) + one)[:, None]
-        self.flip = flip
-        self.values = {"other_step": other_step, "factor_step": step, "flip": flip * 0x01010101,
-                       "one": one}
-        self.blocks = {"other": pixels(self.others), "factors": factors.astype(np.uint8).tobytes()}
-
-    def example(self, kernel: str, texels: np.ndarray, mixed: np.ndarray) -> Example:
-        """A call that makes ``mixed`` of texels, [count][4] both."""
-        return Example(kernel, pixels(texels), pixels(mixed), len(texels), "glide_mix", self.values,
-                       self.blocks)
+        flip, one = 255 * int(rng.integers(2)), int(rng.integers(2))
+        factor = ((factors[n * step] ^ flip) + one)[:, None]
+        found = by(texels, others[n * other_step // 4], factor, flip)
+        return Example(pixels(texels), pixels(found), count, "glide_mix",
+                       {"other_step": other_step, "factor_step": step, "flip": flip * 0x01010101,
+                        "one": one},
+                       {"other": pixels(others), "factors": factors.astype(np.uint8).tobytes()})
+    return make
 
 
-def lerp(rng, count: int) -> Example:
-    texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("glide_lerp", texels, texels + ((mix.other - texels) * mix.factor >> 8))
-
-
-def scale(rng, count: int) -> Example:
-    texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("glide_scale", texels, texels * mix.factor >> 8)
-
-
-def modulate(rng, count: int) -> Example:
-    texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("glide_modulate", texels, texels * ((mix.other ^ mix.flip) + 1) >> 8)
-
-
-def modulate_rgb(rng, count: int) -> Example:
-    texels, mix = any_texels(rng, count), Mix(rng, count)
-    found = texels * ((mix.other ^ mix.flip) + 1) >> 8
-    found[:, 3] = texels[:, 3]
-    return mix.example("glide_modulate_rgb", texels, found)
-
-
-def add(rng, count: int) -> Example:
-    texels, mix = any_texels(rng, count), Mix(rng, count)
-    return mix.example("glide_add", texels, np.minimum(texels + mix.other, 255))
+MIXES = {name: mixed(by) for name, by in {
+    "lerp": lambda texels, other, factor, _: texels + ((other - texels) * factor >> 8),
+    "scale": lambda texels, _, factor, __: texels * factor >> 8,
+    "modulate": lambda texels, other, _, flip: texels * ((other ^ flip) + 1) >> 8,
+    "modulate_rgb": lambda texels, other, _, flip: np.concatenate(
+        [texels[:, :3] * ((other[:, :3] ^ flip) + 1) >> 8, texels[:, 3:]], -1),
+    "add": lambda texels, other, _, __: np.minimum(texels + other, 255)}.items()}
 
 
 def alpha(rng, count: int) -> Example:
@@ -70,12 +46,12 @@ def alpha(rng, count: int) -> Example:
     found = texels.copy()
     found[:, 3] = alphas[np.arange(count) * step // 4, 0]
     inverted = rng.choice((0, 255), 4)
-    return Example("glide_alpha", pixels(texels), pixels(found ^ inverted), count, "glide_alphas",
+    return Example(pixels(texels), pixels(found ^ inverted), count, "glide_alphas",
                    {"step": step, "inverted": int.from_bytes(pixels(inverted), "big")},
                    {"alphas": pixels(alphas)})
 
 
-def combine(rng, count: int) -> Example:
+def combiner(rng, count: int) -> Example:
     """One channel: its byte of each texel, or alpha, or a zero."""
     steps, blocks, used = {}, {}, []
     for name in ("other", "local", "factor", "added"):
@@ -89,7 +65,7 @@ def combine(rng, count: int) -> Example:
     flip, invert = (255 * int(n) for n in rng.integers(0, 2, 2))
     found = ((other - local) * ((factor ^ flip) + 1) >> 8) + added
     found = np.clip(found, 0, 255) ^ invert
-    return Example("glide_combiner", bytes(4), found.astype(np.uint8).tobytes(), count, "glide_inputs",
+    return Example(bytes(4), found.astype(np.uint8).tobytes(), count, "glide_inputs",
                    steps | {"flip": flip, "invert": invert}, blocks, stride=4)
 
 
@@ -114,13 +90,6 @@ def any_modes(rng) -> Modes:
                  detail_max=int(rng.choice((0, 255, rng.integers(0, 256)))))
 
 
-def modes_bytes(modes: Modes) -> list[int]:
-    """struct glide_modes."""
-    values = {field.name: getattr(modes, field.name) for field in fields(modes)}
-    values |= {name: list(astuple(values[name])) for name in ("rgb", "alpha")} | {"spare": [0] * 2}
-    return list(layout.load().struct("glide_modes").pack(**values))
-
-
 def combine_line(rng, count: int) -> Example:
     """All pixels' levels are alike, their fractions may differ."""
     modes, local, other = any_modes(rng), any_texels(rng, count), any_texels(rng, count)
@@ -138,7 +107,9 @@ def combine_line(rng, count: int) -> Example:
     flip = 255 * (modes.trilinear & level)
     known = [int(n) if rng.random() < 0.7 and is_one else -1 for n in (details[0], fractions[0])]
     known.append(flip if rng.random() < 0.8 else -1)
-    return Example("glide_combine_line", pixels(local), pixels(found), count, "glide_combine_call",
-                   {"modes": modes_bytes(modes), "detail_step": step, "fraction_step": step,
+    values = vars(modes) | {name: list(astuple(getattr(modes, name))) for name in ("rgb", "alpha")}
+    stored = layout.load().struct("glide_modes").pack(**values, spare=[0] * 2)
+    return Example(pixels(local), pixels(found), count, "glide_combine_call",
+                   {"modes": list(stored), "detail_step": step, "fraction_step": step,
                     "odd": level & 1, "has_other": has_other, "has_alpha": has_alpha, "spare": 0}
                    | dict(zip(("detail", "fraction", "flip"), known)), blocks)

@@ -27,10 +27,8 @@ class Axes:
 
     def values(self, step) -> dict[str, int]:
         """struct glide_steps."""
-        return dict(zip("stw", step)) | {"shift": self.shift, "half": self.half,
-                                         "last_s": self.last[0], "last_t": self.last[1],
-                                         "behind": self.behind, "bits": self.bits,
-                                         "skip": self.skip, "left": self.left, "spare": 0}
+        return dict(zip("stw", step)) | dict(zip(("last_s", "last_t"), self.last), spare=0) | {
+            name: value for name, value in vars(self).items() if name != "last"}
 
     def coordinates(self, points: np.ndarray) -> np.ndarray:
         """Of s and t, [n][2] in 14.18."""
@@ -47,6 +45,12 @@ def axes(rng, level: int, is_clamped=(False, False), bits: int = 4) -> Axes:
                       for side, clamped in zip(sides, is_clamped)))
 
 
+def walked_line(start, step, points: np.ndarray, ground: Axes) -> Example:
+    """The coordinates of a line's points of s and t, without perspective."""
+    return Example(longs([*start, 0]), pairs(ground.coordinates(points)), len(points),
+                   "glide_steps", ground.values([*step, 0]))
+
+
 def walk(rng, count: int, levels=(0, 3)) -> Example:
     bits = int(rng.choice((4, 8)))
     level = int(rng.integers(*levels)) + (0 if bits == 4 else int(rng.integers(0, 5)))
@@ -56,13 +60,7 @@ def walk(rng, count: int, levels=(0, 3)) -> Example:
     start, step = rng.integers(-1 << 31, 1 << 31, (2, 2))
     if rng.random() < 0.5:
         step = rng.integers(-1 << 21, 1 << 21, 2)
-    found = ground.coordinates(numbered(start, step, count))
-    return Example("glide_walk", longs([*start, 0]), pairs(found), count, "glide_steps",
-                   ground.values([*step, 0]))
-
-
-def walk_small(rng, count: int) -> Example:
-    return walk(rng, count, (3, 9))
+    return walked_line(start, step, numbered(start, step, count), ground)
 
 
 def walk_clamp(rng, count: int) -> Example:
@@ -77,9 +75,7 @@ def walk_clamp(rng, count: int) -> Example:
     if count == BENCH:
         ground = Axes(14, 8, (255 * 16, 255 * 16))
         start, step = [-40 << 18, 50 << 18], [1 << 18, 1 << 18]
-    found = ground.coordinates(walked(start, step, count))
-    return Example("glide_walk_clamp", longs([*start, 0]), pairs(found), count, "glide_steps",
-                   ground.values([*step, 0]))
+    return walked_line(start, step, walked(start, step, count), ground)
 
 
 def walk_inside(rng, count: int) -> Example:
@@ -88,9 +84,7 @@ def walk_inside(rng, count: int) -> Example:
     step = (ends[1] - ends[0]) // count
     if count == BENCH:
         ground = Axes(14, 8, (255 * 16, 255 * 16))
-    return Example("glide_walk_clamp", longs([*ends[0], 0]),
-                   pairs(ground.coordinates(numbered(ends[0], step, count))), count, "glide_steps",
-                   ground.values([*step, 0]))
+    return walked_line(ends[0], step, numbered(ends[0], step, count), ground)
 
 
 def halves(coefficients: tuple[np.ndarray, ...]) -> bytes:
@@ -111,26 +105,17 @@ def quad_8_bytes(corners: np.ndarray) -> bytes:
     return halves((c10 - c00, 256 * c00, c11 - c01, 256 * c01))
 
 
-def row_of_quads(rng, count: int) -> tuple[bytes, np.ndarray]:
-    """A row and the one below, in memory; each texel with its neighbours: [n][4][4]."""
+def quads(rng, count: int, to_bytes) -> Example:
+    """A row and the one below; each texel with its neighbours."""
     rows = any_texels(rng, 2 * count).reshape(2, count, 4)
     beside = np.roll(rows, -1, 1)
-    return pixels(rows), np.stack([rows[0], beside[0], rows[1], beside[1]], 1)
+    corners = np.stack([rows[0], beside[0], rows[1], beside[1]], 1)
+    return Example(pixels(rows), to_bytes(corners), count)
 
 
-def quads_8(rng, count: int) -> Example:
-    texels, corners = row_of_quads(rng, count)
-    return Example("glide_quads_8", texels, quad_8_bytes(corners), count)
-
-
-def quads(rng, count: int) -> Example:
-    texels, corners = row_of_quads(rng, count)
-    return Example("glide_quads", texels, quad_bytes(corners), count)
-
-
-def coordinates(rng, count: int) -> np.ndarray:
-    """s and t of a level, 12.4, [count][2]."""
-    return some_coordinates(rng, count, EDGES, 0.1)
+def any_pixels(rng, count: int) -> tuple[np.ndarray, Map]:
+    """s and t of a level, 12.4, [count][2], and the level."""
+    return some_coordinates(rng, count, EDGES, 0.1), any_map(rng, SIDE)
 
 
 def filtered(st: np.ndarray, ground: Map, bits: int) -> np.ndarray:
@@ -142,18 +127,12 @@ def filtered(st: np.ndarray, ground: Map, bits: int) -> np.ndarray:
     return (weights[:, :, None] * corners).sum(1) >> 2 * bits
 
 
-def bilinear(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), any_map(rng, SIDE)
-    if count == BENCH:  # each pair of fractions once, in no order
+def bilinear(rng, count: int, bits: int = 4) -> Example:
+    st, ground = any_pixels(rng, count)
+    if count == BENCH and bits == 4:  # each pair of fractions once, in no order
         st = (st & ~15) + rng.permuted(np.stack(np.divmod(np.arange(256), 16), 1), axis=0)
-    return Example("glide_bilinear", pairs(st), pixels(filtered(st, ground, 4)), count,
-                   *ground.decoded(*DECODED, quad_bytes))
-
-
-def bilinear_8(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), any_map(rng, SIDE)
-    return Example("glide_bilinear_8", pairs(st), pixels(filtered(st, ground, 8)), count,
-                   *ground.decoded(*DECODED, quad_8_bytes))
+    return Example(pairs(st), pixels(filtered(st, ground, bits)), count,
+                   *ground.decoded(*DECODED, quad_bytes if bits == 4 else quad_8_bytes))
 
 
 def packed(texels: bytes) -> bytes:
@@ -169,21 +148,21 @@ def bilinear_565(rng, count: int) -> Example:
 
 
 def point(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), any_map(rng, SIDE)
-    return Example("glide_point", pairs(st), pixels(ground.corners(*(st >> 4).T)[:, 0]), count,
+    st, ground = any_pixels(rng, count)
+    return Example(pairs(st), pixels(ground.corners(*(st >> 4).T)[:, 0]), count,
                    *ground.decoded(*DECODED))
 
 
 def store_565(rng, count: int) -> Example:
     texels = pixels(any_texels(rng, count))
-    return Example("glide_store_565", texels, packed(texels), count)
+    return Example(texels, packed(texels), count)
 
 
 def widen_565(rng, count: int) -> Example:
     found = rng.integers(0, 1 << 16, count)
     r, g, b = found >> 11, found >> 5 & 63, found & 31
     texels = [r << 3 | r >> 2, g << 2 | g >> 4, b << 3 | b >> 2, 0 * found]
-    return Example("glide_widen_565", words(found), pixels(np.stack(texels, -1)), count)
+    return Example(words(found), pixels(np.stack(texels, -1)), count)
 
 
 def interleave(rng, count: int) -> Example:
@@ -191,5 +170,5 @@ def interleave(rng, count: int) -> Example:
     room = (count + 3) // 4 + int(rng.integers(0, 5))
     quarters = any_texels(rng, 4 * room)
     found = [quarters[n % 4 * room + n // 4] for n in range(count)]
-    return Example("glide_interleave", pixels(quarters), pixels(np.array(found)), count,
-                   "glide_quarters", {"bytes": 4 * room})
+    return Example(pixels(quarters), pixels(np.array(found)), count, "glide_quarters",
+                   {"bytes": 4 * room})

@@ -13,8 +13,7 @@ SHIFT, SHIFTS = 14, 5  # from 14.18 to a page of level 0; and how many levels ha
 
 
 def line(rng, count: int, shift: int, first: int) -> tuple[np.ndarray, np.ndarray]:
-    """Start and step of s and t: any s, and a t whose rows, signed bytes, are ROWS from ``first``
-    on."""
+    """Start and step: any s, and a t whose rows, signed bytes, are ROWS from ``first`` on."""
     one = 1 << shift
     t = rng.integers(first * one, (first + ROWS) * one, 2)
     tile = int(rng.integers(-1 << 31 - shift - 8, 1 << 31 - shift - 8)) << shift + 8
@@ -29,14 +28,9 @@ def example(start, step, count: int, shift: int, first: int, page: bytes,
             expected: bytes) -> Example:
     """A line over a page of which the rows from ``first`` on are there."""
     bits = len(page) // (SIDE * ROWS) * 8
-    return Example(f"glide_tile_{bits}", longs([*start, 0]), expected, count, "glide_paging",
+    return Example(longs([*start, 0]), expected, count, "glide_paging",
                    {"s": step[0], "t": step[1], "left": 24 - shift, "spare": 0},
                    {"pixels": page}, within={"pixels": -first * SIDE * bits // 8})
-
-
-def places(start, step, count: int, shift: int) -> np.ndarray:
-    """Columns and rows of the whole map at each pixel, [count][2]."""
-    return walked(start, step, count) >> shift
 
 
 def any_page(bits: int) -> Callable[..., Example]:
@@ -45,38 +39,25 @@ def any_page(bits: int) -> Callable[..., Example]:
         shift, first = SHIFT + int(rng.integers(SHIFTS)), -ROWS // 2
         page = rng.integers(0, 1 << bits, (ROWS, SIDE))
         start, step = line(rng, count, shift, first)
-        column, row = places(start, step, count, shift).T & SIDE - 1
+        column, row = (walked(start, step, count) >> shift).T & SIDE - 1
         found = page[signed(row, 8) - first, column]
         to = words if bits == 16 else longs
         return example(start, step, count, shift, first, to(page.ravel()), to(found))
     return make
 
 
-def bilinear(level: Map, places_: np.ndarray) -> np.ndarray:
-    """The filter's result in a level at places [n][2] of the map that is 16 times as fine."""
-    return filtered(places_ - 8, level, 4)
-
-
-def some_level(rng, side: int) -> Map:
-    """One that repeats within a page, 16 columns or rows a texel."""
-    return Map(any_texels(rng, side * side).reshape(side, side, 4))
-
-
-def one_level(rng) -> Callable[[np.ndarray], np.ndarray]:
-    """A level's filter."""
-    level = some_level(rng, 1 << int(rng.integers(5)))
-    return lambda at: bilinear(level, at)
+def one_level(rng, side: int = 0) -> Callable[[np.ndarray], np.ndarray]:
+    """The filter of a level that repeats within a page, at places [n][2] of the map that is 16
+    times as fine: 16 columns or rows a texel."""
+    side = side or 1 << int(rng.integers(5))
+    level = Map(any_texels(rng, side * side).reshape(side, side, 4))
+    return lambda at: filtered(at - 8, level, 4)
 
 
 def two_levels(rng) -> Callable[[np.ndarray], np.ndarray]:
     """A level's filter, blended with the next smaller one's by a fraction of the LOD."""
-    near, far = some_level(rng, 16), some_level(rng, 8)
-    factor = int(rng.integers(1, 257))
-
-    def found(at: np.ndarray) -> np.ndarray:
-        local, other = bilinear(near, at), bilinear(far, at >> 1)
-        return ((other - local) * factor >> 8) + local
-    return found
+    near, far, factor = one_level(rng, 16), one_level(rng, 8), int(rng.integers(1, 257))
+    return lambda at: near(at) + ((far(at >> 1) - near(at)) * factor >> 8)
 
 
 def prefiltered(bits: int, filter_of=one_level) -> Callable[..., Example]:
@@ -88,7 +69,7 @@ def prefiltered(bits: int, filter_of=one_level) -> Callable[..., Example]:
         start, step = line(rng, count, shift, first)
         rows, columns = np.divmod(np.arange(ROWS * SIDE), SIDE)
         page = pixels(found(np.stack([columns, rows + first], 1)))
-        drawn = pixels(found(places(start, step, count, shift)))
+        drawn = pixels(found(walked(start, step, count) >> shift))
         if bits == 16:
             page, drawn = packed(page), packed(drawn)
         return example(start, step, count, shift, first, page, drawn)
@@ -96,11 +77,10 @@ def prefiltered(bits: int, filter_of=one_level) -> Callable[..., Example]:
 
 
 MAKERS: dict[str, Callable[..., Example]] = {
-    "glide_tile_16": any_page(16), "glide_tile_32": any_page(32),
-    "glide_bilinear_prefiltered": prefiltered(32), "glide_bilinear_prefiltered_16": prefiltered(16),
-    "glide_trilinear_prefiltered": prefiltered(32, two_levels),
-    "glide_trilinear_prefiltered_16": prefiltered(16, two_levels),
-}
+    "glide_tile_16": any_page(16), "glide_tile_32": any_page(32)} | {
+    f"glide_{name}_prefiltered{end}": prefiltered(bits, filter_of)
+    for name, filter_of in (("bilinear", one_level), ("trilinear", two_levels))
+    for end, bits in (("", 32), ("_16", 16))}
 #: Rows that are the two kernels on other pages.
 FORMS = {name: "glide_tile_16" if name.endswith("16") else "glide_tile_32"
          for name in MAKERS if "prefiltered" in name}

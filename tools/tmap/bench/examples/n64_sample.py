@@ -3,9 +3,11 @@
 import numpy as np
 
 from tmap.base.fixed import signed
-from tmap.bench.examples.example import (BENCH, Example, Map, any_map, any_texels, longs, packed,
+from tmap.bench.examples.example import (BENCH, Example, any_map, any_texels, longs, packed,
                                          pair, pairs, pixels, some_coordinates, walked)
 from tmap.build import layout
+from tmap.n64.filters import Quad, filtered
+from tmap.n64.state import Modes, State
 
 EDGES = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)  # of s and t in 16 bits
 WIDEST = 512  # texels in a row
@@ -21,7 +23,7 @@ def walk(rng, count: int) -> Example:
     start, step = rng.integers(-1 << 31, 1 << 31, (2, 2))
     if rng.random() < 0.5:
         step = rng.integers(-1 << 21, 1 << 21, 2)
-    return Example("n64_walk", longs([*start, 0]), pairs(walked(start, step, count) >> 16), count,
+    return Example(longs([*start, 0]), pairs(walked(start, step, count) >> 16), count,
                    "n64_iterators", dict(s=step[0], t=step[1], w=0))
 
 
@@ -46,29 +48,17 @@ def quads(rng, count: int) -> Example:
     made = quad_bytes(np.stack([above[:-1], above[1:], below[:-1], below[1:]], 1))
     apart = np.zeros((count, step, len(made) // count), np.uint8)
     apart[:, 0] = np.frombuffer(made, np.uint8).reshape(count, -1)
-    return Example("n64_quads", pixels(rows[0]), apart.tobytes(), count, "n64_quad_row",
+    return Example(pixels(rows[0]), apart.tobytes(), count, "n64_quad_row",
                    {"step": step}, {"below": pixels(rows[1])})
 
 
-def filtered(corners, fs, ft) -> np.ndarray:
-    """The three-point filter: corners [n][4][channels], fractions [n]."""
-    c00, c10, c01, c11 = (corners[:, k] for k in range(4))
-    fs, ft = fs[:, None], ft[:, None]
-    lower = c00 + (fs * (c10 - c00) + ft * (c01 - c00) + 16 >> 5)
-    upper = c11 + ((32 - fs) * (c01 - c11) + (32 - ft) * (c10 - c11) + 16 >> 5)
-    return np.where(fs + ft < 32, lower, upper)
-
-
-def corners_of(ground: Map, st: np.ndarray) -> np.ndarray:
-    """The quads at coordinates [n][2]: [n][4][4]."""
-    return ground.corners(*(st >> 5).T)
-
-
-def threepoint(rng, count: int) -> Example:
+def threepoint(rng, count: int, averages: bool = False) -> Example:
     st, ground = coordinates(rng, count), any_map(rng, WIDEST)
-    drawn = filtered(corners_of(ground, st), *(st.T & 31))
-    return Example("n64_threepoint", pairs(st), pixels(drawn), count,
-                   *ground.decoded(*DECODED, quad_bytes))
+    if averages:
+        st[rng.random(count) < 0.5] = st[0] & 0xFFE0 | 16
+    quad = Quad(*ground.corners(*(st >> 5).T).swapaxes(0, 1))
+    drawn = filtered(State(modes=Modes(mid=averages)), quad, *(st.T & 31), None)
+    return Example(pairs(st), pixels(drawn), count, *ground.decoded(*DECODED, quad_bytes))
 
 
 def threepoint_16(rng, count: int) -> Example:
@@ -77,24 +67,15 @@ def threepoint_16(rng, count: int) -> Example:
     return made
 
 
-def average(rng, count: int) -> Example:
-    st, ground = coordinates(rng, count), any_map(rng, WIDEST)
-    st[rng.random(count) < 0.5] = st[0] & 0xFFE0 | 16
-    corners, (fs, ft) = corners_of(ground, st), st.T & 31
-    drawn = np.where((fs == 16)[:, None] & (ft == 16)[:, None], corners.sum(1) + 2 >> 2,
-                     filtered(corners, fs, ft))
-    return Example("n64_average", pairs(st), pixels(drawn), count, *ground.decoded(*DECODED, quad_bytes))
-
-
 def point(rng, count: int) -> Example:
     st, ground = coordinates(rng, count), any_map(rng, WIDEST)
-    return Example("n64_point", pairs(st), pixels(corners_of(ground, st)[:, 0]), count,
+    return Example(pairs(st), pixels(ground.corners(*(st >> 5).T)[:, 0]), count,
                    *ground.decoded(*DECODED))
 
 
 def store_16(rng, count: int) -> Example:
     texels = any_texels(rng, count)
-    return Example("n64_store_16", pixels(texels), packed(texels), count)
+    return Example(pixels(texels), packed(texels), count)
 
 
 def axis(rng, is_plain: bool) -> tuple[int, int, int, int]:
@@ -117,23 +98,14 @@ def related(c: int, clamp: int, shift: int, low: int, high: int) -> int:
     return 0 if clamp and c < 0 else c & 0xFFFF
 
 
-def axis_bytes(clamp: int, shift: int, low: int, high: int) -> list[int]:
-    """struct n64_axis_range."""
-    return list(layout.load().struct("n64_axis_range").pack(
-        shift=shift if shift <= 10 else shift - 16, clamp=clamp, low=8 * low, high=8 * high,
-        last=32 * ((high >> 2) - (low >> 2) & 0x3FF)))
-
-
-def tiled(rng, count: int, kernel: str = "n64_tile") -> Example:
-    st = coordinates(rng, count)
-    axes = [axis(rng, kernel == "n64_tile_plain") for _ in "st"]
+def tiled(rng, count: int, is_plain: bool = False) -> Example:
+    st, shape = coordinates(rng, count), layout.load().struct("n64_axis_range")
+    axes = [axis(rng, is_plain) for _ in "st"]
     for k, (*_, low, high) in enumerate(axes):  # what stands on the borders
         border = 8 * rng.choice((low, high), count) + rng.integers(-2, 3, count)
         st[:, k] = np.where(rng.random(count) < 0.3, border & 0xFFFF, st[:, k])
     found = [[related(int(c), *a) for c, a in zip(row, axes)] for row in signed(st, 16)]
-    return Example(kernel, pairs(st), pairs(np.array(found)), count, "n64_axes",
-                   dict(zip("st", (axis_bytes(*a) for a in axes))))
-
-
-def tiled_plain(rng, count: int) -> Example:
-    return tiled(rng, count, "n64_tile_plain")
+    ranges = [list(shape.pack(shift=shift if shift <= 10 else shift - 16, clamp=clamp, low=8 * low,
+                              high=8 * high, last=32 * ((high >> 2) - (low >> 2) & 0x3FF)))
+              for clamp, shift, low, high in axes]
+    return Example(pairs(st), pairs(np.array(found)), count, "n64_axes", dict(zip("st", ranges)))

@@ -4,6 +4,8 @@ import numpy as np
 
 from tmap.bench.examples.example import Example, any_texels, longs, pairs, pixels, words
 from tmap.bench.examples.n64_sample import coordinates
+from tmap.n64 import filters
+from tmap.n64.combiner import extended
 
 USUAL = 175, -43, -89, 222
 NEUTRAL = 128  # the byte that stands for 0 of U and V
@@ -14,7 +16,7 @@ def halved(rng, count: int) -> Example:
     s, t = st.T
     column, fraction = s >> 5, s & 31
     shared = 32 * column + (fraction >> 1) + 16 * (column & 1)
-    return Example("n64_chroma", pairs(st), pairs(np.stack([shared, t], 1)), count)
+    return Example(pairs(st), pairs(np.stack([shared, t], 1)), count)
 
 
 def constants(rng) -> list[int]:
@@ -36,34 +38,24 @@ def matrix_bytes(k: list[int]) -> bytes:
 
 def matrix(rng, count: int) -> Example:
     k = constants(rng)
-    return Example("n64_matrix", words(k), matrix_bytes(k), count)
-
-
-def converted(k: list[int], luma: np.ndarray, chroma: np.ndarray) -> np.ndarray:
-    """R, G, B, A of texels: 9 bits, [n][4]."""
-    y = luma[:, 3].astype(np.int64)
-    u, v = chroma.astype(np.int64).T[:2] - NEUTRAL
-    k0, k1, k2, k3 = (2 * n + 1 for n in k)
-    return np.stack([y + (k0 * v + 128 >> 8), y + (k1 * u + k2 * v + 128 >> 8),
-                     y + (k3 * u + 128 >> 8), y], 1) & 511
+    return Example(words(k), matrix_bytes(k), count)
 
 
 def conversion(rng, count: int) -> tuple[bytes, np.ndarray, dict[str, bytes]]:
-    """Texels; what they are converted to; blocks of struct n64_yuv_conversion."""
+    """Texels; what they are converted to, 9 bits, [n][4]; blocks of struct n64_yuv_conversion."""
     k, luma, chroma = constants(rng), any_texels(rng, count), any_texels(rng, count)
-    return pixels(luma), converted(k, luma, chroma), {"chroma": pixels(chroma),
-                                                      "matrix": matrix_bytes(k)}
+    found = filters.convert(k, np.stack([*(chroma.T[:2] - NEUTRAL), luma[:, 3]], 1))
+    return pixels(luma), found, {"chroma": pixels(chroma), "matrix": matrix_bytes(k)}
 
 
 def convert(rng, count: int) -> Example:
     texels, found, blocks = conversion(rng, count)
     colours = rng.integers(0, 256, (512, 4))
-    return Example("n64_convert", texels, pixels(colours[found, np.arange(4)]), count,
+    return Example(texels, pixels(colours[found, np.arange(4)]), count,
                    "n64_yuv_conversion", {}, blocks | {"colours": pixels(colours)})
 
 
 def convert_wide(rng, count: int) -> Example:
     texels, found, blocks = conversion(rng, count)
-    taken = np.where(found >> 7 == 3, found - 512, found)
-    return Example("n64_convert_wide", texels, words(taken), count, "n64_yuv_conversion",
-                   {"colours": 0}, blocks)
+    return Example(texels, words(extended(found)), count, "n64_yuv_conversion", {"colours": 0},
+                   blocks)

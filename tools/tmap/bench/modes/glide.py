@@ -41,7 +41,8 @@ class Mode(modes.Mode):
     """A material with a table ``glide``."""
 
     POLYGONS = modes.POLYGONS | MORE
-    TABLE, MAPPER, PLAIN, PLAIN_SHIFT = "glide", "glide", "glide_plain,glide_passes", 2
+    SCHEMA, TABLE, MAPPER = glide, "glide", "glide"
+    PLAIN, PLAIN_SHIFT = "glide_plain,glide_passes", 2
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:
@@ -52,12 +53,6 @@ class Mode(modes.Mode):
             found.append(PROJECTED)
         return [tuple(map(fix, (*point, s * TEXEL, t * TEXEL, 0, w))) for texels, depths in found
                 for point, (s, t), w in zip(points, texels, depths)]
-
-    def check(self, made: dict, where: str) -> dict:
-        """A checked table, every default filled in."""
-        made = glide.schema()(made, where)
-        glide.check(made, where)
-        return made
 
     def tables(self, spec: dict, folder: Path, frames: int, where: str) -> dict:
         """The units' registers and memory."""

@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from PIL import Image
 
 from tmap.bench.modes import glide, modes, n64
 from tmap.bench.modes.modes import Mode
@@ -27,8 +28,7 @@ Vertices = list[tuple[int, ...]]
 
 
 def shrunk(mode: Mode, shift: int, most: int) -> Vertices:
-    """A mode's polygon 2^shift times as small, its first ``most`` corners, steps from pixel to
-    pixel as they are."""
+    """A mode's polygon 2^shift times as small, its first ``most`` corners, gradients unchanged."""
     found = []
     for first in range(0, len(mode.vertices), mode.corners):
         corners = mode.vertices[first:first + mode.corners][:most]
@@ -48,11 +48,11 @@ def drawn(mode: Mode, plain: bool) -> tuple[Vertices, Vertices]:
 
 @cache
 def scene_of(mode: Mode, kind: str = "noise", plain: bool = False) -> Scene:
-    """An empty frame, then the mode's polygon in two; ``kind``: of modes.KINDS; ``plain``: see
-    drawn."""
+    """An empty frame, then the mode's polygon in two; ``kind``: of KINDS; ``plain``: see drawn."""
     frames = AGAIN + 1
     with tempfile.TemporaryDirectory() as folder:
-        modes.write_pictures(kind, Path(folder))
+        for name, (side, seed, sheer) in modes.PICTURES.items():
+            Image.fromarray(modes.picture(kind, seed, side, sheer)).save(Path(folder, name))
         tables = mode.tables({"materials": {"it": {mode.TABLE: mode.material()}}}, Path(folder),
                              frames, f"mode {mode.name}: ")
     first, again = drawn(mode, plain)

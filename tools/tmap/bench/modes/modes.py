@@ -8,10 +8,10 @@ from abc import ABC, abstractmethod
 from copy import deepcopy
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import ModuleType
 from typing import ClassVar
 
 import numpy as np
-from PIL import Image
 
 from tmap.base.elementary import cos, each, sin
 
@@ -56,12 +56,6 @@ def picture(kind: str, seed: int, side: int = SIDE, sheer: bool = False) -> np.n
     return made
 
 
-def write_pictures(kind: str, folder: Path) -> None:
-    """All PICTURES of a kind."""
-    for name, (side, seed, sheer) in PICTURES.items():
-        Image.fromarray(picture(kind, seed, side, sheer)).save(folder / name)
-
-
 @dataclass(frozen=True)
 class Mode(ABC):
     """What is drawn. ``table``: what a material's table TABLE says; ``filter``: of the engine's
@@ -77,6 +71,7 @@ class Mode(ABC):
 
     POLYGONS: ClassVar[dict] = POLYGONS
     TABLE: ClassVar[str]  # of a material
+    SCHEMA: ClassVar[ModuleType]  # that checks the table
     MAPPER: ClassVar[str]
     PLAIN: ClassVar[str]  # rules of lowering without which plain C draws pixel by pixel
     PLAIN_SHIFT: ClassVar[int]  # polygons in plain C are 2^n times as small each way
@@ -93,13 +88,11 @@ class Mode(ABC):
         return len(self.POLYGONS[self.polygon][0])
 
     @abstractmethod
-    def check(self, made: dict, where: str) -> dict:
-        """A checked table, every default filled in."""
-
-    @abstractmethod
     def tables(self, spec: dict, folder: Path, frames: int, where: str) -> dict:
         """What a Scene has of a specification with one material."""
 
     def material(self) -> dict:
-        """The checked content of the material's table."""
-        return self.check(deepcopy(self.table), f"mode {self.name}")
+        """The checked content of the material's table, every default filled in."""
+        made = self.SCHEMA.schema()(deepcopy(self.table), f"mode {self.name}")
+        self.SCHEMA.check(made, f"mode {self.name}")
+        return made

@@ -15,7 +15,7 @@ SHADES = (60.5, 140.2, 250.7, 120.1)
 class Mode(modes.Mode):
     """A material with a table ``n64``."""
 
-    TABLE, MAPPER, PLAIN, PLAIN_SHIFT = "n64", "n64", "n64_plain,n64_passes", 0
+    SCHEMA, TABLE, MAPPER, PLAIN, PLAIN_SHIFT = n64, "n64", "n64", "n64_plain,n64_passes", 0
 
     @property
     def vertices(self) -> list[tuple[int, ...]]:
@@ -23,12 +23,6 @@ class Mode(modes.Mode):
         points, texels, depths = self.POLYGONS[self.polygon]
         return [tuple(map(fix, (*point, *st, shade, w)))
                 for point, st, shade, w in zip(points, texels, SHADES, depths)]
-
-    def check(self, made: dict, where: str) -> dict:
-        """A checked table, every default filled in."""
-        made = n64.schema()(made, where)
-        n64.check(made, where)
-        return made
 
     def tables(self, spec: dict, folder: Path, frames: int, where: str) -> dict:
         """An engine's display lists and DRAM."""
