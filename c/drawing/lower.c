@@ -186,7 +186,7 @@ void lower_by_steps(struct setup *s)
         LOWER(STILL_V, AFFINE_32_WRAP, AFFINE_32_ROW,
               is_still(span->dvdx) && is_slow(span->dudx))
         LOWER(NO_WRAP, AFFINE_32_WRAP, AFFINE_32, !s->texturing.wraps)
-    } else if (kind >= SPAN_DITHERED) {
+    } else if (s->material->mapper == MAPPER_DITHERED) {
         dithered_span(s);
         LOWER(NO_WRAP_DITHERED, DITHERED_WRAP, DITHERED, !s->texturing.wraps)
         LOWER(NO_WRAP_DITHERED, DITHERED_16_WRAP, DITHERED_16, !s->texturing.wraps)

@@ -11,6 +11,7 @@ from tmap.base.fixed import ONE
 from tmap.corpus import random_polygons, written
 from tmap.fuzz import depths, polygons
 from tmap.model import model
+from tmap.scene_file.textures import MAPPERS
 
 SIZES = ((64, 48), (1024, 6), (8, 1024), (4, 1))
 COUNT = 600
@@ -102,8 +103,7 @@ def test_fuzzers_have_their_share() -> None:
             every[kind] += 1
             at_ends[kind] += any(c in (0, 256 * ONE) for v in each.vertices for c in v[2:4])
     mappers = {kind[0] for kind in every}
-    assert mappers == {"flat", "gouraud", "affine", "arbitrary", "tiled", "columns", "generated", "lit",
-                       "lit_gouraud", "dithered"}
+    assert mappers == set(MAPPERS[1])
     assert {kind[1] for kind in every} == {"none", "every16", "every8", "pixel", "fine"}
     assert abs(sum(every.values()) / 4000 - written.SHARE) < 0.03  # four standard deviations
     assert all(at_ends[kind] > every[kind] / 2 for kind in every if every[kind] > 30), at_ends

@@ -7,6 +7,7 @@ from functools import cache, partial
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
+from tmap.base import c_lists
 from tmap.base.fixed import ONE
 from tmap.bench import spans
 from tmap.bench.spans import BIAS, Ground
@@ -101,9 +102,9 @@ def table_trial(trial_of: Callable[..., Trial], starts: list[tuple[int, int, int
 
 def form_of(kernel: str) -> str:
     """How the lines of a span routine are packed."""
-    chained = ("_addx", "_row", "_column", "_scanline", "_wrap", "_copy",
-               "_short", "_16", "_32")
-    return "addx" if "affine" in kernel and any(part in kernel for part in chained) else "plain"
+    packed = {f"span_{name}" for _, name, lines in c_lists.rows("polygon/span_list.h", "SPAN")
+              if lines == "ADDX"} | {"span_affine_scanline"}
+    return "addx" if kernel in packed else "plain"
 
 
 def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,

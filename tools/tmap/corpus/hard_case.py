@@ -17,8 +17,6 @@ WIDTH, HEIGHT = 128, 96  # pixels of every case's frame
 UNIT = Fraction(1, 65536)
 FAR = 16384  # pixels and texels: coordinates reach from -FAR to FAR - UNIT
 MAPPERS = textures.MAPPERS[1]  # those that draw one-byte pixels
-#: Mappers whose map repeats in both directions: their coordinates may leave it.
-REPEATING = ("affine", "tiled", "columns", "generated", "lit", "lit_gouraud", "dithered")
 SPREAD = Fraction(15, 16)  # the part of a map that a fitted texture uses
 
 Points = list[tuple[Fraction, Fraction]]

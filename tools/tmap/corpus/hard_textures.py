@@ -5,9 +5,9 @@ from dataclasses import replace
 from fractions import Fraction
 
 from tmap.base.fixed import ONE, fix
-from tmap.corpus.hard_case import (FAR, HEIGHT, REPEATING, UNIT, WIDTH, Case, fitted, label, laid,
-                                   make)
+from tmap.corpus.hard_case import FAR, HEIGHT, UNIT, WIDTH, Case, fitted, label, laid, make
 from tmap.corpus.hard_outlines import box, leaning
+from tmap.scene_file.textures import REPEATING
 
 PAGE = 256  # texels
 QUAD = [(16.25, 8.5), (112, 20.75), (100.5, 88), (8, 70.25)]

@@ -17,7 +17,7 @@ from tmap.corpus import written
 from tmap.corpus.random_polygons import convex_polygon
 from tmap.fuzz import depths
 from tmap.model.model import FAR
-from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, ON_PLANE, SETTINGS, Material,
+from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, MAPPERS, ON_PLANE, SETTINGS, Material,
                                         Object, Scene, Texture)
 from tmap.setup.shading import LIT
 from tmap.setup.texturing import Settings
@@ -185,8 +185,8 @@ def even(seed: int, number: int) -> Fuzzed:
     by_hand = hand.random() < written.SHARE
     points = (written.outline(hand, width, height) if by_hand else
               visible_corners(rng, width, height))
-    mapper = rng.choice(("flat", "gouraud", "arbitrary", "tiled", "columns", "generated", "lit",
-                         "lit_gouraud", "dithered") + 4 * ("affine",))
+    others = tuple(mapper for mapper in MAPPERS[1] if mapper != "affine")
+    mapper = rng.choice(others + 4 * ("affine",))
     choices = {kind: rng.choice(names) for kind, names in SETTINGS.items()
                if kind not in ("mapper", "perspective")}
     if mapper in ON_PLANE:

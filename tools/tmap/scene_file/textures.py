@@ -24,6 +24,8 @@ UNITS = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_UNIT" in 
 #: What draws pixels of so many bytes.
 MAPPERS = {size: tuple(name for name, (_, sizes, _) in LISTED.items() if str(size) in sizes)
            for size in (1, 2, 4)}
+#: Mappers whose map repeats in both directions: their coordinates may leave it.
+REPEATING = tuple(name for name, layout in MAPPER_LAYOUT.items() if layout not in (None, "linear"))
 #: Mappers whose u and v come from one plane, to each first pixel.
 ON_PLANE = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_PLANE" in traits)
 #: The format with 2 bytes a pixel that each kind of unit draws.
