@@ -68,7 +68,7 @@ def cycles(scene: Scene, machine: str, what: str) -> list[float]:
     the model. ``what``: the scene, for messages."""
     digests, = guest_frames.draw([(scene, "addx")], machine)
     guest_frames.require_models((model.render(scene, number) for number in range(scene.frames)),
-                                digests, f"accuracy: {what} on {machine}")
+                                digests, f"accuracy: {what} on {machine}", (scene, "addx", machine))
     empty, *spent = digests["ticks"].astype(int).tolist()
     return [(ticks - empty) * CYCLES_PER_TICK / polygon_sets.COUNT for ticks in spent]
 

@@ -56,7 +56,8 @@ def measure(machine: str, cache: bool = False, count: int = TRIANGLES) -> list[d
     drawn = guest_frames.draw([(scene(name, count), form) for name in ROWS], machine)
     rows = []
     for (name, (_, pentium)), digests in zip(ROWS.items(), drawn, strict=True):
-        guest_frames.require_models(frames(name, count), digests, f"polys: {name} on {machine}")
+        guest_frames.require_models(frames(name, count), digests, f"polys: {name} on {machine}",
+                                    (scene(name, count), form, machine))
         empty, full = digests["ticks"].astype(int).tolist()
         cycles = (full - empty) * CYCLES_PER_TICK / count
         rows.append({"name": name, "machine": machine + ", data cache" * cache,

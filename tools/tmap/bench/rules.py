@@ -173,13 +173,13 @@ def measure(machine: str, names: list[str]) -> list[dict]:
         return []
     condition = CONDITIONS[machine]
     off = [f" OFF {case.rule}" if case else "" for _, case, _ in runs]
-    drawn = guest_frames.draw([(scene, f"addx{condition.options}{end}")
-                               for end, (_, _, scene) in zip(off, runs)], condition.machine)
+    scenes = [(scene, f"addx{condition.options}{end}") for end, (_, _, scene) in zip(off, runs)]
+    drawn = guest_frames.draw(scenes, condition.machine)
     rows, lowered = [], {}  # the latter: digests by group
-    for end, (number, case, _), digests in zip(off, runs, drawn):
+    for end, (number, case, _), scene, digests in zip(off, runs, scenes, drawn):
         group = GROUPS[number]
         guest_frames.require_models(shown(number), digests, f"bench: rules{end}, {machine}",
-                                    ["empty", *(case.name for case in group)])
+                                    (*scene, condition.machine), ["empty", *(case.name for case in group)])
         if case is None:
             lowered[number] = digests
             continue

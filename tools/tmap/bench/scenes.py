@@ -81,7 +81,8 @@ def measure(machine: str, names: list[str]) -> list[dict]:
     drawn = guest_frames.draw([(shown(name)[0], "addx") for name in names], machine,
                               patience=PATIENT_SECONDS, apart=True)  # some fill all chip RAM
     for name, digests in zip(names, drawn):
-        guest_frames.require_models(shown(name)[1], digests, f"bench: scene {name}, {machine}")
+        guest_frames.require_models(shown(name)[1], digests, f"bench: scene {name}, {machine}",
+                                    (shown(name)[0], "addx", machine))
         cycles = int(digests["ticks"][-FRAMES:].astype(int).sum()) * CYCLES_PER_TICK / FRAMES
         rows.append({"name": f"{ROW}{name}", "machine": machine, "length": FRAMES,
                      "cycles_per_frame": cycles, "one_tick": CYCLES_PER_TICK / FRAMES})

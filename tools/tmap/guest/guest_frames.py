@@ -34,12 +34,12 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
         return [np.fromfile(done[0].directory / f"{k}.digest", shape) for k in range(len(scenes))]
 
 
-def frame_of(this: Scene, form: str, machine: str) -> np.ndarray:
-    """Returns the first frame of a scene as the guest draws it."""
+def frame_of(this: Scene, form: str, machine: str, number: int = 0) -> np.ndarray:
+    """Returns a frame of a scene as the guest draws it; ``form``: as in draw."""
     with emulator.workspace() as directory:
         done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
                             machine, directory)
-        found = np.fromfile(done.directory / "frame_000.chunky", this.pixel.dtype.newbyteorder(">"))
+        found = np.fromfile(done.directory / f"frame_{number:03}.chunky", this.pixel.dtype.newbyteorder(">"))
     return found.reshape(this.height, this.width)
 
 
@@ -58,10 +58,22 @@ def is_models(frame: np.ndarray, digest) -> bool:
     return (int(digest["sum"]), int(digest["hash"])) == digest_of(frame)
 
 
-def require_models(frames: Iterable[np.ndarray], digests, what: str, names: Sequence[str] = ()) -> None:
-    """Raises UserError if one of a scene's frames differs from the model's. ``frames``: the
-    model's; ``what``: the drawing's name, for the message; ``names``: of the frames."""
+def first_wrong(expected: np.ndarray, found: np.ndarray) -> str:
+    """Describes the first pixel where two frames differ."""
+    y, x = np.argwhere(found != expected)[0]
+    digits = 2 + 2 * expected.itemsize
+    return f"pixel ({x}, {y}) is {found[y, x]:#0{digits}x}, not {expected[y, x]:#0{digits}x}"
+
+
+def require_models(frames: Iterable[np.ndarray], digests, what: str, drawn: tuple[Scene, str, str],
+                   names: Sequence[str] = ()) -> None:
+    """Raises UserError if one of a scene's frames differs from the model's; it is drawn again for
+    the message. ``frames``: the model's; ``what``: the drawing's name; ``drawn``: the scene, its
+    form as in draw, the machine; ``names``: of the frames."""
     for number, (frame, digest) in enumerate(zip(frames, digests, strict=True)):
         if not is_models(frame, digest):
             name = f" ({names[number]})" if names else ""
-            raise UserError(f"{what}: frame {number}{name} is not the model's")
+            found = frame_of(*drawn, number)
+            count = int((found != frame).sum())
+            first = first_wrong(frame, found) if count else "drawn once more it is right"
+            raise UserError(f"{what}: frame {number}{name}: {count} pixels are not the model's; {first}")

@@ -97,12 +97,14 @@ def measure(machine: str, names: list[str], plain: bool = True) -> dict[str, lis
     asked = [(mode, "") for mode in wanted]
     if plain and machine == PLAIN_MACHINE:
         asked += [(mode, PLAIN_END) for mode in wanted if mode.in_c]
-    drawn = guest_frames.draw([(scene_of(mode, plain=bool(end)), f"addx{condition.options}"
-                                + (f" OFF {mode.PLAIN}" if end else "")) for mode, end in asked],
-                              condition.machine)
-    for (mode, end), digests in zip(asked, drawn):
+    scenes = [(scene_of(mode, plain=bool(end)),
+               f"addx{condition.options}" + (f" OFF {mode.PLAIN}" if end else ""))
+              for mode, end in asked]
+    drawn = guest_frames.draw(scenes, condition.machine)
+    for (mode, end), scene, digests in zip(asked, scenes, drawn):
         frames, pixels = shown(mode, True) if end else shown(mode)
-        guest_frames.require_models(frames, digests, f"bench: mode {mode.name}{end}, {machine}")
+        guest_frames.require_models(frames, digests, f"bench: mode {mode.name}{end}, {machine}",
+                                    (*scene, condition.machine))
         ticks = digests["ticks"].astype(int).tolist()
         for kind, row in rows_of(mode, end, machine, ticks, pixels).items():
             found[kind].append(row)
