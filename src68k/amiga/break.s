@@ -1,7 +1,6 @@
 ; Ctrl-C: a program polls it between two pieces of its work.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    _print
 

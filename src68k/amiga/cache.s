@@ -1,7 +1,6 @@
 ; The 68030's data cache; the 68020 has none.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    at_end
 

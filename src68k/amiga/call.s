@@ -1,7 +1,6 @@
 ; Calls a routine with given registers and records them after the call. The bench
 ; and the tests call every kernel this way, by its contract.
 
-        include "routine.i"
         include "amiga.i"
 
 REGISTERS               equ     15      ; d0-d7/a0-a6

@@ -4,7 +4,6 @@
 ; each (709,379 Hz and 14.18758 MHz).
 
         include "amiga.i"
-        include "routine.i"
 
         xdef    ciab_base
 

@@ -2,7 +2,6 @@
 ; interrupts go on. The lists alone define the picture.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    at_end
 

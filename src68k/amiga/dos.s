@@ -2,7 +2,6 @@
 ; noted here and closed when it ends.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    dos_base
         xref    no_arguments

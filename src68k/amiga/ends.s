@@ -2,8 +2,6 @@
 ; like, before memory, files and timers are released.
 
         include "amiga.i"
-        include "layout.i"
-        include "routine.i"
 
         xref    ends_call
 

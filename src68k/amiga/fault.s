@@ -3,7 +3,6 @@
 ; in order with return code 20.
 
         include "amiga.i"
-        include "layout.i"
 
         xdef    fault_handler
         xdef    fault_enter

@@ -1,7 +1,6 @@
 ; The characters of the ROM's font.
 
         include "amiga.i"
-        include "routine.i"
 
 FIRST                   equ     32
 LETTERS                 equ     96

@@ -1,7 +1,6 @@
 ; Takes keys before any window gets them, by a handler of input.device ahead of the system's.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    at_end
 

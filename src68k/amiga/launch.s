@@ -1,7 +1,6 @@
 ; Runs other programs: each is loaded once and entered any number of times.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    dos_base
 

@@ -1,8 +1,6 @@
 ; Facts about the machine, and dos's texts for errors.
 
         include "amiga.i"
-        include "layout.i"
-        include "routine.i"
 
         xref    dos_base
 

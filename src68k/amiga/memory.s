@@ -1,8 +1,6 @@
 ; Memory through exec. A program's allocations are noted here and freed when it ends.
 
-        include "amiga.i"
         include "memory.i"
-        include "routine.i"
 
         xdef    mem_cleared
         xdef    mem_uncleared
@@ -55,12 +53,7 @@
 ;==============================================================================
 ; mem_cleared - mem_alloc without a record for mem_asked
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
-; error:   *d0 is unchanged if memory is short
+; like:    mem_alloc
 ;==============================================================================
         section .text.mem_cleared,code
 mem_cleared:
@@ -91,12 +84,7 @@ allocate:
 ;==============================================================================
 ; mem_uncleared - mem_take from exec only, without the memory set aside
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
-; error:   *d0 is unchanged if memory is short
+; like:    mem_alloc
 ;==============================================================================
         section .text.mem_uncleared,code
 mem_uncleared:

@@ -53,12 +53,7 @@ take    macro
 ; mem_take - allocates memory, freed at the program's end, in a time that does not depend on other
 ;            allocations as long as the memory set aside by mem_reserve lasts
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
-; error:   *d0 is unchanged if memory is short
+; like:    mem_alloc
 ;==============================================================================
         routine mem_take,d0,d1,a0
         take
@@ -67,12 +62,7 @@ take    macro
 ;==============================================================================
 ; mem_need_take - mem_take, but ends the program with a message if memory is short
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1; it returns only then
-; writes:  *d0
-; error:   if memory is short it prints so and ends with return code 20
+; like:    mem_need
 ;==============================================================================
 ; Programs of one scene call it instead of mem_take.
 

@@ -1,8 +1,6 @@
 ; Frees memory: from a mark on, or all of it.
 
-        include "amiga.i"
         include "memory.i"
-        include "routine.i"
 
         xref    mem_aside_bytes
         xref    mem_blocks

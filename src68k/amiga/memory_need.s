@@ -1,6 +1,5 @@
 ; Memory that a program cannot do without.
 
-        include "layout.i"
         include "routine.i"
 
         xref    mem_cleared
@@ -12,11 +11,8 @@
 ;==============================================================================
 ; mem_need - allocates cleared memory, or ends the program with a message
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
+; like:    mem_alloc
 ; out:     d0  int32   1; it returns only then
-; writes:  *d0
 ; error:   if memory is short it prints so and ends with return code 20
 ;==============================================================================
 ; Programs of one scene call it instead of mem_alloc.

@@ -2,7 +2,6 @@
 ; does, without a copper list, from wherever the pointers are.
 
         include "amiga.i"
-        include "routine.i"
 
 ;==============================================================================
 ; planes_fetch - fetches eight planes, of 256 lines a field, or stops it; in quiet mode only

@@ -2,7 +2,6 @@
 ; watchdog, which ends a routine that never returns. It uses CIA-B's timers, as the clock does.
 
         include "amiga.i"
-        include "routine.i"
 
         xdef    quiet_leave
         xdef    quiet

@@ -2,7 +2,6 @@
 ; and releases everything that is still held, however the program ends.
 
         include "amiga.i"
-        include "layout.i"
 
         xdef    start
         xdef    program_begin

@@ -1,7 +1,6 @@
 ; Keeps other tasks from running: a measured time includes theirs.
 
         include "amiga.i"
-        include "routine.i"
 
 ;==============================================================================
 ; tasks_forbid - lets no other task run until tasks_permit; interrupts go on

@@ -2,7 +2,6 @@
 ; renderer that a scene needs. Linked in for that run only.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    _main
         xref    _file_save

@@ -2,7 +2,6 @@
 ; output.
 
         include "amiga.i"
-        include "layout.i"
 
         xdef    workbench
         xdef    no_arguments

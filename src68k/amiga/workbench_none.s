@@ -1,7 +1,6 @@
 ; For programs of one scene, which a double click does not run.
 
         include "amiga.i"
-        include "layout.i"
 
         xdef    workbench_none
 

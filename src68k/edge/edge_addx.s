@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "edge.i"
 
         xref    edge_right
@@ -36,7 +33,6 @@ addx_step macro
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv,
 ;          start2 = v--U
 ; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
-; cost:    bench row edge_addx
 ;==============================================================================
         routine edge_addx,a0
         edge_left addx,error_rounded,edge_right
@@ -44,12 +40,9 @@ addx_step macro
 ;==============================================================================
 ; edge_addx_exact - the same, x by integer quotient and remainder
 ;
-; in:      a0  edge_plan*  both sides, their edges, the pixel steps
+; like:    edge_addx
 ; reads:   the plan, its edges
-; writes:  plan->lines[0 .. lines of one side - 1]
-; formats: as edge_addx
 ; error:   none, and x is the rational one on every line
-; cost:    bench row edge_addx_exact
 ;==============================================================================
         routine edge_addx_exact,a0
         edge_left addx,error_exact,edge_right_exact

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "chain.i"
 
 ;==============================================================================
@@ -14,7 +12,6 @@
 ;          pixels. Otherwise u at the first pixel, steps (u1 - u0) / (x1 - x0); on a
 ;          line under one pixel wide the steps are 0 and u is between u0 and u1.
 ; error:   steps are rounded up: less than 1/65536 a pixel; products are cut
-; cost:    bench row edge_ramp
 ;==============================================================================
 ; Rounds the quotient \1 up; d4 is its remainder.
 up      macro

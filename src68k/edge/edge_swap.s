@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "edge.i"
 
 ; \3 = \2 and its fraction \1 as one 16.16 number
@@ -12,9 +10,7 @@ joined  macro
 ;==============================================================================
 ; edge_swap - fills a scanline table by add and swap, for comparison
 ;
-; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; reads:   the plan, its edges except height
-; writes:  plan->lines[0 .. lines of one side - 1]
+; like:    edge_plain
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv; of error and part the upper 16 bits
 ; error:   none: the same numbers as edge_plain

@@ -1,7 +1,4 @@
-        include "routine.i"
-        include "layout.i"
         include "chain.i"
-        include "number.i"
         include "perspective.i"
 
 ; \1 = the step of u or v a pixel: the 64-bit gradient of the plane \2 (s or t) over q in d3,
@@ -45,7 +42,6 @@ step    macro
 ;          clamped to the plan's limits; its step ds / q.hi rounded up; 16.16
 ; error:   if q is the same all along the line: u a unit too low at the first pixel, a
 ;          unit higher at each other one
-; cost:    bench row level_lines
 ;==============================================================================
 ; Floors and ceilings seen by an upright camera are such polygons.
 

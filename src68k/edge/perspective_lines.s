@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "number.i"
         include "perspective.i"
 
 ; Adds 64 log2(\1) to d2, \1 above 0, by the table \2, which rounds up or down. Uses d0-d1/a2.
@@ -29,7 +26,6 @@ logarithm macro
 ;          left until the larger is in 2^30 to 2^31, divided by n: the first one's is at
 ;          least 1, the last one's even. enough: 2^(x / 64), by tables that round x up
 ; error:   u, v: a unit at the ends. A weight: n + 1 in 2^30
-; cost:    bench row perspective_lines
 ;==============================================================================
 ; A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| /
 ; 15.59 at most, and u''' is 6 du q0 q1 dq^2 / (n q^4) in weights of the ends. As a sum

@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "number.i"
         include "reciprocal_lines.i"
 
 ; On the stack: q at the line's first possible pixel, 64 C; lines left, lines not taken.
@@ -41,7 +38,6 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
-; cost:    bench row reciprocal_lines
 ;==============================================================================
         routine reciprocal_lines,a0
         save_all

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "chain.i"
 
 ; Cuts the lines of a table to the frame's columns. \1: the macro that moves the start of
@@ -78,7 +76,6 @@ start_addx macro
 ; reads:   the plan, left and last of its lines
 ; writes:  left and last of its lines
 ; formats: x with EDGE_BIAS, 0 to 32,769; of a line wholly outside last is below left
-; error:   none
 ; cost:    about 60 cycles a line
 ;==============================================================================
         routine scissor_flat,a0
@@ -100,9 +97,7 @@ start_addx macro
 ;==============================================================================
 ; scissor_plain - cuts a scanline table of the plain form to the frame's columns
 ;
-; in:      a0  scissor_plan*  the table, the frame's width, the gradients
-; reads:   the plan, its lines
-; writes:  its lines: the start follows the first pixel
+; like:    scissor_addx
 ; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = UU, start2 = VVvv
 ; error:   none: u, v as at the pixel on the uncut line
 ; cost:    about 60 cycles a line, 130 if its left end is cut

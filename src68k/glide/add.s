@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; glide_add - texels plus others
@@ -8,11 +7,7 @@
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others
 ;          d0  int32  count
-; reads:   both
-; writes:  the texels
 ; formats: the sum of each channel, 255 at most
-; error:   none
-; cost:    bench row glide_add
 ;==============================================================================
 ; Bits 0 to 6 of all channels are added at once. Bit 7's sum carries if both have it set, or if one
 ; has and the lower bits carry into it.

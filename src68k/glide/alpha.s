@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
@@ -9,11 +7,7 @@
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_alphas*  the alphas, the bits to invert
 ;          d0  int32  count
-; reads:   the texels, the alphas
-; writes:  the texels
 ; formats: R G B of the texels, A a byte of the alphas; then bits inverted
-; error:   none
-; cost:    bench row glide_alpha
 ;==============================================================================
         routine glide_alpha,a0,a1,a2,d0
         movem.l d2-d7/a2-a3,-(sp)

@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "n64.i"
         include "glide.i"
 
 ;==============================================================================
@@ -10,11 +7,7 @@
 ;          a1  uint32*  texels, R G B A
 ;          a2  const glide_decoded*  the level, with quads
 ;          d0  int32  count
-; reads:   the coordinates, the level, its quads
-; writes:  the texels
 ; formats: s:t, both 12.4 modulo 2^16; weights of 1/256, the sum cut to 8 bits
-; error:   none
-; cost:    bench row glide_bilinear
 ;==============================================================================
         routine glide_bilinear,a0,a1,a2,d0
         glide_filter n64_write,$00ff00ff

@@ -1,20 +1,14 @@
-        include "routine.i"
-        include "layout.i"
-        include "n64.i"
         include "glide.i"
 
 ;==============================================================================
 ; glide_bilinear_565 - texels by the bilinear filter into a 16-bit frame
 ;
+; like:    glide_bilinear
 ; in:      a0  const glide_coordinates*  coordinates
 ;          a1  uint16*  pixels, 5/6/5
 ;          a2  const glide_decoded*  the level, with quads
 ;          d0  int32  count
-; reads:   the coordinates, the level, its quads
-; writes:  the pixels
 ; formats: s:t, both 12.4 modulo 2^16; the texels of glide_bilinear, each channel's upper bits
-; error:   none
-; cost:    bench row glide_bilinear_565
 ;==============================================================================
 
 ; Writes the texel d2, R-B-, and d3, G-A-.

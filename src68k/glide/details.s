@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
@@ -9,12 +7,8 @@
 ;          a1  uint8*  factors
 ;          a2  const glide_nearness*  the LOD where they end, their growth
 ;          d0  int32  count
-; reads:   the LODs
-; writes:  the factors
 ; formats: LODs 8.8, none above end, none so far below it that the factor exceeds a byte; factor =
 ;          end - LOD, shifted right
-; error:   none
-; cost:    bench row glide_details
 ;==============================================================================
         routine glide_details,a0,a1,a2,d0
         movem.l d2-d3/d6-d7/a2,-(sp)

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "quotient.i"
 
 ;==============================================================================
@@ -9,12 +7,9 @@
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level
 ;          d0  int32  count
-; reads:   the iterators, the steps
-; writes:  the coordinates
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t: q = s * 2^30 / w rounded down, clamped to 32 bits, 0
 ;          if w is 0, or negative and behind is 1; (q >> shift) - half, clamped to 0 to last_s, or
 ;          modulo 2^16 if that is 0xffff
-; error:   none
 ; cost:    bench rows glide_divide, glide_divide_clamp, glide_divide_each
 ;==============================================================================
 ; One axis, then the other. With n = s * 2^(30 - shift) the coordinate is u = n / w rounded down; r

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; glide_interleave - a line from four arrays with every fourth texel each
@@ -8,11 +7,7 @@
 ;          a1  uint32*  texels
 ;          a2  const glide_quarters*  the bytes from one array to the next
 ;          d0  int32  count, of the line
-; reads:   the arrays
-; writes:  the texels
 ; formats: texels of 32 bits, unchanged
-; error:   none
-; cost:    bench row glide_interleave
 ;==============================================================================
         routine glide_interleave,a0,a1,a2,d0
         movem.l a2-a4,-(sp)

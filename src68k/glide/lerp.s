@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "n64.i"
         include "glide.i"
 
 ;==============================================================================
@@ -10,11 +7,7 @@
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others, the factors
 ;          d0  int32  count
-; reads:   both texels, the factors
-; writes:  the texels
 ; formats: factor m, inverted by flip, + one: texel + ((other - texel) * m >> 8)
-; error:   none
-; cost:    bench row glide_lerp
 ;==============================================================================
 ; Two channels in one product: neither overflows its word.
 

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; glide_lod - each pixel's level of detail, by its w
@@ -8,12 +7,9 @@
 ;          a1  uint16*  LODs
 ;          a2  const glide_lods*  the step of w, the polygon's LOD, limits, logarithms
 ;          d0  int32  count
-; reads:   w, the LODs, the logarithms
 ; writes:  the LODs: level in the upper byte, fraction in the lower one
 ; formats: w 2.30 modulo 2^32; LODs 8.8: lods of the pixel - 256 log2 |w|, the logarithm rounded
 ;          to the nearest, clamped to least to most; most if w is 0
-; error:   none
-; cost:    bench row glide_lod
 ;==============================================================================
 ; w is kept shifted so that bit 31 is set, its step likewise; a clear bit 31 needs a new shift.
 

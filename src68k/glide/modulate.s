@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "glide.i"
 
 ;==============================================================================
@@ -9,11 +7,7 @@
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others; flip
 ;          d0  int32  count
-; reads:   both
-; writes:  the texels
 ; formats: m = other, inverted by flip: texel * (m + 1) >> 8
-; error:   none
-; cost:    bench row glide_modulate
 ;==============================================================================
         routine glide_modulate,a0,a1,a2,d0
         glide_modulate_open

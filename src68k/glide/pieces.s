@@ -1,23 +1,18 @@
-        include "routine.i"
-        include "layout.i"
-        include "glide.i"
         include "pieces.i"
 
 ;==============================================================================
 ; glide_pieces - a level's coordinates with perspective, divided at the ends of pieces
 ;
+; like:    glide_divide
 ; in:      a0  const glide_iterators*  at the first pixel of the run's first piece
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level, the piece
 ;          d0  int32  count
-; reads:   the iterators, the steps
-; writes:  the coordinates
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t. Quotients of 32 bits, as glide_divide has them, at a
 ;          piece's first pixel and at the next piece's, or at the line's last one; from the first
 ;          on, pixel by pixel, their difference modulo 2^32 over the pixels between them, rounded
 ;          down; then (value >> shift) - half, clamped to 0 to last_s, or modulo 2^16 if that is
 ;          0xffff
-; error:   none
 ; cost:    bench rows glide_pieces, glide_pieces_16, glide_pieces_clamp, glide_pieces_small
 ;==============================================================================
 ; A piece ends where the next one begins, so each costs two quotients. Its pixels are stepped as in

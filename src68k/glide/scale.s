@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "glide.i"
 
 ;==============================================================================
@@ -9,11 +7,7 @@
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the factors; not the others
 ;          d0  int32  count
-; reads:   the texels, the factors
-; writes:  the texels
 ; formats: factor m, inverted by flip, + one: texel * m >> 8
-; error:   none
-; cost:    bench row glide_scale
 ;==============================================================================
 ; Also does local - local * factor: 256 - (m + 1) is m inverted, with 0 for one.
 

@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "span.i"
         include "glide.i"
 
 ;==============================================================================
@@ -10,10 +7,7 @@
 ;          a1  uint16*  pixels
 ;          a2  const glide_paging*  the page, their steps
 ;          d0  int32  count, 16,384 at most
-; reads:   s and t, the steps, the page
-; writes:  the pixels
 ; formats: s and t times 2^left are 8.24: column and row of the page, modulo 256
-; error:   none
 ; cost:    bench rows glide_tile_16, glide_bilinear_prefiltered_16
 ;==============================================================================
         routine glide_tile_16,a0,a1,a2,d0

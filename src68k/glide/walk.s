@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
@@ -9,10 +7,7 @@
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level
 ;          d0  int32  count
-; reads:   s and t, the steps
-; writes:  the coordinates
 ; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16
-; error:   none
 ; cost:    bench rows glide_walk, glide_walk_small
 ;==============================================================================
 ; From shift 17 on s and t have more than 16 fraction bits; the excess bits are in separate

@@ -1,19 +1,11 @@
-        include "routine.i"
-        include "layout.i"
         include "glide.i"
 
 ;==============================================================================
 ; glide_walk_clamp - a level's coordinates without perspective, clamped
 ;
-; in:      a0  const glide_iterators*  s and t at the first pixel
-;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  their steps, the level
-;          d0  int32  count
-; reads:   s and t, the steps
-; writes:  the coordinates
+; like:    glide_walk
 ; formats: 14.18 modulo 2^32 to s:t: (s >> shift) - half, clamped to 0 to last_s, or modulo 2^16
 ;          if that is 0xffff
-; error:   none
 ; cost:    bench rows glide_walk_clamp, glide_walk_inside
 ;==============================================================================
 ; A line with both ends inside needs no clamping.

@@ -7,11 +7,7 @@
 ;          a1  uint32*  texels, R G B and 0
 ;          a2  void*  not read
 ;          d0  int32  count
-; reads:   the pixels
-; writes:  the texels
 ; formats: each channel's upper bits are repeated below its bits
-; error:   none
-; cost:    bench row glide_widen_565
 ;==============================================================================
 ; Two pixels at a time, by aligned longwords.
 

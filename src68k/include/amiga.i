@@ -1,6 +1,8 @@
 ; Amiga system facts: library offsets, custom chip and CIA registers.
 ; Source: the public autodocs and the Hardware Reference Manual.
 
+        include "routine.i"
+
 ; exec.library, and where its base is read
 sys_base                equ     4
 _LVOFindResident        equ     -96

@@ -6,6 +6,8 @@
 ; One step is add.l S, addx.l Q, addx.w P: u's fraction carries into U, v's low
 ; fraction byte into Vv. The bytes marked -- catch U's overflow.
 
+        include "routine.i"
+
 ; Packs u (\1) and v (\2), both 16.16, into S (\1, lower word 0), Q (\3) and P (\2's
 ; lower word; its upper word is left over).
 pack_uv macro
@@ -85,6 +87,16 @@ ahead   macro
         move.l  \1,\2
         clr.\4   \2
         movea.l \2,\3
+        endm
+
+; For coordinates stepped by add and swap: d4 = uuVU of u (d0 = -Uuu) and v (d1 = Vvv-), which is
+; held 8 bits higher than u. \1: a register with $00ffffff. 10 bytes.
+join_uv macro
+        move.l  d1,d4
+        eor.l   d0,d4
+        and.l   \1,d4
+        eor.l   d1,d4                   ; VUuu
+        swap    d4
         endm
 
 ; Pixels of spans: d4 holds the map's page in its upper word, (a1)+ is the destination.

@@ -1,11 +1,13 @@
 ; Spans with dithered texture coordinates: (u, v) is offset by (x & 1, y & 1), the pixel's
-; position in the frame. Include after chain.i and span.i.
+; position in the frame.
 ;
 ; The offsets of (u, v) in eighths of a texel:
 ;       (2, 0)  (6, 2)          in even lines, for even x and for odd x
 ;       (0, 4)  (4, 6)          in odd lines
 ; Starts are 3/8 less than the pixels' own. So in all lines the step from a pixel with even x is
 ; (4, 2) more than without dithering, and from one with odd x (4, 2) less.
+
+        include "span.i"
 
 ; On the stack, for all lines: four longwords, the offsets as uu:Vv, in the order of 2 x + y.
 DITHER_LAST     equ     16+2            ; a word: odd if a round begins with the step of even x

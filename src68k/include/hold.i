@@ -1,5 +1,7 @@
 ; Keeping interpolants in their ranges, line by line.
 
+        include "routine.i"
+
 ; d7 = pixels of the longest line of the table a4 (d6 lines), less one. Goes to \1 if that
 ; is 0. Uses d0.
 longest_line macro

@@ -1,5 +1,7 @@
 ; Parts shared by the passes over a line's pixels (structs: c/n64/passes.h).
 
+        include "routine.i"
+
 ; Filters the texels of the d0 relative coordinates at a0 to a1, by the parts of n64_weights that
 ; the table \1 lists (see n64_threepoint). \2: the macro that writes a texel, \3: its value of d7.
 n64_filter macro

@@ -1,5 +1,7 @@
 ; Planes of q, s and t stepped from line to line (see c/span/perspective.h).
 
+        include "number.i"
+
 ; The planes at the line's first possible pixel, on the stack in this order.
 row_q   equ     0
 row_s   equ     8

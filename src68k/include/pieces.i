@@ -1,5 +1,7 @@
 ; Parts of glide_pieces: quotients, steps, coordinates. They use its registers and its stack.
 
+        include "glide.i"
+
 ; \1 = 2^30 * \1 / d3, s / w, rounded down; w is above 0. Goes to \2 if that does not fit 32 bits.
 ; In: d5 = 2 w, d4 = 30. Uses d2.
 quotient macro

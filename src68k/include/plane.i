@@ -1,5 +1,7 @@
 ; Gradients of a plane through three points, from two vectors.
 
+        include "routine.i"
+
 ; d7 = the divisor of the gradients, the upper 32 bits of the area d0:d7, which is not 0;
 ; d6 = the right shift that gives them, d5 = 32 - d6.
 divisor macro

@@ -1,6 +1,8 @@
 ; Parts of glide_divide: quotients by division, or by differences from the last one (see there for
 ; the letters). They use its registers and its stack.
 
+        include "routine.i"
+
 ; d5 = u - half and d6 = r from the magnitudes d5 = s and d4 = w; a6 has the quotient's sign. In:
 ; d7 = 30 - shift, d2 = w. Uses d4.
 quotient macro

@@ -1,5 +1,7 @@
 ; Parts of reciprocal_lines and logarithm_lines; they use their registers, labels and stack.
 
+        include "number.i"
+
 ; d3 = q of the line's first pixel, d7 pixels from the planes' own; d2 = q of its last, d6
 ; pixels further. Uses d0-d1/d4-d5/d7.
 ends_q  macro

@@ -9,6 +9,11 @@
 ; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6. If the third register is a2,
 ; the entry for C saves a2 and calls the other entry.
 
+        ifnd    ROUTINE_I
+ROUTINE_I equ   1
+
+        include "layout.i"
+
 routine macro
         section .text.\1,code
         cnop    0,4
@@ -50,3 +55,5 @@ return_all macro
         movem.l (sp)+,d2-d7/a2-a6
         rts
         endm
+
+        endc

@@ -2,6 +2,8 @@
 ; entered in their middle, and no loop around them. The code that reads a line follows
 ; the pixels, so each line runs into the next; both must fit the instruction cache.
 
+        include "chain.i"
+
 SHORT_KEPT reg  d2-d7/a2-a4/a6
 
 ; Takes the plan in a0; after it a3 is the pitch, a6 the row and d7 the number of

@@ -2,6 +2,8 @@
 ; around an unrolled loop over pixels that is entered in its middle. The loop must
 ; fit the instruction cache of 256 bytes.
 
+        include "chain.i"
+
 ; Takes the plan in a0; after it (sp) is the pitch and a6 the row.
 span_open macro
         save_all

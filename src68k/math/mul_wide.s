@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; mul_wide - a gradient times an offset

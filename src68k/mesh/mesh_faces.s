@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; mesh_faces - faces that are seen from the front and not wholly outside one border

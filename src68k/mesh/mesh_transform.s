@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; mesh_transform - camera and screen coordinates of a mesh's points

@@ -7,12 +7,8 @@
 ;          a1  n64_coordinates*  those of chroma; may be the same memory
 ;          a2  void*  not read
 ;          d0  int32  count
-; reads:   the coordinates
-; writes:  the coordinates
 ; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is halved,
 ;          plus another half in odd columns
-; error:   none
-; cost:    bench row n64_chroma
 ;==============================================================================
         routine n64_chroma,a0,a1,a2,d0
         movem.l d2-d3,-(sp)

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
@@ -9,11 +7,7 @@
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_yuv_conversion*  U and V, tables
 ;          d0  int32  count
-; reads:   the texels, U and V, the tables
-; writes:  the colours
 ; formats: 9 bits each of R, G, B and A = Y are the indices of the colours' channels
-; error:   none
-; cost:    bench row n64_convert
 ;==============================================================================
         routine n64_convert,a0,a1,a2,d0
         save_all

@@ -1,19 +1,14 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
 ; n64_convert_wide - YUV texels as inputs of the combiner
 ;
+; like:    n64_convert
 ; in:      a0  const uint32*  texels, Y the last byte
 ;          a1  n64_wide*  R, G, B, A = Y
 ;          a2  const n64_yuv_conversion*  U and V, tables
 ;          d0  int32  count
-; reads:   the texels, U and V, the tables
-; writes:  the numbers
 ; formats: 9 bits as the combiner takes them: -128 to 383
-; error:   none
-; cost:    bench row n64_convert_wide
 ;==============================================================================
         routine n64_convert_wide,a0,a1,a2,d0
         save_all

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
@@ -9,12 +7,8 @@
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_division*  their steps, the table of reciprocals
 ;          d0  int32  count
-; reads:   the iterators, the table
-; writes:  the coordinates
 ; formats: s15.16 modulo 2^32, their upper words divided; the results clamped to s10.5,
 ;          32,767 if w is not above 0
-; error:   none
-; cost:    bench row n64_divide
 ;==============================================================================
 ; s * 65536 * reciprocal: the upper half of the product is the quotient.
 

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
@@ -9,11 +7,9 @@
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_lod_steps*  their steps, gradients, tables, the other output
 ;          d0  int32  count
-; reads:   the iterators, the gradients, the tables
 ; writes:  the coordinates, a n64_blending of each pixel
 ; formats: coordinates as n64_divide; the gradients are cut to multiples of 2^5 in x and of
 ;          2^15 in y
-; error:   none
 ; cost:    bench rows n64_lod, n64_lod_apart
 ;==============================================================================
 ; Divides three points: the pixel's and those of its neighbours in x and in y. If the steps

@@ -7,10 +7,6 @@
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const uint8*  256 bytes for each of R, G, B, A
 ;          d0  int32  count
-; reads:   the texels, the tables
-; writes:  the texels
-; error:   none
-; cost:    bench row n64_map
 ;==============================================================================
 ; Replaces a combiner whose only input, apart from constants, is the texel.
 

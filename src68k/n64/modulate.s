@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; n64_modulate - texels times other colours
@@ -8,11 +7,7 @@
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const n64_modulation*  the other colours
 ;          d0  int32  count
-; reads:   both
-; writes:  the texels
 ; formats: texel * other + 128 >> 8, each channel: needs no clamping
-; error:   none
-; cost:    bench row n64_modulate
 ;==============================================================================
 
 ; Multiplies each byte x of d0's lower word by the same byte y of d1: \1's lower word =

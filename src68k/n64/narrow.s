@@ -7,11 +7,7 @@
 ;          a1  uint32*  texels, R G B A
 ;          a2  void*  not read
 ;          d0  int32  count
-; reads:   the results
-; writes:  the texels
 ; formats: -128 to 383, clamped to 0 to 255
-; error:   none
-; cost:    bench row n64_narrow
 ;==============================================================================
 
 ; The next number, clamped, in \1. d4 = 255.

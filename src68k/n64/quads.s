@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; n64_quads - makes the quads of the filters from texels and their neighbours
@@ -11,8 +10,6 @@
 ; reads:   count + 1 texels of both rows, each a step from the one before
 ; writes:  the quads, each a step from the one before, except their unused fields
 ; formats: channels of quads 8.8
-; error:   none
-; cost:    bench row n64_quads
 ;==============================================================================
 ; Two channels at a time, each times 8: 0cc0 0cc0. A quad's right texels are the next quad's
 ; left ones.

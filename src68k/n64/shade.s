@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; n64_shade - interpolated colours
@@ -8,11 +7,7 @@
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_shades*  their steps
 ;          d0  int32  count
-; reads:   both
-; writes:  the colours
 ; formats: 16.16 modulo 2^32, signed; the integers clamped to 0 to 255
-; error:   none
-; cost:    bench row n64_shade
 ;==============================================================================
 
 ; Shifts the integer of \1, clamped, into d5 and steps \1 by \2. Uses d4; d6 is 255.

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; n64_tile - coordinates relative to a tile
@@ -8,10 +7,7 @@
 ;          a1  n64_coordinates*  relative coordinates; may be the same memory
 ;          a2  const n64_axes*  the tile's axes
 ;          d0  int32  count
-; reads:   the coordinates, the axes
-; writes:  the relative coordinates
 ; formats: s:t, both s10.5; the results modulo 2^16
-; error:   none
 ; cost:    bench rows n64_tile, n64_tile_plain
 ;==============================================================================
 ; One axis at a time, by a loop that does only what the axis needs.

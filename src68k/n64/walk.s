@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
 ;==============================================================================
@@ -9,11 +7,7 @@
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_iterators*  their steps
 ;          d0  int32  count
-; reads:   s and t
-; writes:  the coordinates
 ; formats: s15.16 modulo 2^32 to s:t, the upper words
-; error:   none
-; cost:    bench row n64_walk
 ;==============================================================================
         routine n64_walk,a0,a1,a2,d0
         movem.l d2-d7,-(sp)

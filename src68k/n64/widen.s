@@ -7,11 +7,7 @@
 ;          a1  n64_wide*  the same
 ;          a2  void*  not read
 ;          d0  int32  count
-; reads:   the texels
-; writes:  the numbers
 ; formats: 0 to 255
-; error:   none
-; cost:    bench row n64_widen
 ;==============================================================================
         routine n64_widen,a0,a1,a2,d0
         movem.l d2-d4,-(sp)

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; edge_exact - an edge by integer quotient and remainder, from any of its lines on

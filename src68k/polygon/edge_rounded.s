@@ -1,16 +1,9 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; edge_rounded - an edge in 16.16, from any of its lines on
 ;
-; in:      a0  edge*    the edge to fill in
-;          a1  vertex*  upper end, 16.16
-;          a2  vertex*  lower end, below the upper one
-;          d1  int32    line, between the two
-; trashes: d0-d7
-; reads:   x, y of both ends
-; writes:  edge: x, whole, error, part, height
+; like:    edge_exact
 ; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 if the edge has one line
 ;          only; x = x0 + W * prestep / H, to the nearest 1/65536, at the given line,
 ;          prestep being the distance down to it; whole and part are the slope's halves,

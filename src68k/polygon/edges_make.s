@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
         xref    edge_exact
         xref    edge_rounded

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "plane.i"
 
 ; Adds the gradient d1:d2 times the offset \1(a5), cut to 48.16, to the value \2. Uses d0-d4.

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; d0:d1 = the plane \1 of the plan a5, d6 pixels right of its own pixel and d7 below.
 ; Uses d2-d3.

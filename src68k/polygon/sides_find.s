@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; Goes to .far if \1 is not in -POLYGON_FAR to POLYGON_FAR: the upper two bits
 ; of such a 16.16 number differ. Uses d0.
@@ -20,7 +19,6 @@ in_range macro
 ; reads:   x, y, s, t of the vertices
 ; writes:  *sides; not all of it if the polygon is refused
 ; formats: 16.16; area 32.32, below 2^63
-; error:   none
 ; cost:    about 1,000 cycles for a triangle, with a cold cache
 ;==============================================================================
         routine sides_find,a0,a1,d0

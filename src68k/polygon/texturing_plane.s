@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "plane.i"
 
         xref    texturing_wrap

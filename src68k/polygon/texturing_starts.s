@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; Finds \1 (u or v) and its step where the edge begins: d2, d3 = its distance from pixel
 ; (i, j), d4 = whole pixels a line. Uses d0-d1/d5.
@@ -28,7 +27,6 @@ start   macro
 ; formats: 16.16 modulo 2^32; with x, y counted from pixel (i, j):
 ;          u + x dudx + y dudy at the first pixel of line top, and
 ;          du = dudy + whole dudx
-; error:   none
 ; cost:    about 300 cycles an edge, plus 60; with a cold cache 500 for one
 ;==============================================================================
         routine texturing_starts,a0,a1,d0

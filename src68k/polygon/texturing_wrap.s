@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; \4 = travel of v by step \1 over half the box, from \2 to \3, 8.8, rounded up; a
 ; step of 256 texels or more goes to .may_wrap. d4 = 0 after it.

@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
 ;==============================================================================
@@ -13,7 +10,6 @@
 ;          a span, it may do so once, and the lowest bit of u must be free: dudx
 ;          even, u's own bit 0, or 1 if dvdx is negative
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
-; cost:    bench row affine_addx
 ;==============================================================================
 ; One circular carry chain over two registers:
 ;       B  uuVv   u's fraction, V, the upper byte of v's fraction

@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
 ;==============================================================================
@@ -13,7 +10,6 @@
 ;          modulo 256, as -128 to 127.99: v moves 64,000 texels a line at most. dudx
 ;          is 0 modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u), floor(v + n dvdx))
-; cost:    bench row affine_column
 ;==============================================================================
 ; v alone, in a chain of one register: v-Vv, with the spare byte and the borrow of pack_alone.
 

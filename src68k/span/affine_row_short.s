@@ -1,17 +1,10 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
 ;==============================================================================
 ; span_affine_row_short - span_affine_row for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the step dudx
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_row
 ; formats: as span_affine_row; a line has SHORT_AFFINE_ROW pixels at most
-; error:   none, as span_affine_row
-; cost:    bench row affine_row_short
 ;==============================================================================
 
         routine span_affine_row_short,a0

@@ -1,17 +1,10 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
 ;==============================================================================
 ; span_affine_short - span_affine_addx for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_addx
 ; formats: as span_affine_addx; a line has SHORT_AFFINE pixels at most
-; error:   none, as span_affine_addx
-; cost:    bench row affine_short
 ;==============================================================================
 
         routine span_affine_short,a0

@@ -1,17 +1,11 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
-        include "swap.i"
 
 ;==============================================================================
 ; span_affine_swap - draws a scanline table from a 256x256 map, by add and swap
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
+; like:    span_affine_addx
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map
-; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels
-; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
-; cost:    bench row affine_swap
 ;==============================================================================
 ; The best form found without addx: v is held 8 bits higher, so that V is above U once
 ; u's lower bytes have replaced v's, and one swap makes both an index.

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
 ; The carry chain of span_tiled with 13 fraction bits and an index of up to 18 bits
@@ -151,11 +149,9 @@ columns_18_\1:
 ;==============================================================================
 ; span_columns_16 - the same from 16-bit texels to a 16-bit frame
 ;
-; in:      a0  span_plan*  the table, the frame, the map, its layout, the steps
+; like:    span_columns
 ; reads:   as span_columns; plan->row is 2 EDGE_BIAS bytes before its first pixel
-; writes:  the pixels of the lines, nothing else
-; formats: as span_columns
-; error:   as span_columns
+; formats: as span_columns, with 16-bit texels and pixels
 ; cost:    bench row columns_16; maps of more than 65,536 texels 2 cycles a pixel more
 ;          (frame and map in chip RAM 8)
 ;==============================================================================

@@ -1,7 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
-        include "span.i"
         include "dither.i"
 
 ;==============================================================================
@@ -14,7 +10,6 @@
 ;          and pixels. With y the plan's odd plus the line's number, u is moved by
 ;          (4 (x & 1) - 2 (y & 1) - 1) / 8, v by (2 (x & 1) + 4 (y & 1) - 3) / 8 texel
 ; error:   none: pixel n shows texel (floor(u + n dudx + move), floor(v + n dvdx + move))
-; cost:    bench row dithered
 ;==============================================================================
 ; The four points are the corners of a square, turned so that they divide each axis of a texel
 ; evenly. Their mean over 2x2 pixels approximates that of the bilinear filter, which is over all

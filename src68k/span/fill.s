@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
 ;==============================================================================
@@ -9,8 +7,6 @@
 ; reads:   the plan, left and last of its lines
 ; writes:  the pixels of the lines, nothing else
 ; formats: 8-bit chunky pixels
-; error:   none
-; cost:    bench row fill
 ;==============================================================================
 ; Short spans by bytes; long ones by a byte and a word up to a longword boundary,
 ; longwords 16 at a time, and a word and a byte at the end.

@@ -1,16 +1,10 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
 ;==============================================================================
 ; span_fill_16 - draws a scanline table in one colour of two bytes
 ;
-; in:      a0  span_plan*  the table, the frame, the colour
-; reads:   the plan, left and last of its lines
-; writes:  the pixels of the lines, nothing else
+; like:    span_fill
 ; formats: 16-bit pixels at even addresses; the colour in the plan's lower word
-; error:   none
-; cost:    bench row fill_16
 ;==============================================================================
 ; One pixel up to a longword boundary, longwords 16 at a time, one pixel at the end.
 

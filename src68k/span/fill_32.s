@@ -1,16 +1,10 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
 ;==============================================================================
 ; span_fill_32 - draws a scanline table in one colour of four bytes
 ;
-; in:      a0  span_plan*  the table, the frame, the colour
-; reads:   the plan, left and last of its lines
-; writes:  the pixels of the lines, nothing else
+; like:    span_fill
 ; formats: 32-bit pixels at multiples of 4
-; error:   none
-; cost:    bench row fill_32
 ;==============================================================================
 
         routine span_fill_32,a0

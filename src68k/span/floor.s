@@ -32,8 +32,6 @@ copy    macro
 ; out:     d0  uint8   the byte
 ; trashes: d7
 ; reads:   the byte
-; error:   none
-; cost:    bench row floor_fetch
 ;==============================================================================
         routine floor_fetch
         accesses fetch
@@ -47,8 +45,6 @@ copy    macro
 ; out:     a1  uint8*  after the last byte
 ; trashes: d7
 ; writes:  16 bytes a round
-; error:   none
-; cost:    bench row floor_store
 ;==============================================================================
         routine floor_store
         accesses store
@@ -63,8 +59,6 @@ copy    macro
 ; trashes: d7
 ; reads:   the byte
 ; writes:  16 bytes a round
-; error:   none
-; cost:    bench row floor_copy
 ;==============================================================================
         routine floor_copy
         accesses copy

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
         include "amiga.i"
 

@@ -1,4 +1,3 @@
-        include "routine.i"
         include "amiga.i"
 
 ;==============================================================================
@@ -10,7 +9,6 @@
 ; trashes: d1-d7/a0-a6
 ; reads:   the code, as does the code itself
 ; writes:  as the code does
-; error:   none
 ; cost:    bench row instruction_none, whose code is a dbra
 ;==============================================================================
 ; The code has just been copied there, so the cache is cleared first.

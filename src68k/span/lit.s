@@ -1,16 +1,12 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
 ;==============================================================================
 ; span_lit - span_affine_addx through one row of a light table
 ;
+; like:    span_affine_addx
 ; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
 ;          256 bytes at light, a multiple of 256
-; writes:  the pixels of the lines, nothing else
-; formats: as span_affine_addx
 ; error:   none: pixel n shows light[texel (floor(u + n dudx), floor(v + n dvdx))]
 ; cost:    bench row affine_lit
 ;==============================================================================

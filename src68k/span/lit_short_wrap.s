@@ -1,17 +1,10 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
 ;==============================================================================
 ; span_lit_short_wrap - span_lit_wrap for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
-;          256 bytes at light, a multiple of 256
-; writes:  the pixels of the lines, nothing else
+; like:    span_lit_wrap
 ; formats: as span_lit_wrap; a line has SHORT_LIT_WRAP pixels at most
-; error:   none, as span_lit_wrap
 ; cost:    bench row affine_lit_short_wrap
 ;==============================================================================
 

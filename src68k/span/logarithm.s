@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ;==============================================================================
 ; span_logarithm - draws lines with perspective, each pixel by logarithms

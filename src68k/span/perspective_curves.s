@@ -1,6 +1,4 @@
-        include "routine.i"
-        include "layout.i"
-        include "swap.i"
+        include "chain.i"
 
 ; On the stack.
 now_u   equ     0                       ; of the next pixel, 16.16

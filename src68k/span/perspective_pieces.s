@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
 ; On the stack.

@@ -1,19 +1,13 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
 ;==============================================================================
 ; span_tiled - draws a scanline table from a 256x256 map in tiles of 8x8
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_swap
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels; the map at a
 ;          multiple of 65,536, texel (u, v) at 2048 (u/8) + 8 v + u%8
 ; error:   pixel n shows texel (floor(u + n dudx), floor((v2 + n dv2) / 32768)),
 ;          where v2 = floor(v / 2), dv2 = floor(dvdx / 2)
-; cost:    bench row tiled
 ;==============================================================================
 
 ; The circular carry chain of span_affine_addx, its integers where the index has

@@ -1,6 +1,5 @@
 """The contract parser, tested with broken blocks and with the real tree."""
 
-import json
 import re
 
 import pytest
@@ -35,7 +34,7 @@ def parse(tmp_path):
     def run(text):
         path = tmp_path / "scale.s"
         path.write_text(text)
-        return contracts.parse(path)
+        return contracts.complete(contracts.read(path))
     return run
 
 
@@ -60,7 +59,7 @@ def test_good_block(parse):
     assert contract.formats == "16.16 x = a / b"
     assert contract.error == "none: exact"
     assert contract.cost == "about 50 cycles"
-    assert contract.is_routine
+    assert contract.registers == ("d0", "a1")
 
 
 def test_nothing_in_nothing_trashed(parse):
@@ -78,6 +77,38 @@ def test_fields_may_be_left_out(parse):
     contract, = parse(source("        routine scale\n", **dict.fromkeys(FIELDS)))
     assert contract.inputs == contract.outputs == () and contract.trashes == {"d0", "d1", "a0", "a1"}
     assert contract.reads == contract.writes == contract.formats == contract.error == contract.cost == ""
+
+
+def test_a_range_is_an_argument_in_each_register(parse):
+    contract, = parse(source("scale:  rts\n", **{"in": "d3-d5  int32  step", "out": None}))
+    assert contract.inputs == tuple((register, "int32", "step") for register in ("d3", "d4", "d5"))
+
+
+def test_like_another_routine(parse):
+    """Fields that a block does not give are the other routine's, except its cost."""
+    text = source("        routine grow,d0,a1\n", "grow - grows a plan",
+                  **dict.fromkeys(FIELDS) | {"error": "a unit"})
+    text = text.replace(";\n; error", ";\n; like:    scale\n; error") + source()
+    grow, scale = parse(text)
+    for field in set(contracts.INHERITED) - {"error"}:
+        assert getattr(grow, field) == getattr(scale, field) != ""
+    assert (grow.error, grow.cost) == ("a unit", "")
+    for wrong in ("shrink", "grow"):
+        assert f"no other routine {wrong}" in complaint(parse, text.replace("like:    scale",
+                                                                            f"like:    {wrong}"))
+    assert "field 'error' says nothing" in complaint(parse, text.replace("a unit", "none: exact"))
+
+
+def test_defaults_of_a_kernel(tmp_path):
+    """A kernel without error or cost has no error and the bench row of its name."""
+    path = tmp_path / "span" / "scale.s"
+    path.parent.mkdir()
+    path.write_text(source(error=None, cost=None).replace("scale", "span_scale"))
+    contract, = contracts.complete(contracts.read(path))
+    assert (contract.error, contract.cost) == ("none", "bench row scale")
+    path.write_text(path.read_text().replace("x = a / b\n", "x = a / b\n; error:   none\n"))
+    with pytest.raises(UserError, match="field 'error' says nothing"):
+        contracts.complete(contracts.read(path))
 
 
 @pytest.mark.parametrize("field", sorted(FIELDS.keys() - {"trashes"}))
@@ -128,7 +159,7 @@ def test_registers_of_macro_and_block_differ(parse):
 
 def test_assembly_only_routine(parse):
     """Arguments that C cannot pass: the macro then names no register at all."""
-    assert parse(source("        routine scale\n        rts\n"))[0].is_routine
+    assert parse(source("        routine scale\n        rts\n"))[0].registers == ()
 
 
 @pytest.mark.parametrize("code, name", [
@@ -153,7 +184,7 @@ def test_routine_without_block(parse, code, name):
 ])
 def test_no_block_needed(parse, code):
     contract, = parse(source(code))
-    assert not contract.is_routine
+    assert contract.registers is None
 
 
 def test_block_without_routine(parse):
@@ -170,10 +201,6 @@ def test_files_written(tmp_path):
         (tree / room).mkdir(parents=True)
         (tree / room / "scale.s").write_text(source().replace("scale", f"{room}_scale"))
     contracts.main(str(tree), str(out))
-    rows = json.loads((out / "contracts.json").read_text())
-    assert [row["name"] for row in rows] == ["amiga_scale", "span_scale"]
-    assert rows[0]["trashes"] == ["a1", "d0", "d1", "d2"]
-    assert rows[0]["inputs"][0] == {"register": "d0", "type": "int32", "meaning": "a"}
     table = (out / "kernel_table.s").read_text()
     assert "span_scale" in table and "amiga_scale" not in table and "dc.l    0,0" in table
 

@@ -3,32 +3,39 @@
     ;==============================================================================
     ; name - summary
     ;
-    ; in:      d0  int32  meaning
+    ; like:    another routine, whose fields count where this block has none
+    ; in:      d0  int32  meaning; d0-d2: one of this type in each
     ; out:     d0  fix16  meaning
     ; trashes: d0-d2/a1, everything, or - for nothing
     ; reads: writes: formats: error: cost:    free text
     ;==============================================================================
 
 Fields are in this order. A longer one continues on indented lines; an empty one is left out.
-Without ``trashes`` a routine may change the registers that C allows, TRASHED.
+Without ``trashes`` a routine may change the registers that C allows, TRASHED. Without ``error`` a
+kernel has none. Without ``reads`` or ``writes`` it reads what its pointers to const point to or
+writes what its others do. ``cost`` is no other routine's: without it, it is the bench row of a
+kernel's own name, which has no "span_".
 A routine begins with the ``routine`` macro or with an exported label of a code section. Other
 labels that a documented routine runs into are entries of that routine. The entry ``start`` of a
 command may be documented under the command's name.
 
-``python -m tmap.build.contracts SRC OUT`` writes OUT/contracts.json and
-OUT/kernel_table.s: names and addresses of all kernels, for the program bench.
+``python -m tmap.build.contracts SRC OUT`` writes OUT/kernel_table.s: names and addresses of all
+kernels, for the program bench.
 """
 
-import json
 import re
 import sys
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
 from tmap.base.errors import UserError
 
-FIELDS = ("in", "out", "trashes", "reads", "writes", "formats", "error", "cost")
+FIELDS = ("like", "in", "out", "trashes", "reads", "writes", "formats", "error", "cost")
+#: Attributes that another routine's block gives to one that is like it.
+INHERITED = ("inputs", "outputs", "trashes", "reads", "writes", "formats", "error")
+#: Attributes of Contract with other names than their fields.
+ATTRIBUTES = {"in": "inputs", "out": "outputs"}
 TRASHED = "d0-d1/a0-a1"
 REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
 #: Folders whose routines are kernels: called one by one by the program bench.
@@ -59,7 +66,11 @@ class Argument(NamedTuple):
 
 @dataclass(frozen=True)
 class Contract:
-    """One routine's block; the text of a missing field is ""."""
+    """One routine's block; the text of a missing field is "".
+
+    ``missing``: attributes that the block does not give. ``registers``: those to which the
+    ``routine`` macro moves C's arguments, None if the routine is not entered through it.
+    """
 
     name: str
     file: str
@@ -73,7 +84,9 @@ class Contract:
     formats: str
     error: str
     cost: str
-    is_routine: bool = False  # entered through the macro, so callable from C too
+    like: str = ""
+    missing: frozenset[str] = frozenset()
+    registers: tuple[str, ...] | None = None
 
 
 class Statement(NamedTuple):
@@ -102,6 +115,11 @@ def is_register(text: str) -> bool:
         part in REGISTERS for part in text.split(":"))
 
 
+def each_register(text: str) -> list[str]:
+    """Returns what an argument's entry names: its register or pair, or all of a range d0-d2."""
+    return sorted(expand(text)) if re.fullmatch(r"\w\d-\w\d", text) else [text]
+
+
 def expand(text: str) -> frozenset[str]:
     """Returns the registers of a list such as "d0-d2/a0"; a ValueError names a wrong part."""
     if text == "-":
@@ -123,23 +141,24 @@ def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
 
     A line at the first one's column begins an argument; a deeper one continues it.
     """
-    if not lines:
-        return ()
-    column = len(lines[0]) - len(lines[0].lstrip())
-    arguments: list[Argument] = []
+    column = min((len(line) - len(line.lstrip()) for line in lines[:1]), default=0)
+    entries: list[str] = []
     for line in lines:
-        if len(line) - len(line.lstrip()) > column and arguments:
-            last = arguments[-1]
-            arguments[-1] = last._replace(meaning=f"{last.meaning} {line.strip()}")
-            continue
-        register, *rest = re.split(r"\s{2,}", line.strip(), maxsplit=2)
-        if not is_register(register):
-            raise ValueError(f"{register!r} is no register")
-        if register == "sp" and len(rest) == 1:  # a stack frame has no C type
+        if len(line) - len(line.lstrip()) > column and entries:
+            entries[-1] += f" {line.strip()}"
+        else:
+            entries.append(line.strip())
+    arguments: list[Argument] = []
+    for entry in entries:
+        name, *rest = re.split(r"\s{2,}", entry, maxsplit=2)
+        registers = each_register(name)
+        if not all(is_register(register) for register in registers):
+            raise ValueError(f"{name!r} is no register")
+        if name == "sp" and len(rest) == 1:  # a stack frame has no C type
             rest.insert(0, "")
         if len(rest) != 2:
-            raise ValueError(f"{register} needs a C type and a meaning, two blanks between them")
-        arguments.append(Argument(register, *rest))
+            raise ValueError(f"{name} needs a C type and a meaning, two blanks between them")
+        arguments += [Argument(register, *rest) for register in registers]
     return tuple(arguments)
 
 
@@ -188,7 +207,8 @@ def parse_block(file: str, first: int, lines: list[str]) -> Contract:
     return Contract(
         name, file, first, text(summary), read("in", parse_arguments),
         read("out", parse_arguments), read("trashes", lambda c: expand(text(c) or TRASHED)),
-        *(read(field, text) for field in FIELDS[3:]))
+        *(read(field, text) for field in FIELDS[4:]), like=read("like", text),
+        missing=frozenset(ATTRIBUTES.get(field, field) for field in FIELDS if field not in fields))
 
 
 def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
@@ -250,9 +270,9 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
     return entries
 
 
-def parse(path: Path | str) -> list[Contract]:
-    """Returns the contracts of a source file, in its order. Raises UserError if one is wrong,
-    a routine has none, or one has no routine."""
+def read(path: Path | str) -> list[Contract]:
+    """Returns the contracts of a source file, in its order, as they are written. Raises UserError
+    if one is wrong, a routine has none, or one has no routine."""
     file = str(path)
     lines = Path(path).read_text(encoding="utf-8").splitlines()
     blocks = find_blocks(file, lines)
@@ -265,9 +285,7 @@ def parse(path: Path | str) -> list[Contract]:
         if name in blocks and name not in described:
             is_documented = True
             described.add(name)
-            if entry.registers is not None:
-                check_registers(file, entry, blocks[name])
-                blocks[name] = replace(blocks[name], is_routine=True)
+            blocks[name] = replace(blocks[name], registers=entry.registers)
         elif not (is_documented and entry.is_reached):
             is_documented = False
             if entry.is_exported:
@@ -278,27 +296,60 @@ def parse(path: Path | str) -> list[Contract]:
     return list(blocks.values())
 
 
-def check_registers(file: str, entry: Entry, block: Contract) -> None:
+def complete(contracts: list[Contract]) -> list[Contract]:
+    """Returns the contracts with the fields that they take from others and with the defaults, which
+    no block may repeat, and checks them."""
+    named = {c.name: c for c in contracts}
+    done: dict[str, Contract] = {}
+
+    def completed(c: Contract, above: tuple[str, ...] = ()) -> Contract:
+        if c.name in done:
+            return done[c.name]
+        given: dict[str, object] = {}
+        if is_kernel(c):
+            given = {"error": "none", "cost": f"bench row {c.name.removeprefix('span_')}"}
+        if c.like:
+            if c.like not in named or c.like in (*above, c.name):
+                raise UserError(f"{c.file}:{c.line}: {c.name}: like: no other routine {c.like}")
+            base = completed(named[c.like], (*above, c.name))
+            given |= {field: getattr(base, field) for field in INHERITED}
+        for field in given.keys() - c.missing:
+            if getattr(c, field) == given[field]:
+                raise UserError(f"{c.file}:{c.line}: {c.name}: field {field!r} says nothing: "
+                                "leave it out")
+        found = replace(c, **{field: given[field] for field in given.keys() & c.missing})
+        done[c.name] = found
+        check_registers(found)
+        return found
+
+    return [completed(c) for c in contracts]
+
+
+def check_registers(block: Contract) -> None:
     """Checks that C's arguments go to the registers that the block lists, in its order.
 
     A routine whose block lists arguments but whose macro has no registers is for assembly only.
     """
     stated = tuple(r for argument in block.inputs for r in argument.register.split(":"))
-    if entry.registers and entry.registers != stated:
-        raise UserError(f"{file}:{entry.line}: {entry.name} takes {', '.join(entry.registers)} "
-                        f"from C, its block says in: {', '.join(stated) or '-'}")
+    if block.registers and block.registers != stated:
+        raise UserError(f"{block.file}:{block.line}: {block.name} takes "
+                        f"{', '.join(block.registers)} from C, its block says in: "
+                        f"{', '.join(stated) or '-'}")
+
+
+def is_kernel(block: Contract) -> bool:
+    """Returns true if the program bench calls the routine."""
+    return block.registers is not None and Path(block.file).parent.name in KERNELS
 
 
 def all_contracts(root: Path | str) -> list[Contract]:
     """Returns the contracts of all source files under ``root``, by file name."""
-    return [c for path in sorted(Path(root).rglob("*.s")) for c in parse(path)]
+    return complete([c for path in sorted(Path(root).rglob("*.s")) for c in read(path)])
 
 
-def kernels(root: Path | str, contracts: list[Contract] | None = None) -> list[Contract]:
-    """Returns the contracts of the kernels under ``root``, which the program bench calls.
-    ``contracts``: those of the whole tree, if they have been read."""
-    return [c for c in contracts or all_contracts(root)
-            if c.is_routine and Path(c.file).relative_to(root).parts[0] in KERNELS]
+def kernels(root: Path | str) -> list[Contract]:
+    """Returns the contracts of the kernels under ``root``, which the program bench calls."""
+    return [c for c in all_contracts(root) if is_kernel(c)]
 
 
 def kernel_table(contracts: list[Contract]) -> str:
@@ -313,20 +364,10 @@ def kernel_table(contracts: list[Contract]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def as_json(contracts: list[Contract]) -> str:
-    """Returns all contracts as a JSON list of objects, registers as sorted lists."""
-    rows = [asdict(c) | {"trashes": sorted(c.trashes),
-                         "inputs": [a._asdict() for a in c.inputs],
-                         "outputs": [a._asdict() for a in c.outputs]} for c in contracts]
-    return json.dumps(rows, indent=1) + "\n"
-
-
 def main(source: str, out: str) -> None:
-    """Checks the tree ``source`` and writes both files into ``out``."""
+    """Checks the tree ``source`` and writes the table into ``out``."""
     Path(out).mkdir(parents=True, exist_ok=True)
-    contracts = all_contracts(source)
-    (Path(out) / "contracts.json").write_text(as_json(contracts))
-    (Path(out) / "kernel_table.s").write_text(kernel_table(kernels(source, contracts)))
+    (Path(out) / "kernel_table.s").write_text(kernel_table(kernels(source)))
 
 
 if __name__ == "__main__":
