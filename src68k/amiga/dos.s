@@ -3,10 +3,8 @@
 
         include "amiga.i"
 
-        xref    dos_base
-        xref    no_arguments
-        xdef    file_close_all
-        xdef    read_args
+        xref    dos_base,no_arguments
+        xdef    file_close_all,read_args
 
 FILES                   equ     8
 

@@ -4,13 +4,8 @@
 
         include "amiga.i"
 
-        xdef    fault_handler
-        xdef    fault_enter
-        xdef    fault_number
-        xref    start
-        xref    program_end
-        xref    quiet_leave
-        xref    _print
+        xdef    fault_handler,fault_enter,fault_number
+        xref    start,program_end,quiet_leave,_print
 
 ;==============================================================================
 ; fault_handler - the task's trap code: notes the fault, resumes at the report

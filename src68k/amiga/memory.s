@@ -2,11 +2,7 @@
 
         include "memory.i"
 
-        xdef    mem_cleared
-        xdef    mem_uncleared
-        xdef    mem_blocks
-        xdef    mem_aside
-        xdef    mem_aside_bytes
+        xdef    mem_cleared,mem_uncleared,mem_blocks,mem_aside,mem_aside_bytes
 
 ;==============================================================================
 ; mem_alloc - allocates cleared memory, freed at the program's end

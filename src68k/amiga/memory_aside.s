@@ -2,11 +2,7 @@
 
         include "routine.i"
 
-        xref    mem_largest
-        xref    mem_needed
-        xref    mem_uncleared
-        xref    mem_aside
-        xref    mem_aside_bytes
+        xref    mem_largest,mem_needed,mem_uncleared,mem_aside,mem_aside_bytes
 
 ALIGN                   equ     8       ; of allocations, as exec's
 

@@ -2,8 +2,7 @@
 
         include "memory.i"
 
-        xref    mem_aside_bytes
-        xref    mem_blocks
+        xref    mem_aside_bytes,mem_blocks
         xdef    mem_free_all
 
 ;==============================================================================

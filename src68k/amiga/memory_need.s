@@ -2,10 +2,7 @@
 
         include "routine.i"
 
-        xref    mem_cleared
-        xref    _print
-        xref    program_end
-        xref    quiet_leave
+        xref    mem_cleared,_print,program_end,quiet_leave
         xdef    mem_needed
 
 ;==============================================================================

@@ -3,11 +3,8 @@
 
         include "amiga.i"
 
-        xdef    quiet_leave
-        xdef    quiet
-        xref    ciab_base
-        xref    fault_number
-        xref    fault_enter
+        xdef    quiet_leave,quiet
+        xref    ciab_base,fault_number,fault_enter
 
 FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
 VECTOR_LEVEL_6          equ     $78

@@ -3,18 +3,8 @@
 
         include "amiga.i"
 
-        xdef    start
-        xdef    program_begin
-        xdef    program_end
-        xdef    dos_base
-        xdef    ends_call
-        xref    _main
-        xref    print
-        xref    fault_handler
-        xref    workbench
-        xref    quiet_leave
-        xref    clock_close
-        xref    file_close_all
+        xdef    start,program_begin,program_end,dos_base,ends_call
+        xref    _main,print,fault_handler,workbench,quiet_leave,clock_close,file_close_all
         xref    mem_free_all
 
 DOS_VERSION             equ     36      ; Kickstart 2.0: ReadArgs, RunCommand

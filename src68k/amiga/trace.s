@@ -3,11 +3,7 @@
 
         include "amiga.i"
 
-        xref    _main
-        xref    _file_save
-        xref    clock_start
-        xref    start
-        xref    quiet
+        xref    _main,_file_save,clock_start,start,quiet
 
 TRACE_WORDS             equ     131072  ; of code: 256 KB
 TRACE_LIMIT             equ     65535   ; in units of 92 ms: the timer's maximum

@@ -3,12 +3,8 @@
 
         include "amiga.i"
 
-        xdef    workbench
-        xdef    no_arguments
-        xref    at_end
-        xref    dos_base
-        xref    read_args
-        xref    program_begin
+        xdef    workbench,no_arguments
+        xref    at_end,dos_base,read_args,program_begin
 
 DELAY                   equ     250     ; fiftieths of a second
 

@@ -1,7 +1,6 @@
         include "edge.i"
 
-        xref    edge_right
-        xref    edge_right_exact
+        xref    edge_right,edge_right_exact
 
 addx_steps macro
         pack_uv d0,d5,d4

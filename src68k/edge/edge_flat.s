@@ -1,7 +1,6 @@
         include "edge.i"
 
-        xref    edge_right
-        xref    edge_right_exact
+        xref    edge_right,edge_right_exact
 
 ; \1: the macro that steps x; \2: the routine for the right side.
 steps   macro

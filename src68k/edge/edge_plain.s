@@ -1,7 +1,6 @@
         include "edge.i"
 
-        xref    edge_right
-        xref    edge_right_exact
+        xref    edge_right,edge_right_exact
 
 ; Splits the 16.16 number \1 into its integer (\1's lower word) and \2 = uu--.
 fraction macro

@@ -12,18 +12,14 @@ step    macro
         addq.l  #1,d0
 .rounded\@
         move.l  d0,d2
-        bpl.s   .positive\@
-        not.l   d2
-.positive\@
+        minus   <not.l d2>
         add.l   d2,d2
         cmp.l   d3,d2
         bhs.s   .none\@                 ; more than the map: the line has a pixel or two
         divs.l  d3,d0:d1
         bvs.s   .none\@
         tst.l   d0
-        bpl.s   .floor\@
-        subq.l  #1,d1
-.floor\@
+        minus   <subq.l #1,d1>
         move.l  d1,\1
         bra.s   .made\@
 .none\@ clr.l   \1

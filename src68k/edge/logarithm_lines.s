@@ -159,10 +159,7 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
         move.l  (a5)+,d2
         tst.l   d0
         smi     d6
-        bpl.s   .positive
-        neg.l   d1
-        negx.l  d0
-.positive
+        minus   <neg.l d1>,<negx.l d0>
         bfffo   d0{0:32},d7
         beq.s   .none
         moveq   #32,d3

@@ -112,21 +112,17 @@ logarithm macro
 
         ; d3 the first end's share, d4 dv, a5 du, d6 dweight, d7 n
 .curves move.l  a5,d5
-        bpl.s   .du
-        neg.l   d5
-.du     tst.l   d4
-        bpl.s   .dv
-        neg.l   d4
-.dv     cmp.l   d4,d5
+        minus   <neg.l d5>
+        tst.l   d4
+        minus   <neg.l d4>
+        cmp.l   d4,d5
         bhs.s   .way
         move.l  d4,d5
 .way    tst.l   d5
         beq     .straight
         move.l  d6,d4
         beq     .straight
-        bpl.s   .dweight
-        neg.l   d4
-.dweight
+        minus   <neg.l d4>
         move.l  perspective_plan_bend(a6),d2
         logarithm d5,log_up
         logarithm d4,log_up

@@ -117,9 +117,8 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         move.l  d3,d5                   ; the larger r
 .rises  constant u,a3
         move.l  d6,d0
-        bpl.s   .cu
-        neg.l   d0
-.cu     constant v,a4
+        minus   <neg.l d0>
+        constant v,a4
         carry_of_u
         move.w  d1,reciprocal_line_carry(a1)
         cmp.w   d0,d6

@@ -7,7 +7,6 @@
 ; in:      a0  const glide_coordinates*  coordinates
 ;          a1  uint16*  pixels, 5/6/5
 ;          a2  const glide_decoded*  the level, with quads
-;          d0  int32  count
 ; formats: s:t, both 12.4 modulo 2^16; the texels of glide_bilinear, each channel's upper bits
 ;==============================================================================
 
@@ -26,5 +25,5 @@ write_565 macro
         move.w  d2,(a1)+
         endm
 
-        routine glide_bilinear_565,a0,a1,a2,d0
+        pass    glide_bilinear_565
         glide_filter write_565,$07e00000

@@ -6,11 +6,10 @@
 ; in:      a0  const uint16*  LODs
 ;          a1  uint8*  factors
 ;          a2  const glide_nearness*  the LOD where they end, their growth
-;          d0  int32  count
 ; formats: LODs 8.8, none above end, none so far below it that the factor exceeds a byte; factor =
 ;          end - LOD, shifted right
 ;==============================================================================
-        routine glide_details,a0,a1,a2,d0
+        pass    glide_details
         movem.l d2-d3/d6-d7/a2,-(sp)
         n64_rounds
         move.w  glide_nearness_end(a2),d2

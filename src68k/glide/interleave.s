@@ -9,7 +9,7 @@
 ;          d0  int32  count, of the line
 ; formats: texels of 32 bits, unchanged
 ;==============================================================================
-        routine glide_interleave,a0,a1,a2,d0
+        pass    glide_interleave
         movem.l a2-a4,-(sp)
         move.l  glide_quarters_bytes(a2),d1
         lea     (a0,d1.l),a2

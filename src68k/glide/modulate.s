@@ -6,10 +6,9 @@
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others; flip
-;          d0  int32  count
 ; formats: m = other, inverted by flip: texel * (m + 1) >> 8
 ;==============================================================================
-        routine glide_modulate,a0,a1,a2,d0
+        pass    glide_modulate
         glide_modulate_open
         glide_products
         swap    d0

@@ -6,7 +6,7 @@
 ; like:    glide_modulate
 ; formats: m = other, inverted by flip: texel * (m + 1) >> 8; A is the texel's
 ;==============================================================================
-        routine glide_modulate_rgb,a0,a1,a2,d0
+        pass    glide_modulate_rgb
         glide_modulate_open
         move.w  d0,d2
         move.w  d1,d3

@@ -7,7 +7,6 @@
 ; in:      a0  const glide_iterators*  at the first pixel of the run's first piece
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level, the piece
-;          d0  int32  count
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t. Quotients of 32 bits, as glide_divide has them, at a
 ;          piece's first pixel and at the next piece's, or at the line's last one; from the first
 ;          on, pixel by pixel, their difference modulo 2^32 over the pixels between them, rounded
@@ -37,7 +36,7 @@ last_t  equ     60
 clamps  equ     64                      ; 0: no axis
 locals  equ     68
 
-        routine glide_pieces,a0,a1,a2,d0
+        pass    glide_pieces
         save_all
         lea     -locals(sp),sp
         move.l  d0,count(sp)

@@ -6,8 +6,7 @@
 ; in:      a0  const glide_coordinates*  coordinates
 ;          a1  uint32*  texels, R G B A
 ;          a2  const glide_decoded*  the level
-;          d0  int32  count
 ; formats: s:t, both 12.4 modulo 2^16
 ;==============================================================================
-        routine glide_point,a0,a1,a2,d0
+        pass    glide_point
         n64_texels glide_decoded,2,d2.l

@@ -6,8 +6,7 @@
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint16*  pixels, 5/6/5
 ;          a2  void*  not read
-;          d0  int32  count
 ; formats: each channel's upper bits
 ;==============================================================================
-        routine glide_store_565,a0,a1,a2,d0
+        pass    glide_store_565
         fields_store $f800f800,$00fc0000,11

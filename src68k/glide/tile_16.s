@@ -10,5 +10,5 @@
 ; formats: s and t times 2^left are 8.24: column and row of the page, modulo 256
 ; cost:    bench rows glide_tile_16, glide_bilinear_prefiltered_16
 ;==============================================================================
-        routine glide_tile_16,a0,a1,a2,d0
+        pass    glide_tile_16
         glide_paged 2

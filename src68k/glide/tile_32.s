@@ -10,5 +10,5 @@
 ;          d0  int32  count, 16,384 at most
 ; cost:    bench rows glide_tile_32, glide_bilinear_prefiltered
 ;==============================================================================
-        routine glide_tile_32,a0,a1,a2,d0
+        pass    glide_tile_32
         glide_paged 4

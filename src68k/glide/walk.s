@@ -6,7 +6,6 @@
 ; in:      a0  const glide_iterators*  s and t at the first pixel
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level
-;          d0  int32  count
 ; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16
 ; cost:    bench rows glide_walk, glide_walk_small
 ;==============================================================================
@@ -26,7 +25,7 @@ low_bits macro
         asr.l   \1,d1
         endm
 
-        routine glide_walk,a0,a1,a2,d0
+        pass    glide_walk
         movem.l d2-d7/a3-a4,-(sp)
         moveq   #16,d4
         sub.w   glide_steps_shift(a2),d4

@@ -14,7 +14,7 @@
 
 FEW     equ     5                       ; pixels: for fewer, testing the ends takes as long
 
-        routine glide_walk_clamp,a0,a1,a2,d0
+        pass    glide_walk_clamp
         movem.l d2-d7/a3-a4,-(sp)
         glide_last glide_steps_last_s,a3,d1
         glide_last glide_steps_last_t,a4,d1

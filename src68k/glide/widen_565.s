@@ -6,7 +6,6 @@
 ; in:      a0  const uint16*  pixels, 5/6/5
 ;          a1  uint32*  texels, R G B and 0
 ;          a2  void*  not read
-;          d0  int32  count
 ; formats: each channel's upper bits are repeated below its bits
 ;==============================================================================
 ; Two pixels at a time, by aligned longwords.
@@ -38,7 +37,7 @@ wide    macro
         swap    d1
         endm
 
-        routine glide_widen_565,a0,a1,a2,d0
+        pass    glide_widen_565
         movem.l d2-d7/a2-a3,-(sp)
         movea.l d0,a2
         move.l  #$00030003,d4

@@ -102,7 +102,6 @@ gb_copinit              equ     38
 gb_DisplayFlags         equ     206
 PAL_BIT                 equ     2
 
-tf_YSize                equ     20
 tf_LoChar               equ     32
 tf_HiChar               equ     33
 tf_CharData             equ     34
@@ -122,7 +121,6 @@ ie_Qualifier            equ     8
 IECLASS_NULL            equ     0
 IECLASS_RAWKEY          equ     1
 IECLASS_RAWMOUSE        equ     2
-IECODE_UP               equ     $80
 IEQUALIFIERB_CONTROL    equ     3
 IEQUALIFIERB_REPEAT     equ     9       ; of the word
 
@@ -148,7 +146,6 @@ ddfstrt                 equ     $092
 ddfstop                 equ     $094
 dmacon                  equ     $096
 intena                  equ     $09a
-intreq                  equ     $09c
 bplcon0                 equ     $100
 bplcon1                 equ     $102
 bplcon3                 equ     $106

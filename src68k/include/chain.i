@@ -192,7 +192,7 @@ wide_chain macro
         span_line d0,d1,*\1
         span_rounds_out 4
         add.l   a4,d1
-        span_enter_out_12
+        span_enter_out 4
 .pixels rept    16
         texel_next
         draw_wide \1
@@ -207,7 +207,7 @@ wide_apart macro
         span_line d0,d1,*\1
         apart_start
         span_rounds_out 4
-        span_enter_out_14
+        span_enter_out 2,4
 .pixels rept    16
         texel_next_apart
         draw_wide \1
@@ -227,7 +227,7 @@ wide_row macro
         move.b  d1,d5
         move.w  d5,d0                   ; uu-U
         add.l   a4,d0
-        span_enter_out_8
+        jmp     .pixels(pc,d6.w*8)
 .pixels rept    16
         move.b  d0,d4                   ; VU
         addx.l  d2,d0

@@ -73,15 +73,11 @@ limit   macro
         endc
         move.l  \1,d1
         move.l  d1,d2
-        bpl.s   .positive\@
-        neg.l   d2
-.positive\@
+        minus   <neg.l d2>
         cmp.l   d0,d2
         bls.s   .small\@
         tst.l   d1
-        bpl.s   .write\@
-        neg.l   d0
-.write\@
+        minus   <neg.l d0>
         move.l  d0,\1
 .small\@
         endm

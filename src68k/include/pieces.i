@@ -15,9 +15,7 @@ quotient macro
         lsl.l   d4,\1
         divs.l  d3,d2:\1
         tst.l   d2
-        bpl.s   .down\@
-        subq.l  #1,\1
-.down\@
+        minus   <subq.l #1,\1>
         endm
 
 ; Shifts s and t (d0, d1) and their steps (d2, d3) left by d5, subtracts a6 from s and t, and swaps
@@ -41,9 +39,7 @@ step    macro
         sub.l   \2,\1
         divsl.l d5,d4:\1
         tst.l   d4
-        bpl.s   .down\@
-        subq.l  #1,\1
-.down\@
+        minus   <subq.l #1,\1>
         endm
 
 ; Goes to .single if the value d4 is not in 0 to \1. d5 = shift. Uses d4.
@@ -90,9 +86,8 @@ quotients_of_ends macro
         bpl.s   .w
         neg.l   d3
 .w      tst.l   d0
-        bpl.s   .size
-        neg.l   d0
-.size   move.l  d0,d2
+        minus   <neg.l d0>
+        move.l  d0,d2
         lsr.l   #1,d2
         cmp.l   d3,d2
         bhs.s   .cut
@@ -112,7 +107,6 @@ quotients_of_ends macro
 .cut    moveq   #-1,d0
         lsr.l   #1,d0
         tst.l   d4
-        bpl.s   .most
-        not.l   d0
-.most   rts
+        minus   <not.l d0>
+        rts
         endm

@@ -24,10 +24,7 @@ gradient macro
         sub.l   d3,d1
         subx.l  d2,d0
         move.l  d0,d4                   ; sign
-        bpl.s   .positive\@
-        neg.l   d1
-        negx.l  d0
-.positive\@
+        minus   <neg.l d1>,<negx.l d0>
         move.l  d0,d3
         lsr.l   d6,d0
         lsr.l   d6,d1
@@ -42,8 +39,5 @@ gradient macro
         moveq   #0,d2
         divu.l  d7,d0:d2
         tst.l   d4
-        bpl.s   .signed\@
-        neg.l   d2
-        negx.l  d1
-.signed\@
+        minus   <neg.l d2>,<negx.l d1>
         endm

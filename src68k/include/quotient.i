@@ -25,9 +25,7 @@ quotient macro
 ; |\1|
 magnitude macro
         tst.l   \1
-        bpl.s   .plus\@
-        neg.l   \1
-.plus\@
+        minus   <neg.l \1>
         endm
 
 ; Writes \1, clamped to 0 to a5, or modulo 2^16 if a5 is 2^32 - 1. Uses \1.

@@ -111,9 +111,8 @@ scale_made macro
         move.l  d1,scale_dq(sp)
         move.w  #$7fff,d1
         tst.l   d0
-        bpl.s   .length
-        neg.l   d0
-.length cmp.l   #8<<16,d0
+        minus   <neg.l d0>
+        cmp.l   #8<<16,d0
         bhs.s   .enough
 .coarse moveq   #1,d1
         lsl.w   d5,d1
@@ -164,9 +163,8 @@ carry_of_u macro
         addq.w  #1,d1
         move.l  d6,d2
         beq.s   .cv
-        bpl.s   .up
-        neg.l   d6
-.up     move.l  a2,d3
+        minus   <neg.l d6>
+        move.l  a2,d3
         beq.s   .cv
         eor.l   d3,d2
         bpl.s   .cv

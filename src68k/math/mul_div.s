@@ -22,7 +22,6 @@
         move.l  a0,d2
         divs.l  d2,d1:d0                ; towards zero: remainder of the sign of a * b
         tst.l   d1
-        bpl.s   .floor
-        subq.l  #1,d0
-.floor  move.l  a1,d2
+        minus   <subq.l #1,d0>
+        move.l  a1,d2
         rts

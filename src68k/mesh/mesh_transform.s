@@ -41,9 +41,7 @@ screen  macro
         addx.l  d4,d1
         divs.l  d2,d1:d0                ; towards zero: remainder of the dividend's sign
         tst.l   d1
-        bpl.s   .floor\@
-        subq.l  #1,d0
-.floor\@
+        minus   <subq.l #1,d0>
         add.l   \2(a4),d0
         move.l  d0,(a2)+
         endm

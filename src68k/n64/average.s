@@ -5,5 +5,5 @@
 ;
 ; like:    n64_threepoint
 ;==============================================================================
-        routine n64_average,a0,a1,a2,d0
+        pass    n64_average
         n64_filter n64_weights_mean_table,n64_write,$00ff00ff

@@ -6,11 +6,10 @@
 ; in:      a0  const n64_coordinates*  relative coordinates
 ;          a1  n64_coordinates*  those of chroma; may be the same memory
 ;          a2  void*  not read
-;          d0  int32  count
 ; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is halved,
 ;          plus another half in odd columns
 ;==============================================================================
-        routine n64_chroma,a0,a1,a2,d0
+        pass    n64_chroma
         movem.l d2-d3,-(sp)
         move.l  #$001f0000,d2
         move.w  d0,d3

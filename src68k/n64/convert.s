@@ -6,10 +6,9 @@
 ; in:      a0  const uint32*  texels, Y the last byte
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_yuv_conversion*  U and V, tables
-;          d0  int32  count
 ; formats: 9 bits each of R, G, B and A = Y are the indices of the colours' channels
 ;==============================================================================
-        routine n64_convert,a0,a1,a2,d0
+        pass    n64_convert
         save_all
         lea     (a0,d0.l*4),a6
         movea.l n64_yuv_conversion_chroma(a2),a3

@@ -7,10 +7,9 @@
 ; in:      a0  const uint32*  texels, Y the last byte
 ;          a1  n64_wide*  R, G, B, A = Y
 ;          a2  const n64_yuv_conversion*  U and V, tables
-;          d0  int32  count
 ; formats: 9 bits as the combiner takes them: -128 to 383
 ;==============================================================================
-        routine n64_convert_wide,a0,a1,a2,d0
+        pass    n64_convert_wide
         save_all
         lea     (a0,d0.l*4),a6
         movea.l n64_yuv_conversion_chroma(a2),a3

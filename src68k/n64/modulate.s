@@ -6,7 +6,6 @@
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const n64_modulation*  the other colours
-;          d0  int32  count
 ; formats: texel * other + 128 >> 8, each channel: needs no clamping
 ;==============================================================================
 
@@ -29,7 +28,7 @@ products macro
         move.b  d3,\1
         endm
 
-        routine n64_modulate,a0,a1,a2,d0
+        pass    n64_modulate
         movem.l d2-d7/a2-a3,-(sp)
         lea     (a0,d0.l*4),a3
         move.l  n64_modulation_step(a2),d7

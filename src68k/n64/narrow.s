@@ -6,7 +6,6 @@
 ; in:      a0  const n64_wide*  results
 ;          a1  uint32*  texels, R G B A
 ;          a2  void*  not read
-;          d0  int32  count
 ; formats: -128 to 383, clamped to 0 to 255
 ;==============================================================================
 
@@ -20,7 +19,7 @@ narrow  macro
 .fits\@
         endm
 
-        routine n64_narrow,a0,a1,a2,d0
+        pass    n64_narrow
         movem.l d2-d5,-(sp)
         move.w  #255,d4
         move.w  d0,d5

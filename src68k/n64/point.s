@@ -6,8 +6,7 @@
 ; in:      a0  const n64_coordinates*  relative coordinates
 ;          a1  uint32*  texels, R G B A
 ;          a2  const n64_decoded*  the tile
-;          d0  int32  count
 ; formats: s:t, both s10.5 modulo 2^16
 ;==============================================================================
-        routine n64_point,a0,a1,a2,d0
+        pass    n64_point
         n64_texels n64_decoded,5,d2.l*4

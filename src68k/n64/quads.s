@@ -6,7 +6,6 @@
 ; in:      a0  const uint32*  a row's texels, R G B A
 ;          a1  struct n64_quad*  quads
 ;          a2  const n64_quad_row*  the row below, and the step to the next texel
-;          d0  int32  count
 ; reads:   count + 1 texels of both rows, each a step from the one before
 ; writes:  the quads, each a step from the one before, except their unused fields
 ; formats: channels of quads 8.8
@@ -55,7 +54,7 @@ quad_half macro
         movea.l d0,\1
         endm
 
-        routine n64_quads,a0,a1,a2,d0
+        pass    n64_quads
         save_all
         move.l  d0,d5                   ; count
         move.l  n64_quad_row_step(a2),d3

@@ -6,8 +6,7 @@
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint16*  pixels, 5/5/5/1
 ;          a2  void*  not read
-;          d0  int32  count
 ; formats: channels >> 3, alpha >> 7
 ;==============================================================================
-        routine n64_store_16,a0,a1,a2,d0
+        pass    n64_store_16
         fields_store $f800f800,$00f80080,10

@@ -6,8 +6,7 @@
 ; in:      a0  const n64_coordinates*  relative coordinates
 ;          a1  uint32*  texels, R G B A
 ;          a2  const n64_decoded*  the tile, with quads
-;          d0  int32  count
 ; formats: s:t, both s10.5 modulo 2^16
 ;==============================================================================
-        routine n64_threepoint,a0,a1,a2,d0
+        pass    n64_threepoint
         n64_filter n64_weights_table,n64_write,$00ff00ff

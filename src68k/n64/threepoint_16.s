@@ -7,8 +7,7 @@
 ; in:      a0  const n64_coordinates*  relative coordinates
 ;          a1  uint16*  pixels, 5/5/5/1
 ;          a2  const n64_decoded*  the tile, with quads
-;          d0  int32  count
 ; formats: s:t, both s10.5 modulo 2^16; channels >> 3, alpha >> 7
 ;==============================================================================
-        routine n64_threepoint_16,a0,a1,a2,d0
+        pass    n64_threepoint_16
         n64_filter n64_weights_table,n64_write_16,$07c00400

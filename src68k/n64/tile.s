@@ -6,7 +6,6 @@
 ; in:      a0  const n64_coordinates*  coordinates
 ;          a1  n64_coordinates*  relative coordinates; may be the same memory
 ;          a2  const n64_axes*  the tile's axes
-;          d0  int32  count
 ; formats: s:t, both s10.5; the results modulo 2^16
 ; cost:    bench rows n64_tile, n64_tile_plain
 ;==============================================================================
@@ -48,7 +47,7 @@ axis_loops macro
         rts
         endm
 
-        routine n64_tile,a0,a1,a2,d0
+        pass    n64_tile
         movem.l d2-d7/a2-a4,-(sp)
         move.l  d0,d6
         bsr.s   .axis

@@ -6,10 +6,9 @@
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  n64_wide*  the same
 ;          a2  void*  not read
-;          d0  int32  count
 ; formats: 0 to 255
 ;==============================================================================
-        routine n64_widen,a0,a1,a2,d0
+        pass    n64_widen
         movem.l d2-d4,-(sp)
         move.l  #$00ff00ff,d4
         move.w  d0,d3

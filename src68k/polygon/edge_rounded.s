@@ -19,9 +19,7 @@ nearest macro
         addx.l  d6,\1
         divs.l  d4,\1:\2                ; towards zero
         tst.l   \1
-        bpl.s   .floor\@
-        subq.l  #1,\2
-.floor\@
+        minus   <subq.l #1,\2>
         endm
 
         routine edge_rounded

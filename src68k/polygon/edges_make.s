@@ -1,7 +1,6 @@
         include "routine.i"
 
-        xref    edge_exact
-        xref    edge_rounded
+        xref    edge_exact,edge_rounded
 
 ;==============================================================================
 ; edges_make - the edges of a polygon's sides, from its top line to its bottom one

@@ -52,10 +52,7 @@ constant macro
         movem.l perspective_plan_q+screen_plane_dx(a5),d2-d3
         movea.l d0,a1
         tst.l   d0
-        bpl.s   .positive\@
-        neg.l   d1
-        negx.l  d0
-.positive\@
+        minus   <neg.l d1>,<negx.l d0>
         tst.l   d2
         bpl.s   .grows\@
         neg.l   d3
@@ -93,10 +90,7 @@ constant macro
         moveq   #0,d5
         divu.l  d2,d0:d5
         move.l  a1,d0
-        bpl.s   .signed\@
-        neg.l   d5
-        negx.l  d4
-.signed\@
+        minus   <neg.l d5>,<negx.l d4>
         move.l  d4,reciprocal_plan_k\1(a0)      ; d4:d5 = K
         movem.l perspective_plan_\2+screen_plane_dy(a5),d0-d1
         movem.l perspective_plan_q+screen_plane_dy(a5),d2-d3

@@ -94,10 +94,8 @@ in_range macro
         sub.l   d3,d1
         subx.l  d2,d0
         smi     d2                      ; on the right
-        bpl.s   .size
-        neg.l   d1
-        negx.l  d0
-.size   cmp.l   d6,d0
+        minus   <neg.l d1>,<negx.l d0>
+        cmp.l   d6,d0
         bhi.s   .apex
         bne.s   .turned
         cmp.l   d7,d1

@@ -53,14 +53,12 @@ ways    macro
         move.l  texturing_j(a6),d3
         sub.l   rectangle_top(a0),d3
         move.l  a4,d0
-        bpl.s   .right
-        neg.l   d0
-.right  clr.w   d0
+        minus   <neg.l d0>
+        clr.w   d0
         swap    d0
         move.l  a5,d1
-        bpl.s   .below
-        neg.l   d1
-.below  clr.w   d1
+        minus   <neg.l d1>
+        clr.w   d1
         swap    d1
         add.l   d1,d0
         add.l   d2,d0
@@ -75,9 +73,7 @@ ways    macro
 ; unit, and to a1 that of the gradient's whole texels. Uses d0-d2/d4.
 step    macro
         move.l  d1,d0
-        bpl.s   .magnitude\@
-        not.l   d0
-.magnitude\@
+        minus   <not.l d0>
         adda.l  d0,a1
         move.l  #$8000,d0
         lsl.l   d3,d0
@@ -90,9 +86,7 @@ step    macro
         subq.l  #1,d4
         and.l   d2,d4
         sub.l   d4,d0
-        bpl.s   .added\@
-        neg.l   d0
-.added\@
+        minus   <neg.l d0>
         mulu.l  \2(sp),d0
         adda.l  d0,a0
         move.w  d1,d2

@@ -25,7 +25,7 @@
         span_line d0,d1
         span_rounds 4
         add.l   a4,d1
-        span_enter_12
+        span_enter 4
 .pixels rept    16
         pixel_chain
         endr

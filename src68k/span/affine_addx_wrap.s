@@ -16,7 +16,7 @@
         span_line d0,d1
         apart_start
         span_rounds 4
-        span_enter_14
+        span_enter 2,4
 .pixels rept    16
         pixel_apart
         endr

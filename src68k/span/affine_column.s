@@ -40,7 +40,7 @@ pixel   macro
         and.l   #$ff00ffff,d1
         or.l    d3,d1
         add.l   a4,d1
-        span_enter_10
+        span_enter 2
 .pixels rept    16
         pixel
         endr

@@ -22,7 +22,7 @@
         apart_steps
         apart_start
         span_rounds 3
-        span_enter_14
+        span_enter 2,4
 .pixels rept    8
         pixel_apart
         endr

@@ -32,7 +32,7 @@ pixel   macro
         lsl.l   #8,d1
         bchg    #31,d1
         span_rounds 3
-        span_enter_18
+        span_enter 2,8
 .pixels rept    8
         pixel
         endr

@@ -72,7 +72,7 @@ first_texel macro
         span_line d0,d1
         first_texel
         span_rounds 3
-        span_enter_14
+        span_enter 2,4
 .pixels rept    8
         pixel
         endr

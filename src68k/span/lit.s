@@ -22,7 +22,7 @@ pixel   macro
         span_line d0,d1
         span_rounds 3
         add.l   a4,d1
-        span_enter_16
+        span_enter 8
 .pixels rept    8
         pixel
         endr

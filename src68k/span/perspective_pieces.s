@@ -147,4 +147,4 @@ pack_steps macro
         divs.l  d7,d6
 .one    pack_steps
         span_rounds 3
-        span_enter_14
+        span_enter 2,4

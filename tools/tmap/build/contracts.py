@@ -15,7 +15,7 @@ Without ``trashes`` a routine may change the registers that C allows, TRASHED. W
 kernel has none. Without ``reads`` or ``writes`` it reads what its pointers to const point to or
 writes what its others do. ``cost`` is no other routine's: without it, it is the bench row of a
 kernel's own name, which has no "span_".
-A routine begins with the ``routine`` macro or with an exported label of a code section. Other
+A routine begins with the macro ``routine`` or ``pass`` or with an exported label of a code section. Other
 labels that a documented routine runs into are entries of that routine. The entry ``start`` of a
 command may be documented under the command's name.
 
@@ -37,6 +37,8 @@ INHERITED = ("inputs", "outputs", "trashes", "reads", "writes", "formats", "erro
 #: Attributes of Contract with other names than their fields.
 ATTRIBUTES = {"in": "inputs", "out": "outputs"}
 TRASHED = "d0-d1/a0-a1"
+#: The registers of a pass, and the last one's argument, which no block gives.
+PASS, COUNT = ("a0", "a1", "a2", "d0"), ("d0", "int32", "count")
 REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
 #: Folders whose routines are kernels: called one by one by the program bench.
 KERNELS = ("math", "mesh", "polygon", "edge", "span", "n64", "glide", "screen")
@@ -249,8 +251,9 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
     in_code, runs_on = True, False      # vasm starts in a code section
     for statement, following in zip(file_statements, file_statements[1:] + [None]):
         number, label, operation, operands = statement
-        if operation == "routine":
-            entries.append(Entry(number, operands[0], tuple(operands[1:]), True, False))
+        if operation in ("routine", "pass"):
+            registers = PASS if operation == "pass" else tuple(operands[1:])
+            entries.append(Entry(number, operands[0], registers, True, False))
             in_code = runs_on = True
             continue
         if operation == "section":
@@ -285,7 +288,10 @@ def read(path: Path | str) -> list[Contract]:
         if name in blocks and name not in described:
             is_documented = True
             described.add(name)
-            blocks[name] = replace(blocks[name], registers=entry.registers)
+            given = blocks[name].inputs
+            if entry.registers == PASS and given and given[-1].register != "d0":
+                given += (Argument(*COUNT),)
+            blocks[name] = replace(blocks[name], inputs=given, registers=entry.registers)
         elif not (is_documented and entry.is_reached):
             is_documented = False
             if entry.is_exported:
