@@ -3,9 +3,8 @@
 ;==============================================================================
 ; glide_add - texels plus others
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_mix*  the others
+; like:    glide_modulate
+; in:      a2  const glide_mix*  the others
 ; formats: the sum of each channel, 255 at most
 ;==============================================================================
 ; Bits 0 to 6 of all channels are added at once. Bit 7's sum carries if both have it set, or if one

@@ -3,9 +3,8 @@
 ;==============================================================================
 ; glide_alpha - replaces the texels' alpha, and inverts channels
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_alphas*  the alphas, the bits to invert
+; like:    glide_modulate
+; in:      a2  const glide_alphas*  the alphas, the bits to invert
 ; formats: R G B of the texels, A a byte of the alphas; then bits inverted
 ;==============================================================================
         pass    glide_alpha

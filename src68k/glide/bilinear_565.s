@@ -4,9 +4,7 @@
 ; glide_bilinear_565 - texels by the bilinear filter into a 16-bit frame
 ;
 ; like:    glide_bilinear
-; in:      a0  const glide_coordinates*  coordinates
-;          a1  uint16*  pixels, 5/6/5
-;          a2  const glide_decoded*  the level, with quads
+; in:      a1  uint16*  pixels, 5/6/5
 ; formats: s:t, both 12.4 modulo 2^16; the texels of glide_bilinear, each channel's upper bits
 ;==============================================================================
 

@@ -4,9 +4,7 @@
 ; glide_bilinear_8 - texels by the bilinear filter, weights of 8 bits
 ;
 ; like:    glide_bilinear
-; in:      a0  const glide_coordinates*  coordinates
-;          a1  uint32*  texels, R G B A
-;          a2  const glide_decoded*  the level, with quads of 8 bits
+; in:      a2  const glide_decoded*  the level, with quads of 8 bits
 ; formats: s:t, both 8.8 modulo 2^16; weights of 1/65536, the sum cut to 8 bits
 ;==============================================================================
 ; 256 U and 256 L, 16 bits each, are the values between the columns on the upper and on the lower

@@ -3,9 +3,8 @@
 ;==============================================================================
 ; glide_lerp - linear interpolation to others: between levels, the combine unit's blend
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_mix*  the others, the factors
+; like:    glide_modulate
+; in:      a2  const glide_mix*  the others, the factors
 ; formats: factor m, inverted by flip, + one: texel + ((other - texel) * m >> 8)
 ;==============================================================================
 ; Two channels in one product: neither overflows its word.

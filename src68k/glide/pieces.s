@@ -5,7 +5,6 @@
 ;
 ; like:    glide_divide
 ; in:      a0  const glide_iterators*  at the first pixel of the run's first piece
-;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level, the piece
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t. Quotients of 32 bits, as glide_divide has them, at a
 ;          piece's first pixel and at the next piece's, or at the line's last one; from the first

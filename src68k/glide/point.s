@@ -3,9 +3,8 @@
 ;==============================================================================
 ; glide_point - texels by point sampling
 ;
-; in:      a0  const glide_coordinates*  coordinates
-;          a1  uint32*  texels, R G B A
-;          a2  const glide_decoded*  the level
+; like:    glide_bilinear
+; in:      a2  const glide_decoded*  the level
 ; formats: s:t, both 12.4 modulo 2^16
 ;==============================================================================
         pass    glide_point

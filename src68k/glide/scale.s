@@ -3,9 +3,8 @@
 ;==============================================================================
 ; glide_scale - texels times one factor for all channels
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_mix*  the factors; not the others
+; like:    glide_modulate
+; in:      a2  const glide_mix*  the factors; not the others
 ; formats: factor m, inverted by flip, + one: texel * m >> 8
 ;==============================================================================
 ; Also does local - local * factor: 256 - (m + 1) is m inverted, with 0 for one.

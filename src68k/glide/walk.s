@@ -3,9 +3,8 @@
 ;==============================================================================
 ; glide_walk - a level's coordinates without perspective, wrapped
 ;
+; like:    glide_divide
 ; in:      a0  const glide_iterators*  s and t at the first pixel
-;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  their steps, the level
 ; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16
 ; cost:    bench rows glide_walk, glide_walk_small
 ;==============================================================================

@@ -4,9 +4,7 @@
 ; n64_convert_wide - YUV texels as inputs of the combiner
 ;
 ; like:    n64_convert
-; in:      a0  const uint32*  texels, Y the last byte
-;          a1  n64_wide*  R, G, B, A = Y
-;          a2  const n64_yuv_conversion*  U and V, tables
+; in:      a1  n64_wide*  R, G, B, A = Y
 ; formats: 9 bits as the combiner takes them: -128 to 383
 ;==============================================================================
         pass    n64_convert_wide

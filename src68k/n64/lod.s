@@ -3,9 +3,8 @@
 ;==============================================================================
 ; n64_lod - coordinates with perspective, and the blending of tiles at each pixel
 ;
-; in:      a0  const n64_iterators*  at the first pixel
-;          a1  n64_coordinates*  coordinates
-;          a2  const n64_lod_steps*  their steps, gradients, tables, the other output
+; like:    n64_divide
+; in:      a2  const n64_lod_steps*  their steps, gradients, tables, the other output
 ; writes:  the coordinates, a n64_blending of each pixel
 ; formats: coordinates as n64_divide; the gradients are cut to multiples of 2^5 in x and of
 ;          2^15 in y

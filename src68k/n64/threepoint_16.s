@@ -4,9 +4,7 @@
 ; n64_threepoint_16 - texels by the three-point filter into a 16-bit frame
 ;
 ; like:    n64_threepoint
-; in:      a0  const n64_coordinates*  relative coordinates
-;          a1  uint16*  pixels, 5/5/5/1
-;          a2  const n64_decoded*  the tile, with quads
+; in:      a1  uint16*  pixels, 5/5/5/1
 ; formats: s:t, both s10.5 modulo 2^16; channels >> 3, alpha >> 7
 ;==============================================================================
         pass    n64_threepoint_16

@@ -71,9 +71,6 @@ pixel_a3 macro
 ; like:    pixel_swap_1
 ; in:      d0  uint32  u, uuUU, the fraction one step ahead
 ;          d2  uint32  dudx, uuUU
-;          a0  uint8*  a row of texels
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
 ; trashes: d0
 ; formats: u 16.16, 0 to 32767; u's carry enters U at the next pixel
 ; error:   none if u's first carry is in d0 already
@@ -86,14 +83,11 @@ pixel_a3 macro
 ; pixel_swap_2 - two interpolants by swap: the pixel of span_affine_swap
 ;
 ; like:    pixel_swap_1
-; in:      d0  uint32  u, UUuu
-;          d1  uint32  v + 128 rows, VVvv << 8
+; in:      d1  uint32  v + 128 rows, VVvv << 8
 ;          d2  uint32  dudx
 ;          d3  uint32  dvdx << 8
 ;          d7  uint32  $00ffffff
 ;          a0  uint8*  256x256 map + 32,768
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
 ; trashes: d0-d1/d4
 ; reads:   the map
 ; writes:  the pixels, a multiple of 8
@@ -105,7 +99,6 @@ pixel_a3 macro
 ;==============================================================================
 ; pixel_addx_2 - two interpolants by addx: the pixel of span_affine_addx
 ;
-; like:    pixel_swap_2
 ; in:      d0  uint32  uuVv
 ;          d1  uint32  v--U, v one step ahead
 ;          d2  uint32  step, uuVv
@@ -113,7 +106,9 @@ pixel_a3 macro
 ;          d4  uint32  256x256 map at a multiple of 65,536
 ;          a1  uint8*  first pixel
 ;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d1/d4/a2
+; reads:   the map
 ; writes:  the pixels, a multiple of 16
 ; formats: u, v 8.16, both wrap, v once
 ; error:   none if v's first carry is in d0 already
@@ -126,17 +121,9 @@ pixel_a3 macro
 ; pixel_swap_3 - three interpolants by swap: u, v and a shade
 ;
 ; like:    pixel_swap_2
-; in:      d0  uint32  u, UUuu
-;          d1  uint32  v + 128 rows, VVvv << 8
-;          d2  uint32  dudx
-;          d3  uint32  dvdx << 8
-;          d5  uint32  shade + 128, CCcc << 8
+; in:      d5  uint32  shade + 128, CCcc << 8
 ;          a4  uint32  its step << 8
-;          d7  uint32  $00ffffff
-;          a0  uint8*  256x256 map + 32,768
 ;          a3  uint8*  table of 256 shades by 256 texels + 32,768
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
 ; trashes: d0-d1/d4-d6
 ; reads:   the map, the table
 ; formats: u, v, shade 8.16
@@ -147,7 +134,6 @@ pixel_a3 macro
 ;==============================================================================
 ; pixel_addx_3 - three interpolants in one addx chain: u, v and a shade
 ;
-; like:    pixel_swap_3
 ; in:      d0  uint32  uuVv
 ;          d1  uint32  c--U
 ;          d2  uint32  v-Cc, v one step ahead
@@ -158,7 +144,10 @@ pixel_a3 macro
 ;          d7  uint32  table of shades at a multiple of 65,536
 ;          a1  uint8*  first pixel
 ;          a6  uint8*  after the last pixel
+; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d2/d6-d7/a2
+; reads:   the map, the table
+; writes:  the pixels, a multiple of 8
 ; formats: u, v, shade 8.16; v wraps once
 ; error:   none if v's first carry is in d0 already
 ;==============================================================================

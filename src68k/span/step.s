@@ -86,10 +86,9 @@ chain_3 macro
 ; step_swap_2 - two interpolants by add and swap
 ;
 ; like:    step_swap_1
-; in:      d0-d1  uint32  value, 16.16, ii:ff
-;          d3-d4  uint32  step, 16.16, ii:ff
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0-d1  uint32  value after the steps
+; in:      d1  uint32  value, 16.16, ii:ff
+;          d4  uint32  step, 16.16, ii:ff
+; out:     d1  uint32  value after the steps
 ;==============================================================================
         routine step_swap_2
         steps   swap_2
@@ -97,11 +96,10 @@ chain_3 macro
 ;==============================================================================
 ; step_swap_3 - three interpolants by add and swap
 ;
-; like:    step_swap_1
-; in:      d0-d2  uint32  value, 16.16, ii:ff
-;          d3-d5  uint32  step, 16.16, ii:ff
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0-d2  uint32  value after the steps
+; like:    step_swap_2
+; in:      d2  uint32  value, 16.16, ii:ff
+;          d5  uint32  step, 16.16, ii:ff
+; out:     d2  uint32  value after the steps
 ;==============================================================================
         routine step_swap_3
         steps   swap_3
@@ -124,11 +122,9 @@ chain_3 macro
 ; step_addx_2 - two interpolants by add and addx
 ;
 ; like:    step_addx_1
-; in:      d0-d1  uint32  value, swapped, ff:ii
-;          d3-d4  uint32  step, swapped, ff:ii
-;          d6  uint32  0
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0-d1  uint32  value after the steps
+; in:      d1  uint32  value, swapped, ff:ii
+;          d4  uint32  step, swapped, ff:ii
+; out:     d1  uint32  value after the steps
 ;==============================================================================
         routine step_addx_2
         steps   addx_2
@@ -136,12 +132,10 @@ chain_3 macro
 ;==============================================================================
 ; step_addx_3 - three interpolants by add and addx
 ;
-; like:    step_addx_1
-; in:      d0-d2  uint32  value, swapped, ff:ii
-;          d3-d5  uint32  step, swapped, ff:ii
-;          d6  uint32  0
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0-d2  uint32  value after the steps
+; like:    step_addx_2
+; in:      d2  uint32  value, swapped, ff:ii
+;          d5  uint32  step, swapped, ff:ii
+; out:     d2  uint32  value after the steps
 ;==============================================================================
         routine step_addx_3
         steps   addx_3
@@ -167,10 +161,9 @@ chain_3 macro
 ; step_chain_2 - two interpolants by a chain of addx
 ;
 ; like:    step_chain_1
-; in:      d0-d1  uint32  value, swapped, ff:ii
-;          d3-d4  uint32  step, swapped, ff:ii
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0-d1  uint32  value after the steps
+; in:      d1  uint32  value, swapped, ff:ii
+;          d4  uint32  step, swapped, ff:ii
+; out:     d1  uint32  value after the steps
 ; formats: as addx; the upper word's fraction belongs to the integer of the
 ;          next register of the circle: d0, d1 and again
 ;==============================================================================
@@ -181,11 +174,10 @@ chain_3 macro
 ;==============================================================================
 ; step_chain_3 - three interpolants by a chain of addx
 ;
-; like:    step_chain_1
-; in:      d0-d2  uint32  value, swapped, ff:ii
-;          d3-d5  uint32  step, swapped, ff:ii
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0-d2  uint32  value after the steps
+; like:    step_chain_2
+; in:      d2  uint32  value, swapped, ff:ii
+;          d5  uint32  step, swapped, ff:ii
+; out:     d2  uint32  value after the steps
 ; formats: as addx; the upper word's fraction belongs to the integer of the
 ;          next register of the circle: d0, d1, d2 and again
 ;==============================================================================

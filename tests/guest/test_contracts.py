@@ -79,11 +79,6 @@ def test_fields_may_be_left_out(parse):
     assert contract.reads == contract.writes == contract.formats == contract.error == contract.cost == ""
 
 
-def test_a_range_is_an_argument_in_each_register(parse):
-    contract, = parse(source("scale:  rts\n", **{"in": "d3-d5  int32  step", "out": None}))
-    assert contract.inputs == tuple((register, "int32", "step") for register in ("d3", "d4", "d5"))
-
-
 def test_like_another_routine(parse):
     """Fields that a block does not give are the other routine's, except its cost."""
     text = source("        routine grow,d0,a1\n", "grow - grows a plan",
@@ -97,6 +92,10 @@ def test_like_another_routine(parse):
         assert f"no other routine {wrong}" in complaint(parse, text.replace("like:    scale",
                                                                             f"like:    {wrong}"))
     assert "field 'error' says nothing" in complaint(parse, text.replace("a unit", "none: exact"))
+    grow, _ = parse(text.replace("; error:   a unit", "; in:      d0  int32  b\n; out:     a0  void*  c"))
+    assert grow.inputs == (("d0", "int32", "b"), scale.inputs[1])
+    assert grow.outputs == (*scale.outputs, ("a0", "void*", "c"))
+    assert "d0 says nothing" in complaint(parse, text.replace("; error:   a unit", "; in:      d0  int32  a"))
 
 
 def test_defaults_of_a_kernel(tmp_path):

@@ -3,8 +3,9 @@
     ;==============================================================================
     ; name - summary
     ;
-    ; like:    another routine, whose fields count where this block has none
-    ; in:      d0  int32  meaning; d0-d2: one of this type in each
+    ; like:    another routine, whose fields count where this block has none, and whose entries
+    ;          of in and out count if this block has none of the register
+    ; in:      d0  int32  meaning
     ; out:     d0  fix16  meaning
     ; trashes: d0-d2/a1, everything, or - for nothing
     ; reads: writes: formats: error: cost:    free text
@@ -15,9 +16,9 @@ Without ``trashes`` a routine may change the registers that C allows, TRASHED. W
 kernel has none. Without ``reads`` or ``writes`` it reads what its pointers to const point to or
 writes what its others do. ``cost`` is no other routine's: without it, it is the bench row of a
 kernel's own name, which has no "span_".
-A routine begins with the macro ``routine`` or ``pass`` or with an exported label of a code section. Other
-labels that a documented routine runs into are entries of that routine. The entry ``start`` of a
-command may be documented under the command's name.
+A routine begins with the macro ``routine`` or ``pass``, whose last argument is the count, or with an
+exported label of a code section. Other labels that a documented routine runs into are entries of
+that routine. The entry ``start`` of a command may be documented under the command's name.
 
 ``python -m tmap.build.contracts SRC OUT`` writes OUT/kernel_table.s: names and addresses of all
 kernels, for the program bench.
@@ -117,11 +118,6 @@ def is_register(text: str) -> bool:
         part in REGISTERS for part in text.split(":"))
 
 
-def each_register(text: str) -> list[str]:
-    """Returns what an argument's entry names: its register or pair, or all of a range d0-d2."""
-    return sorted(expand(text)) if re.fullmatch(r"\w\d-\w\d", text) else [text]
-
-
 def expand(text: str) -> frozenset[str]:
     """Returns the registers of a list such as "d0-d2/a0"; a ValueError names a wrong part."""
     if text == "-":
@@ -143,24 +139,23 @@ def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
 
     A line at the first one's column begins an argument; a deeper one continues it.
     """
-    column = min((len(line) - len(line.lstrip()) for line in lines[:1]), default=0)
-    entries: list[str] = []
-    for line in lines:
-        if len(line) - len(line.lstrip()) > column and entries:
-            entries[-1] += f" {line.strip()}"
-        else:
-            entries.append(line.strip())
+    if not lines:
+        return ()
+    column = len(lines[0]) - len(lines[0].lstrip())
     arguments: list[Argument] = []
-    for entry in entries:
-        name, *rest = re.split(r"\s{2,}", entry, maxsplit=2)
-        registers = each_register(name)
-        if not all(is_register(register) for register in registers):
-            raise ValueError(f"{name!r} is no register")
-        if name == "sp" and len(rest) == 1:  # a stack frame has no C type
+    for line in lines:
+        if len(line) - len(line.lstrip()) > column and arguments:
+            last = arguments[-1]
+            arguments[-1] = last._replace(meaning=f"{last.meaning} {line.strip()}")
+            continue
+        register, *rest = re.split(r"\s{2,}", line.strip(), maxsplit=2)
+        if not is_register(register):
+            raise ValueError(f"{register!r} is no register")
+        if register == "sp" and len(rest) == 1:  # a stack frame has no C type
             rest.insert(0, "")
         if len(rest) != 2:
-            raise ValueError(f"{name} needs a C type and a meaning, two blanks between them")
-        arguments += [Argument(register, *rest) for register in registers]
+            raise ValueError(f"{register} needs a C type and a meaning, two blanks between them")
+        arguments.append(Argument(register, *rest))
     return tuple(arguments)
 
 
@@ -289,7 +284,7 @@ def read(path: Path | str) -> list[Contract]:
             is_documented = True
             described.add(name)
             given = blocks[name].inputs
-            if entry.registers == PASS and given and given[-1].register != "d0":
+            if entry.registers == PASS and not blocks[name].like and len(given) == len(PASS) - 1:
                 given += (Argument(*COUNT),)
             blocks[name] = replace(blocks[name], inputs=given, registers=entry.registers)
         elif not (is_documented and entry.is_reached):
@@ -319,7 +314,8 @@ def complete(contracts: list[Contract]) -> list[Contract]:
                 raise UserError(f"{c.file}:{c.line}: {c.name}: like: no other routine {c.like}")
             base = completed(named[c.like], (*above, c.name))
             given |= {field: getattr(base, field) for field in INHERITED}
-        for field in given.keys() - c.missing:
+            c = replace(c, **{field: merged(c, field, given[field]) for field in ATTRIBUTES.values()})
+        for field in given.keys() - c.missing - set(ATTRIBUTES.values()):
             if getattr(c, field) == given[field]:
                 raise UserError(f"{c.file}:{c.line}: {c.name}: field {field!r} says nothing: "
                                 "leave it out")
@@ -329,6 +325,15 @@ def complete(contracts: list[Contract]) -> list[Contract]:
         return found
 
     return [completed(c) for c in contracts]
+
+
+def merged(block: Contract, field: str, base: tuple[Argument, ...]) -> tuple[Argument, ...]:
+    """Returns the entries of another routine's ``inputs`` or ``outputs``, with those of the block."""
+    own = getattr(block, field)
+    for argument in set(own) & set(base):
+        raise UserError(f"{block.file}:{block.line}: {block.name}: {argument.register} says nothing: "
+                        "leave it out")
+    return tuple(({a.register: a for a in base} | {a.register: a for a in own}).values())
 
 
 def check_registers(block: Contract) -> None:
