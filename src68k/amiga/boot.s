@@ -1,4 +1,3 @@
-;==============================================================================
 ; boot - the code in a disk's first two sectors: starts dos, as any bootable disk does
 ;
 ; in:      a6  struct ExecBase*  exec
@@ -7,7 +6,6 @@
 ;          a0  void*  dos's initial routine
 ; reads:   exec's list of resident modules
 ; formats: after the sectors' header of 12 bytes; position-independent, no data elsewhere
-;==============================================================================
         include "amiga.i"
 
         xdef    boot

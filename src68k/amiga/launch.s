@@ -4,7 +4,6 @@
 
         xref    dos_base
 
-;==============================================================================
 ; program_load - loads a program, until program_unload
 ;
 ; in:      d0  char*   name, zero-terminated
@@ -14,7 +13,6 @@
 ; reads:   name
 ; formats: AmigaDOS segment list
 ; error:   also 0 if memory is short
-;==============================================================================
         routine program_load,d0
         move.l  a6,-(sp)
         move.l  d0,d1
@@ -24,12 +22,10 @@
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; program_unload - gives a program's memory back
 ;
 ; in:      d0  uint32   from program_load
 ; reads:   the links
-;==============================================================================
         routine program_unload,d0
         move.l  a6,-(sp)
         move.l  d0,d1
@@ -39,7 +35,6 @@
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; program_run - enters a loaded program as the shell does, its output in a file
 ;
 ; in:      d0  uint32   from program_load
@@ -50,7 +45,6 @@
 ; reads:   arguments, name
 ; writes:  whatever the program does
 ; error:   -1 if the file cannot be made, or memory is short
-;==============================================================================
         routine program_run,d0,d1,a0,a1
         movem.l d2-d7/a6,-(sp)
         move.l  d0,d5

@@ -24,11 +24,9 @@ take    macro
 .exec\@ movea.l (sp)+,a0
         endm
 
-;==============================================================================
 ; mem_reserve - sets memory aside for mem_take: half of the largest block
 ;
 ; error:   if memory is short, sets nothing aside
-;==============================================================================
         routine mem_reserve
         moveq   #0,d0
         jsr     mem_largest
@@ -45,21 +43,18 @@ take    macro
         move.l  d1,mem_aside_bytes
 .none   rts
 
-;==============================================================================
 ; mem_take - allocates memory, freed at the program's end, in a time that does not depend on other
 ;            allocations as long as the memory set aside by mem_reserve lasts
 ;
 ; like:    mem_alloc
-;==============================================================================
         routine mem_take,d0,d1,a0
         take
         jmp     mem_uncleared
 
-;==============================================================================
 ; mem_need_take - mem_take, but ends the program with a message if memory is short
 ;
 ; like:    mem_need
-;==============================================================================
+
 ; Programs of one scene call it instead of mem_take.
 
         routine mem_need_take,d0,d1,a0

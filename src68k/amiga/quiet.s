@@ -9,12 +9,10 @@
 FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
 VECTOR_LEVEL_6          equ     $78
 
-;==============================================================================
 ; quiet_enter - switches DMA and interrupts off, except the watchdog
 ;
 ; writes:  DMACON, INTENA, the level 6 vector: quiet_leave restores them
 ; error:   calls do not nest; clock_open must have succeeded
-;==============================================================================
         routine quiet_enter
         movem.l a5/a6,-(sp)
         movea.l sys_base,a6
@@ -61,12 +59,10 @@ watchdog:
         move.w  #INTF_INTEN,custom+intena
         jmp     fault_enter
 
-;==============================================================================
 ; quiet_leave - restores what quiet_enter changed
 ;
 ; writes:  DMACON, INTENA, the level 6 vector
 ; error:   does nothing outside quiet mode
-;==============================================================================
         routine quiet_leave
         movem.l a5/a6,-(sp)
         tst.b   quiet

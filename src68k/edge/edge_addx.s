@@ -23,7 +23,6 @@ addx_step macro
         addx.w  \2,d3
         endm
 
-;==============================================================================
 ; edge_addx - fills a scanline table: left, last and packed u, v
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
@@ -32,16 +31,13 @@ addx_step macro
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv,
 ;          start2 = v--U
 ; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
-;==============================================================================
         routine edge_addx,a0
         edge_left addx,error_rounded,edge_right
 
-;==============================================================================
 ; edge_addx_exact - the same, x by integer quotient and remainder
 ;
 ; like:    edge_addx
 ; reads:   the plan, its edges
 ; error:   none, and x is the rational one on every line
-;==============================================================================
         routine edge_addx_exact,a0
         edge_left addx,error_exact,edge_right_exact

@@ -15,23 +15,19 @@ steps   macro
         return_all
         endm
 
-;==============================================================================
 ; edge_flat - fills a scanline table without u and v, for flat polygons
 ;
 ; in:      a0  edge_plan*  both sides and their edges
 ; reads:   the plan, of its edges lines, x, whole, error and part
 ; writes:  left and last of plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768
-;==============================================================================
         routine edge_flat,a0
         steps   edge_step,edge_right
 
-;==============================================================================
 ; edge_flat_exact - the same, x by integer quotient and remainder
 ;
 ; like:    edge_flat
 ; reads:   the plan, of its edges lines, x, whole, error, part and height
 ; error:   none, and x is the rational one on every line
-;==============================================================================
         routine edge_flat_exact,a0
         steps   edge_step_exact,edge_right_exact

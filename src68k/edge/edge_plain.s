@@ -37,22 +37,18 @@ plain_step macro
         add.l   \3,d2
         endm
 
-;==============================================================================
 ; edge_plain - fills a scanline table: left, last and u, v in 16.16
 ;
 ; like:    edge_addx
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv
-;==============================================================================
         routine edge_plain,a0
         edge_left plain,error_rounded,edge_right
 
-;==============================================================================
 ; edge_plain_exact - the same, x by integer quotient and remainder
 ;
 ; like:    edge_plain
 ; reads:   the plan, its edges
 ; error:   none, and x is the rational one on every line
-;==============================================================================
         routine edge_plain_exact,a0
         edge_left plain,error_exact,edge_right_exact

@@ -13,7 +13,6 @@ packed  macro
         add.l   a5,d0
         endm
 
-;==============================================================================
 ; edge_shade - the shade of each line's first pixel, on the polygon's plane
 ;
 ; in:      a0  shade_plan*  the table, the plane, the range, where the shades go
@@ -26,7 +25,6 @@ packed  macro
 ;          Packed as c-Cc: the lower 8 of 16 bits of fraction, a spare byte, the level,
 ;          its fraction's upper byte; then the plan's added is added
 ; cost:    bench row edge_shade; with inside, edge_shade_inside
-;==============================================================================
         routine edge_shade,a0
         save_all
         movea.l a0,a6

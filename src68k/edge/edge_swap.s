@@ -7,7 +7,6 @@ joined  macro
         swap    \3
         endm
 
-;==============================================================================
 ; edge_swap - fills a scanline table by add and swap, for comparison
 ;
 ; like:    edge_plain
@@ -16,7 +15,6 @@ joined  macro
 ; error:   none: the same numbers as edge_plain
 ; cost:    bench row edge_swap; some 13 cycles of it because the table keeps u's halves
 ;          apart, for addx
-;==============================================================================
         routine edge_swap,a0
         save_all
         movea.l a0,a6

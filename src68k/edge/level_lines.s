@@ -26,7 +26,6 @@ step    macro
 .made\@
         endm
 
-;==============================================================================
 ; level_lines - starts and steps of lines of constant depth, for the affine span
 ;
 ; in:      a0  perspective_plan*  the table, the planes; to and bend are not read
@@ -38,7 +37,7 @@ step    macro
 ;          clamped to the plan's limits; its step ds / q.hi rounded up; 16.16
 ; error:   if q is the same all along the line: u a unit too low at the first pixel, a
 ;          unit higher at each other one
-;==============================================================================
+
 ; Floors and ceilings seen by an upright camera are such polygons.
 
         routine level_lines,a0,a1

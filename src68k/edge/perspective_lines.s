@@ -14,7 +14,6 @@ logarithm macro
         add.w   d1,d2
         endm
 
-;==============================================================================
 ; perspective_lines - prepares each line for perspective spans
 ;
 ; in:      a0  perspective_plan*  the table, the planes, where to write the lines
@@ -26,7 +25,7 @@ logarithm macro
 ;          left until the larger is in 2^30 to 2^31, divided by n: the first one's is at
 ;          least 1, the last one's even. enough: 2^(x / 64), by tables that round x up
 ; error:   u, v: a unit at the ends. A weight: n + 1 in 2^30
-;==============================================================================
+
 ; A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| /
 ; 15.59 at most, and u''' is 6 du q0 q1 dq^2 / (n q^4) in weights of the ends. As a sum
 ; of logarithms this gives the least q for each length.

@@ -20,7 +20,6 @@ THREE   equ     $aaaa0000               ; q below this fits 32 bits after * 3/2
 LEAST   equ     (RECIPROCAL_LOWEST+2)<<16
 ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 
-;==============================================================================
 ; reciprocal_lines - prepares each line for spans by reciprocals
 ;
 ; in:      a0  reciprocal_plan*  the planes, the constants, where to write the lines
@@ -38,7 +37,6 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
-;==============================================================================
         routine reciprocal_lines,a0
         save_all
         movea.l a0,a6

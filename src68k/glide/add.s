@@ -1,12 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; glide_add - texels plus others
 ;
 ; like:    glide_modulate
 ; in:      a2  const glide_mix*  the others
 ; formats: the sum of each channel, 255 at most
-;==============================================================================
+
 ; Bits 0 to 6 of all channels are added at once. Bit 7's sum carries if both have it set, or if one
 ; has and the lower bits carry into it.
 

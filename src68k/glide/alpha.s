@@ -1,12 +1,10 @@
         include "n64.i"
 
-;==============================================================================
 ; glide_alpha - replaces the texels' alpha, and inverts channels
 ;
 ; like:    glide_modulate
 ; in:      a2  const glide_alphas*  the alphas, the bits to invert
 ; formats: R G B of the texels, A a byte of the alphas; then bits inverted
-;==============================================================================
         pass    glide_alpha
         movem.l d2-d7/a2-a3,-(sp)
         n64_rounds

@@ -1,12 +1,10 @@
         include "glide.i"
 
-;==============================================================================
 ; glide_bilinear_565 - texels by the bilinear filter into a 16-bit frame
 ;
 ; like:    glide_bilinear
 ; in:      a1  uint16*  pixels, 5/6/5
 ; formats: s:t, both 12.4 modulo 2^16; the texels of glide_bilinear, each channel's upper bits
-;==============================================================================
 
 ; Writes the texel d2, R-B-, and d3, G-A-.
 write_565 macro

@@ -1,12 +1,11 @@
         include "n64.i"
 
-;==============================================================================
 ; glide_bilinear_8 - texels by the bilinear filter, weights of 8 bits
 ;
 ; like:    glide_bilinear
 ; in:      a2  const glide_decoded*  the level, with quads of 8 bits
 ; formats: s:t, both 8.8 modulo 2^16; weights of 1/65536, the sum cut to 8 bits
-;==============================================================================
+
 ; 256 U and 256 L, 16 bits each, are the values between the columns on the upper and on the lower
 ; row, two channels in a product. The sum is 65536 U + 256 ft (L - U); its part below 256 may be
 ; dropped early: 256 U + (ft (L - U) >> 8), modulo 2^16. If L - U borrows, the product is ft * 65536

@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; glide_combiner - one channel of the combine unit, any function
 ;
 ; in:      a0  void*  not read
@@ -9,7 +8,6 @@
 ; writes:  a byte of each pixel
 ; formats: factor m, inverted by flip: ((other - local) * (m + 1) >> 8) + added, clamped to 0 to
 ;          255, inverted by invert
-;==============================================================================
         pass    glide_combiner
         save_all
         lea     (a1,d0.l*4),a6

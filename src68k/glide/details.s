@@ -1,6 +1,5 @@
         include "n64.i"
 
-;==============================================================================
 ; glide_details - detail factors of levels of detail
 ;
 ; in:      a0  const uint16*  LODs
@@ -8,7 +7,6 @@
 ;          a2  const glide_nearness*  the LOD where they end, their growth
 ; formats: LODs 8.8, none above end, none so far below it that the factor exceeds a byte; factor =
 ;          end - LOD, shifted right
-;==============================================================================
         pass    glide_details
         movem.l d2-d3/d6-d7/a2,-(sp)
         n64_rounds

@@ -1,6 +1,5 @@
         include "quotient.i"
 
-;==============================================================================
 ; glide_divide - a level's coordinates with perspective
 ;
 ; in:      a0  const glide_iterators*  at the first pixel
@@ -10,7 +9,7 @@
 ;          if w is 0, or negative and behind is 1; (q >> shift) - half, clamped to 0 to last_s, or
 ;          modulo 2^16 if that is 0xffff
 ; cost:    bench rows glide_divide, glide_divide_clamp, glide_divide_each
-;==============================================================================
+
 ; One axis, then the other. With n = s * 2^(30 - shift) the coordinate is u = n / w rounded down; r
 ; is the remainder. Two pixels are divided; from then on u grows by g, and r by e, its change if u
 ; grows by g. If r leaves 0 to w - 1, g was wrong by one or more:

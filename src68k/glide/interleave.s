@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; glide_interleave - a line from four arrays with every fourth texel each
 ;
 ; in:      a0  const uint32*  texels 0, 4, 8, ...; the other arrays follow
@@ -8,7 +7,6 @@
 ;          a2  const glide_quarters*  the bytes from one array to the next
 ;          d0  int32  count, of the line
 ; formats: texels of 32 bits, unchanged
-;==============================================================================
         pass    glide_interleave
         movem.l a2-a4,-(sp)
         move.l  glide_quarters_bytes(a2),d1

@@ -1,12 +1,11 @@
         include "glide.i"
 
-;==============================================================================
 ; glide_lerp - linear interpolation to others: between levels, the combine unit's blend
 ;
 ; like:    glide_modulate
 ; in:      a2  const glide_mix*  the others, the factors
 ; formats: factor m, inverted by flip, + one: texel + ((other - texel) * m >> 8)
-;==============================================================================
+
 ; Two channels in one product: neither overflows its word.
 
         pass    glide_lerp

@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; glide_lod - each pixel's level of detail, by its w
 ;
 ; in:      a0  const glide_iterators*  w at the first pixel
@@ -9,7 +8,7 @@
 ; writes:  the LODs: level in the upper byte, fraction in the lower one
 ; formats: w 2.30 modulo 2^32; LODs 8.8: lods of the pixel - 256 log2 |w|, the logarithm rounded
 ;          to the nearest, clamped to least to most; most if w is 0
-;==============================================================================
+
 ; w is kept shifted so that bit 31 is set, its step likewise; a clear bit 31 needs a new shift.
 
         pass    glide_lod

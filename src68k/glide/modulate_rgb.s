@@ -1,11 +1,9 @@
         include "glide.i"
 
-;==============================================================================
 ; glide_modulate_rgb - texels times others, channel by channel, except alpha
 ;
 ; like:    glide_modulate
 ; formats: m = other, inverted by flip: texel * (m + 1) >> 8; A is the texel's
-;==============================================================================
         pass    glide_modulate_rgb
         glide_modulate_open
         move.w  d0,d2

@@ -1,6 +1,5 @@
         include "pieces.i"
 
-;==============================================================================
 ; glide_pieces - a level's coordinates with perspective, divided at the ends of pieces
 ;
 ; like:    glide_divide
@@ -12,7 +11,7 @@
 ;          down; then (value >> shift) - half, clamped to 0 to last_s, or modulo 2^16 if that is
 ;          0xffff
 ; cost:    bench rows glide_pieces, glide_pieces_16, glide_pieces_clamp, glide_pieces_small
-;==============================================================================
+
 ; A piece ends where the next one begins, so each costs two quotients. Its pixels are stepped as in
 ; glide_walk, also on a clamped axis if both ends are inside: with a step of 2^28 at most, a piece
 ; covers less than half of the range of 32 bits.

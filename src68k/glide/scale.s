@@ -1,12 +1,11 @@
         include "glide.i"
 
-;==============================================================================
 ; glide_scale - texels times one factor for all channels
 ;
 ; like:    glide_modulate
 ; in:      a2  const glide_mix*  the factors; not the others
 ; formats: factor m, inverted by flip, + one: texel * m >> 8
-;==============================================================================
+
 ; Also does local - local * factor: 256 - (m + 1) is m inverted, with 0 for one.
 
         pass    glide_scale

@@ -1,13 +1,12 @@
         include "n64.i"
 
-;==============================================================================
 ; glide_walk - a level's coordinates without perspective, wrapped
 ;
 ; like:    glide_divide
 ; in:      a0  const glide_iterators*  s and t at the first pixel
 ; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16
 ; cost:    bench rows glide_walk, glide_walk_small
-;==============================================================================
+
 ; From shift 17 on s and t have more than 16 fraction bits; the excess bits are in separate
 ; registers.
 

@@ -1,13 +1,12 @@
         include "glide.i"
 
-;==============================================================================
 ; glide_walk_clamp - a level's coordinates without perspective, clamped
 ;
 ; like:    glide_walk
 ; formats: 14.18 modulo 2^32 to s:t: (s >> shift) - half, clamped to 0 to last_s, or modulo 2^16
 ;          if that is 0xffff
 ; cost:    bench rows glide_walk_clamp, glide_walk_inside
-;==============================================================================
+
 ; A line with both ends inside needs no clamping.
 
         xref    glide_walk

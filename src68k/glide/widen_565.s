@@ -1,13 +1,12 @@
         include "routine.i"
 
-;==============================================================================
 ; glide_widen_565 - a 16-bit frame's pixels as texels
 ;
 ; in:      a0  const uint16*  pixels, 5/6/5
 ;          a1  uint32*  texels, R G B and 0
 ;          a2  void*  not read
 ; formats: each channel's upper bits are repeated below its bits
-;==============================================================================
+
 ; Two pixels at a time, by aligned longwords.
 
 ; Widens the pixels in d0: the upper one's texel to d0, the other's to d1. Uses d2-d3.

@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; mul_wide - a gradient times an offset
 ;
 ; in:      a0  number64*  gradient, 48.16 signed
@@ -10,7 +9,6 @@
 ; formats: the product in units, 32.0
 ; error:   half a unit
 ; cost:    110 cycles, in chip RAM 130; with the cache warm, plus call and arguments
-;==============================================================================
         routine mul_wide,a0,d0
         movem.l d2-d3,-(sp)
         move.l  d0,d3

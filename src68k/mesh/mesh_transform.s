@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; mesh_transform - camera and screen coordinates of a mesh's points
 ;
 ; in:      a0  const struct transform_plan*  count is 1 at least
@@ -11,7 +10,7 @@
 ;          below 16,384, which MESH_REACH and MESH_AWAY ensure
 ; error:   x, y, w half a unit; screen_x, screen_y half a unit of the quotient of these
 ; cost:    bench rows mesh_transform and mesh_transform_outside
-;==============================================================================
+
 ; d2 = a coordinate; d5-d7 the point in 14.18, a1 a row of the stack. The sum has 48
 ; fraction bits, so its upper longword is the result. The loop fits the instruction cache.
 row     macro

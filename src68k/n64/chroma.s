@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_chroma - turns relative coordinates of YUV's luma into those of its chroma
 ;
 ; in:      a0  const n64_coordinates*  relative coordinates
@@ -8,7 +7,6 @@
 ;          a2  void*  not read
 ; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is halved,
 ;          plus another half in odd columns
-;==============================================================================
         pass    n64_chroma
         movem.l d2-d3,-(sp)
         move.l  #$001f0000,d2

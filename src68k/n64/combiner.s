@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_combiner - one channel of the colour combiner, any inputs
 ;
 ; in:      a0  void*  not read
@@ -10,7 +9,6 @@
 ; formats: (A - B) * C + 256 * D + 128 >> 8 as 9 bits, which are read as those of A, B and D
 ;          are: -128 to 383. Inputs are such numbers or others of 9 bits; C is read as 9
 ;          bits signed
-;==============================================================================
         pass    n64_combiner
         save_all
         movea.l a1,a4

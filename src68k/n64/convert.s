@@ -1,13 +1,11 @@
         include "n64.i"
 
-;==============================================================================
 ; n64_convert - colours of YUV texels
 ;
 ; in:      a0  const uint32*  texels, Y the last byte
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_yuv_conversion*  U and V, tables
 ; formats: 9 bits each of R, G, B and A = Y are the indices of the colours' channels
-;==============================================================================
         pass    n64_convert
         save_all
         lea     (a0,d0.l*4),a6

@@ -1,12 +1,10 @@
         include "n64.i"
 
-;==============================================================================
 ; n64_convert_wide - YUV texels as inputs of the combiner
 ;
 ; like:    n64_convert
 ; in:      a1  n64_wide*  R, G, B, A = Y
 ; formats: 9 bits as the combiner takes them: -128 to 383
-;==============================================================================
         pass    n64_convert_wide
         save_all
         lea     (a0,d0.l*4),a6

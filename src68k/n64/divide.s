@@ -1,6 +1,5 @@
         include "n64.i"
 
-;==============================================================================
 ; n64_divide - coordinates with perspective
 ;
 ; in:      a0  const n64_iterators*  at the first pixel
@@ -8,7 +7,7 @@
 ;          a2  const n64_division*  their steps, the table of reciprocals
 ; formats: s15.16 modulo 2^32, their upper words divided; the results clamped to s10.5,
 ;          32,767 if w is not above 0
-;==============================================================================
+
 ; s * 65536 * reciprocal: the upper half of the product is the quotient.
 
         pass    n64_divide

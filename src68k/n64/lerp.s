@@ -1,6 +1,5 @@
         include "n64.i"
 
-;==============================================================================
 ; n64_lerp - linear interpolation between texels
 ;
 ; in:      a0  const uint32*  texels 0, R G B A
@@ -8,7 +7,7 @@
 ;          a2  const n64_blend*  texels 1 and their fractions
 ; formats: fractions of 256, -256 to 255: (texel 1 - texel 0) * fraction + 256 * texel 0 +
 ;          128 >> 8, its 9 bits clamped: 256 to 383 are 255, 384 to 511 are 0
-;==============================================================================
+
 ; Two channels in one product: neither overflows its word unless the fraction is negative.
 ; Then each channel is multiplied alone.
 

@@ -1,6 +1,5 @@
         include "n64.i"
 
-;==============================================================================
 ; n64_lod - coordinates with perspective, and the blending of tiles at each pixel
 ;
 ; like:    n64_divide
@@ -9,7 +8,7 @@
 ; formats: coordinates as n64_divide; the gradients are cut to multiples of 2^5 in x and of
 ;          2^15 in y
 ; cost:    bench rows n64_lod, n64_lod_apart
-;==============================================================================
+
 ; Divides three points: the pixel's and those of its neighbours in x and in y. If the steps
 ; are the gradients, the neighbour in x is the next pixel and is divided only once.
 

@@ -1,12 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_map - texels through a table for each channel
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const uint8*  256 bytes for each of R, G, B, A
-;==============================================================================
+
 ; Replaces a combiner whose only input, apart from constants, is the texel.
 
         pass    n64_map

@@ -1,13 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_modulate - texels times other colours
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const n64_modulation*  the other colours
 ; formats: texel * other + 128 >> 8, each channel: needs no clamping
-;==============================================================================
 
 ; Multiplies each byte x of d0's lower word by the same byte y of d1: \1's lower word =
 ; (x y + 128) >> 8 of both. d6 is 128. Uses d3-d4.

@@ -1,13 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_narrow - the combiner's results as texels
 ;
 ; in:      a0  const n64_wide*  results
 ;          a1  uint32*  texels, R G B A
 ;          a2  void*  not read
 ; formats: -128 to 383, clamped to 0 to 255
-;==============================================================================
 
 ; The next number, clamped, in \1. d4 = 255.
 narrow  macro

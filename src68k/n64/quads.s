@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_quads - makes the quads of the filters from texels and their neighbours
 ;
 ; in:      a0  const uint32*  a row's texels, R G B A
@@ -9,7 +8,7 @@
 ; reads:   count + 1 texels of both rows, each a step from the one before
 ; writes:  the quads, each a step from the one before, except their unused fields
 ; formats: channels of quads 8.8
-;==============================================================================
+
 ; Two channels at a time, each times 8: 0cc0 0cc0. A quad's right texels are the next quad's
 ; left ones.
 

@@ -1,13 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_shade - interpolated colours
 ;
 ; in:      a0  const n64_shades*  at the first pixel
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_shades*  their steps
 ; formats: 16.16 modulo 2^32, signed; the integers clamped to 0 to 255
-;==============================================================================
 
 ; Shifts the integer of \1, clamped, into d5 and steps \1 by \2. Uses d4; d6 is 255.
 channel macro

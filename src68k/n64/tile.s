@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_tile - coordinates relative to a tile
 ;
 ; in:      a0  const n64_coordinates*  coordinates
@@ -8,7 +7,7 @@
 ;          a2  const n64_axes*  the tile's axes
 ; formats: s:t, both s10.5; the results modulo 2^16
 ; cost:    bench rows n64_tile, n64_tile_plain
-;==============================================================================
+
 ; One axis at a time, by a loop that does only what the axis needs.
 
 ; \1: the instruction that shifts d0 by d1, if any.

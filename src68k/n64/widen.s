@@ -1,13 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_widen - texels as inputs of the combiner
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  n64_wide*  the same
 ;          a2  void*  not read
 ; formats: 0 to 255
-;==============================================================================
         pass    n64_widen
         movem.l d2-d4,-(sp)
         move.l  #$00ff00ff,d4

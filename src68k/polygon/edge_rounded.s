@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; edge_rounded - an edge in 16.16, from any of its lines on
 ;
 ; like:    edge_exact
@@ -10,7 +9,7 @@
 ;          x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
 ; error:   of x, n lines below the given one: (n + 1) / 2^17 pixels
 ; cost:    about 340 cycles
-;==============================================================================
+
 ; The slope cannot overflow: two lines or more are more than one pixel high.
 
 ; \2 = \1:\2 / d4, to the nearest, halves up. d6 = 0, d7 = H / 2.

@@ -40,7 +40,6 @@ plane   macro
         rise    y,\1
         endm
 
-;==============================================================================
 ; planes_find - the planes of q, s and t through three corners
 ;
 ; in:      a0  found_planes*   the planes to fill in
@@ -54,7 +53,6 @@ plane   macro
 ; error:   of a gradient g: |g| / 2^31 + 3 / 2^16 units a pixel: D keeps 32 bits
 ;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
 ; cost:    2,500 to 2,700 cycles, in chip RAM 3,600 to 3,750: its code exceeds the cache
-;==============================================================================
         routine planes_find,a0,a1
         save_all
         movea.l a1,a5

@@ -118,7 +118,6 @@ constant macro
 
 FLAT    equ     1<<8                    ; if q grows less than this a pixel, no line is taken
 
-;==============================================================================
 ; reciprocal_find - the constants of a polygon's lines by reciprocals
 ;
 ; in:      a0  reciprocal_plan*  the plan to fill in; its planes
@@ -132,7 +131,6 @@ FLAT    equ     1<<8                    ; if q grows less than this a pixel, no 
 ;          and t by x, reaches 2^30 times their unit of q.hi a pixel
 ; error:   of K |K| / 2^31; of C 3 units of 2^-64 of the planes' own, times the lines
 ; cost:    about 2,700 cycles
-;==============================================================================
         routine reciprocal_find,a0,d0,d1
         save_all
         movea.l reciprocal_plan_planes(a0),a5

@@ -8,7 +8,6 @@ in_range macro
         bvs     .far
         endm
 
-;==============================================================================
 ; sides_find - a polygon's top and bottom vertex, and which side is left
 ;
 ; in:      a0  sides*   the sides to fill in
@@ -20,7 +19,6 @@ in_range macro
 ; writes:  *sides; not all of it if the polygon is refused
 ; formats: 16.16; area 32.32, below 2^63
 ; cost:    about 1,000 cycles for a triangle, with a cold cache
-;==============================================================================
         routine sides_find,a0,a1,d0
         movem.l d2-d7/a2-a4,-(sp)
         subq.w  #1,d0

@@ -127,7 +127,6 @@ vectors         equ     12
 box             equ     vectors+2*16
 chain           equ     box+4
 
-;==============================================================================
 ; texturing_plane - gradients of s and t on a polygon's plane, u and v in its box's middle
 ;
 ; in:      a0  texturing*  to fill in; its cuts are set: 0 to 8, 0 for a chain
@@ -151,7 +150,6 @@ chain           equ     box+4
 ;          pixel: raised by |step - dsdx| over half the box, by e over the way from the
 ;          first vertex to the farthest pixel, and by 1 for the two products
 ; cost:    about 2,700 cycles, with a cold cache 3,200
-;==============================================================================
         routine texturing_plane,a0,a1,d0,d1
         save_all
         move.l  d1,-(sp)

@@ -16,7 +16,6 @@ start   macro
         move.l  d0,edge_\1(a1)
         endm
 
-;==============================================================================
 ; texturing_starts - u and v where left edges begin, on the polygon's plane
 ;
 ; in:      a0  texturing*  as texturing_plane fills it
@@ -28,7 +27,6 @@ start   macro
 ;          u + x dudx + y dudy at the first pixel of line top, and
 ;          du = dudy + whole dudx
 ; cost:    about 300 cycles an edge, plus 60; with a cold cache 500 for one
-;==============================================================================
         routine texturing_starts,a0,a1,d0
         movem.l d2-d7,-(sp)
         move.w  d0,d7

@@ -20,7 +20,6 @@ travel  macro
         moveq   #0,d4
         endm
 
-;==============================================================================
 ; texturing_wrap - how a polygon's spans deal with wraps of v in the addx chain
 ;
 ; in:      a0  texturing*  v (at the box's middle, except for CHAIN_ANYWHERE), its steps
@@ -35,7 +34,6 @@ travel  macro
 ;          1
 ; error:   none: in doubt it assumes a wrap
 ; cost:    about 190 cycles, 170 to 380; less without a chain
-;==============================================================================
         routine texturing_wrap,a0,a1,d0
         movem.l d2-d5,-(sp)
         moveq   #0,d2                   ; u_cut

@@ -1,11 +1,10 @@
         include "routine.i"
 
-;==============================================================================
 ; span_affine_16_copy - span_affine_copy with 16-bit texels and pixels
 ;
 ; like:    span_affine_copy
 ; formats: as span_affine_copy and span_affine_16
-;==============================================================================
+
 ; Copies consecutive texels of the map's row, in parts up to the row's end: one texel if
 ; their number is odd, then longwords. Reading at an offset, not from (a2)+, leaves no gap
 ; on the bus: it takes 2.6 cycles less a longword in fast RAM, 3.7 in chip RAM. (32-bit texels

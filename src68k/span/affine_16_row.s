@@ -1,11 +1,9 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_16_row - span_affine_row with 16-bit texels and pixels
 ;
 ; like:    span_affine_row
 ; formats: as span_affine_row and span_affine_16
-;==============================================================================
 
         routine span_affine_16_row,a0
         wide_row 2

@@ -1,11 +1,9 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_16_wrap - span_affine_addx_wrap with 16-bit texels and pixels
 ;
 ; like:    span_affine_addx_wrap
 ; formats: as span_affine_addx_wrap and span_affine_16
-;==============================================================================
 
         routine span_affine_16_wrap,a0
         wide_apart 2

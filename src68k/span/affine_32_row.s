@@ -1,11 +1,9 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_32_row - span_affine_row with 32-bit texels and pixels
 ;
 ; like:    span_affine_row
 ; formats: as span_affine_row and span_affine_32
-;==============================================================================
 
         routine span_affine_32_row,a0
         wide_row 4

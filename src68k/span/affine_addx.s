@@ -1,6 +1,5 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_addx - draws a scanline table from a 256x256 map, the addx chain
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
@@ -10,7 +9,7 @@
 ;          a span, it may do so once, and the lowest bit of u must be free: dudx
 ;          even, u's own bit 0, or 1 if dvdx is negative
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
-;==============================================================================
+
 ; One circular carry chain over two registers:
 ;       B  uuVv   u's fraction, V, the upper byte of v's fraction
 ;       A  v--U   the lower byte of v's fraction, two spare bytes, U

@@ -1,11 +1,10 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_addx_wrap - span_affine_addx if v wraps more than once in a span
 ;
 ; like:    span_affine_addx
 ; formats: u, v 8.16, both wrap at 256 any number of times; 8-bit texels, pixels
-;==============================================================================
+
 ; S, Q and P in three registers: P is stepped as a word, so V's overflow is lost
 ; instead of entering u. One addition more than the chain: it costs 2 cycles with
 ; the map in fast RAM and none in chip RAM, where the loop waits for the bus anyway.

@@ -1,6 +1,5 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_column - span_affine_addx if u's step is 0: walls on their side
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the step dvdx
@@ -10,7 +9,7 @@
 ;          modulo 256, as -128 to 127.99: v moves 64,000 texels a line at most. dudx
 ;          is 0 modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u), floor(v + n dvdx))
-;==============================================================================
+
 ; v alone, in a chain of one register: v-Vv, with the spare byte and the borrow of pack_alone.
 
 pixel   macro

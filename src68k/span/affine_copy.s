@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; span_affine_copy - span_affine_row if u's step is one texel a pixel
 ;
 ; in:      a0  span_plan*  the table, the frame, the map
@@ -9,7 +8,7 @@
 ; formats: U, V 8 bits, U wraps at 256; 8-bit texels and pixels. dudx is 1 texel and
 ;          dvdx 0, both modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u) + n, floor(v))
-;==============================================================================
+
 ; Copies consecutive texels of the map's row, in parts up to the row's end: a longword at
 ; each end of a part, and longwords between, which overlap these. From ALIGNED pixels on
 ; the reads between are aligned, which saves more in chip RAM than it costs. In shorter

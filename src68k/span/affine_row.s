@@ -1,6 +1,5 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_row - span_affine_addx if v's step is 0: floors, upright pictures
 ;
 ; like:    span_affine_addx
@@ -9,7 +8,7 @@
 ;          modulo 256, as -128 to 127.99: u moves 64,000 texels a line at most. dvdx
 ;          is 0 modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v))
-;==============================================================================
+
 ; A line's texels are in one row of the map: u alone, in a chain of one register.
 
         routine span_affine_row,a0

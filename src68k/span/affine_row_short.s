@@ -1,11 +1,9 @@
         include "short.i"
 
-;==============================================================================
 ; span_affine_row_short - span_affine_row for short lines
 ;
 ; like:    span_affine_row
 ; formats: as span_affine_row; a line has SHORT_AFFINE_ROW pixels at most
-;==============================================================================
 
         routine span_affine_row_short,a0
         short_open

@@ -1,13 +1,11 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_scanline - span_affine_addx_wrap with separate steps for each line
 ;
 ; like:    span_affine_addx_wrap
 ; in:      a0  span_plan*  the table, the frame, the map, a table of steps
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their
 ;          steps, the map
-;==============================================================================
 
         routine span_affine_scanline,a0
         span_open

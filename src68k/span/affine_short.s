@@ -1,11 +1,9 @@
         include "short.i"
 
-;==============================================================================
 ; span_affine_short - span_affine_addx for short lines
 ;
 ; like:    span_affine_addx
 ; formats: as span_affine_addx; a line has SHORT_AFFINE pixels at most
-;==============================================================================
 
         routine span_affine_short,a0
         short_open

@@ -1,11 +1,9 @@
         include "short.i"
 
-;==============================================================================
 ; span_affine_short_wrap - span_affine_addx_wrap for short lines
 ;
 ; like:    span_affine_addx_wrap
 ; formats: as span_affine_addx_wrap; a line has SHORT_AFFINE_WRAP pixels at most
-;==============================================================================
 
         routine span_affine_short_wrap,a0
         short_open

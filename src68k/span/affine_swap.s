@@ -1,12 +1,11 @@
         include "span.i"
 
-;==============================================================================
 ; span_affine_swap - draws a scanline table from a 256x256 map, by add and swap
 ;
 ; like:    span_affine_addx
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels
-;==============================================================================
+
 ; The best form found without addx: v is held 8 bits higher, so that V is above U once
 ; u's lower bytes have replaced v's, and one swap makes both an index.
 

@@ -1,6 +1,5 @@
         include "span.i"
 
-;==============================================================================
 ; span_arbitrary - draws a scanline table from a map of any size
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, its width, the steps
@@ -11,7 +10,7 @@
 ;          height up to 1024; 8-bit texels and pixels
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
 ; cost:    bench row arbitrary; if dvdx is whole, bench row arbitrary_row
-;==============================================================================
+
 ; The texel's address moves by whole texels and rows, by 1 more when u's fraction
 ; carries, by a row more when v's does:
 ;       d0  uu--        d1  vv--        a4  texel

@@ -1,11 +1,9 @@
         include "dither.i"
 
-;==============================================================================
 ; span_dithered_16 - span_dithered with 16-bit texels and pixels
 ;
 ; like:    span_dithered
 ; formats: as span_dithered, with the 16-bit texels and pixels of span_affine_16
-;==============================================================================
 
         routine span_dithered_16,a0
         dither_chain_open

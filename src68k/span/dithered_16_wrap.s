@@ -1,11 +1,9 @@
         include "dither.i"
 
-;==============================================================================
 ; span_dithered_16_wrap - span_dithered_wrap with 16-bit texels and pixels
 ;
 ; like:    span_dithered_wrap
 ; formats: as span_dithered_wrap and span_dithered_16
-;==============================================================================
 
         routine span_dithered_16_wrap,a0
         dither_apart_open

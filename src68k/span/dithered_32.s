@@ -1,11 +1,9 @@
         include "dither.i"
 
-;==============================================================================
 ; span_dithered_32 - span_dithered with 32-bit texels and pixels
 ;
 ; like:    span_dithered
 ; formats: as span_dithered, with the 32-bit texels and pixels of span_affine_32
-;==============================================================================
 
         routine span_dithered_32,a0
         dither_chain_open

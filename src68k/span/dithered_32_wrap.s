@@ -1,11 +1,9 @@
         include "dither.i"
 
-;==============================================================================
 ; span_dithered_32_wrap - span_dithered_wrap with 32-bit texels and pixels
 ;
 ; like:    span_dithered_wrap
 ; formats: as span_dithered_wrap and span_dithered_32
-;==============================================================================
 
         routine span_dithered_32_wrap,a0
         dither_apart_open

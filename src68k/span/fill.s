@@ -1,13 +1,12 @@
         include "span.i"
 
-;==============================================================================
 ; span_fill - draws a scanline table in one colour
 ;
 ; in:      a0  span_plan*  the table, the frame, the colour
 ; reads:   the plan, left and last of its lines
 ; writes:  the pixels of the lines, nothing else
 ; formats: 8-bit chunky pixels
-;==============================================================================
+
 ; Short spans by bytes; long ones by a byte and a word up to a longword boundary,
 ; longwords 16 at a time, and a word and a byte at the end.
 

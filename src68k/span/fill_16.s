@@ -1,11 +1,10 @@
         include "span.i"
 
-;==============================================================================
 ; span_fill_16 - draws a scanline table in one colour of two bytes
 ;
 ; like:    span_fill
 ; formats: 16-bit pixels at even addresses; the colour in the plan's lower word
-;==============================================================================
+
 ; One pixel up to a longword boundary, longwords 16 at a time, one pixel at the end.
 
         routine span_fill_16,a0

@@ -1,11 +1,9 @@
         include "span.i"
 
-;==============================================================================
 ; span_fill_32 - draws a scanline table in one colour of four bytes
 ;
 ; like:    span_fill
 ; formats: 32-bit pixels at multiples of 4
-;==============================================================================
 
         routine span_fill_32,a0
         save_all

@@ -24,7 +24,6 @@ copy    macro
         move.b  (a0),(a1)+
         endm
 
-;==============================================================================
 ; floor_fetch - bytes fetched through an address register
 ;
 ; in:      a0  uint8*  the byte
@@ -32,11 +31,9 @@ copy    macro
 ; out:     d0  uint8   the byte
 ; trashes: d7
 ; reads:   the byte
-;==============================================================================
         routine floor_fetch
         accesses fetch
 
-;==============================================================================
 ; floor_store - bytes stored one after the other
 ;
 ; in:      a1  uint8*  the first byte's address
@@ -45,11 +42,9 @@ copy    macro
 ; out:     a1  uint8*  after the last byte
 ; trashes: d7
 ; writes:  16 bytes a round
-;==============================================================================
         routine floor_store
         accesses store
 
-;==============================================================================
 ; floor_copy - a byte fetched and stored for each pixel
 ;
 ; in:      a0  uint8*  the byte
@@ -59,6 +54,5 @@ copy    macro
 ; trashes: d7
 ; reads:   the byte
 ; writes:  16 bytes a round
-;==============================================================================
         routine floor_copy
         accesses copy

@@ -1,11 +1,9 @@
         include "short.i"
 
-;==============================================================================
 ; span_gouraud_short - span_gouraud for short lines
 ;
 ; like:    span_gouraud
 ; formats: as span_gouraud; a line has SHORT_GOURAUD pixels at most
-;==============================================================================
 
         routine span_gouraud_short,a0
         short_open

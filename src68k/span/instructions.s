@@ -1,6 +1,5 @@
         include "amiga.i"
 
-;==============================================================================
 ; instructions - runs given code, with which the bench measures single instructions
 ;
 ; in:      d7  int32  rounds of that code, less one
@@ -10,7 +9,7 @@
 ; reads:   the code, as does the code itself
 ; writes:  as the code does
 ; cost:    bench row instruction_none, whose code is a dbra
-;==============================================================================
+
 ; The code has just been copied there, so the cache is cleared first.
 
         routine instructions

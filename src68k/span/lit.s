@@ -1,6 +1,5 @@
         include "span.i"
 
-;==============================================================================
 ; span_lit - span_affine_addx through one row of a light table
 ;
 ; like:    span_affine_addx
@@ -9,7 +8,6 @@
 ;          256 bytes at light, a multiple of 256
 ; error:   none: pixel n shows light[texel (floor(u + n dudx), floor(v + n dvdx))]
 ; cost:    bench row affine_lit
-;==============================================================================
 pixel   macro
         texel_next
         draw_lit d5

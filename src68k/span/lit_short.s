@@ -1,12 +1,10 @@
         include "short.i"
 
-;==============================================================================
 ; span_lit_short - span_lit for short lines
 ;
 ; like:    span_lit
 ; formats: as span_lit; a line has SHORT_LIT pixels at most
 ; cost:    bench row affine_lit_short
-;==============================================================================
 
         routine span_lit_short,a0
         short_open

@@ -1,12 +1,10 @@
         include "short.i"
 
-;==============================================================================
 ; span_lit_short_wrap - span_lit_wrap for short lines
 ;
 ; like:    span_lit_wrap
 ; formats: as span_lit_wrap; a line has SHORT_LIT_WRAP pixels at most
 ; cost:    bench row affine_lit_short_wrap
-;==============================================================================
 
         routine span_lit_short_wrap,a0
         short_open

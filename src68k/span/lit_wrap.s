@@ -1,12 +1,10 @@
         include "span.i"
 
-;==============================================================================
 ; span_lit_wrap - span_lit if v wraps more than once in a span
 ;
 ; like:    span_lit
 ; formats: as span_affine_addx_wrap
 ; cost:    bench row affine_lit_wrap
-;==============================================================================
 
 pixel   macro
         texel_next_apart

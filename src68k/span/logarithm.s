@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; span_logarithm - draws lines with perspective, each pixel by logarithms
 ;
 ; in:      a0  logarithm_span*  the lines, the frame, the map, the tables
@@ -11,7 +10,6 @@
 ; error:   of a power 1/512 texel, of u's and v's distance from K half a unit of logs and one
 ;          part in twice the index; errors of q, C and K: see logarithm_lines
 ; cost:    bench row persp_pixel
-;==============================================================================
 
 ; On the stack.
 row     equ     0

@@ -65,7 +65,6 @@ bend    macro
         move.l  d4,\3
         endm
 
-;==============================================================================
 ; span_perspective_curves - draws lines with perspective, by curved pieces
 ;
 ; in:      a0  perspective_span*  the lines, the frame, the map, the longest piece
@@ -78,7 +77,6 @@ bend    macro
 ; error:   of a point 3 units, of a second difference half a unit, which adds the square of
 ;          half the piece's length in half units; the parabola's: see perspective_lines
 ; cost:    bench rows persp_pixel_exact, persp_pixel_fine
-;==============================================================================
 
         routine span_perspective_curves,a0
         save_all

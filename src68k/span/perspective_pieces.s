@@ -25,7 +25,6 @@ pack_steps macro
         move.l  d6,d2
         endm
 
-;==============================================================================
 ; span_perspective_pieces - draws lines with perspective, by linear pieces
 ;
 ; in:      a0  perspective_span*  the lines, the frame, the map, log2 of a piece: 3 or 4
@@ -37,7 +36,7 @@ pack_steps macro
 ; error:   at the ends of pieces 18 units, 10 with 8 pixels; at the last pixel as many
 ;          units as the last piece has steps
 ; cost:    bench rows persp_every16_exact, persp_every8_exact
-;==============================================================================
+
 ; S, Q and P of pixel_apart continue from piece to piece; only their steps change.
 
         routine span_perspective_pieces,a0

@@ -48,7 +48,6 @@ pixel_a3 macro
         pixel_lit d0,d2
         endm
 
-;==============================================================================
 ; pixel_swap_1 - one interpolant by swap
 ;
 ; in:      d0  uint32  u, UUuu
@@ -61,11 +60,9 @@ pixel_a3 macro
 ; reads:   the row
 ; writes:  the pixels, a multiple of 16
 ; formats: u 16.16, 0 to 32767
-;==============================================================================
         routine pixel_swap_1
         pixels  16,pixel_s1
 
-;==============================================================================
 ; pixel_addx_1 - one interpolant by addx, chained to itself
 ;
 ; like:    pixel_swap_1
@@ -74,12 +71,10 @@ pixel_a3 macro
 ; trashes: d0
 ; formats: u 16.16, 0 to 32767; u's carry enters U at the next pixel
 ; error:   none if u's first carry is in d0 already
-;==============================================================================
         routine pixel_addx_1
         move    #0,ccr
         pixels  16,pixel_a1
 
-;==============================================================================
 ; pixel_swap_2 - two interpolants by swap: the pixel of span_affine_swap
 ;
 ; like:    pixel_swap_1
@@ -92,11 +87,9 @@ pixel_a3 macro
 ; reads:   the map
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v 8.16, both wrap
-;==============================================================================
         routine pixel_swap_2
         pixels  8,pixel_s2
 
-;==============================================================================
 ; pixel_addx_2 - two interpolants by addx: the pixel of span_affine_addx
 ;
 ; in:      d0  uint32  uuVv
@@ -112,12 +105,10 @@ pixel_a3 macro
 ; writes:  the pixels, a multiple of 16
 ; formats: u, v 8.16, both wrap, v once
 ; error:   none if v's first carry is in d0 already
-;==============================================================================
         routine pixel_addx_2
         move    #0,ccr
         pixels  16,pixel_chain
 
-;==============================================================================
 ; pixel_swap_3 - three interpolants by swap: u, v and a shade
 ;
 ; like:    pixel_swap_2
@@ -127,11 +118,9 @@ pixel_a3 macro
 ; trashes: d0-d1/d4-d6
 ; reads:   the map, the table
 ; formats: u, v, shade 8.16
-;==============================================================================
         routine pixel_swap_3
         pixels  8,pixel_s3
 
-;==============================================================================
 ; pixel_addx_3 - three interpolants in one addx chain: u, v and a shade
 ;
 ; in:      d0  uint32  uuVv
@@ -150,7 +139,6 @@ pixel_a3 macro
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v, shade 8.16; v wraps once
 ; error:   none if v's first carry is in d0 already
-;==============================================================================
         routine pixel_addx_3
         move    #0,ccr
         pixels  8,pixel_a3

@@ -1,6 +1,5 @@
         include "span.i"
 
-;==============================================================================
 ; span_tiled - draws a scanline table from a 256x256 map in tiles of 8x8
 ;
 ; like:    span_affine_swap
@@ -8,7 +7,6 @@
 ;          multiple of 65,536, texel (u, v) at 2048 (u/8) + 8 v + u%8
 ; error:   pixel n shows texel (floor(u + n dudx), floor((v2 + n dv2) / 32768)),
 ;          where v2 = floor(v / 2), dv2 = floor(dvdx / 2)
-;==============================================================================
 
 ; The circular carry chain of span_affine_addx, its integers where the index has
 ; them (T: column of tiles, U: texel in its tile; one letter a bit):

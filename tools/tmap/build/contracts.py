@@ -1,6 +1,5 @@
 """Reads the contract block above each assembly routine and checks the tree against it.
 
-    ;==============================================================================
     ; name - summary
     ;
     ; like:    another routine, whose fields count where this block has none, and whose entries
@@ -9,9 +8,8 @@
     ; out:     d0  fix16  meaning
     ; trashes: d0-d2/a1, everything, or - for nothing
     ; reads: writes: formats: error: cost:    free text
-    ;==============================================================================
 
-Fields are in this order. A longer one continues on indented lines; an empty one is left out.
+The block is a comment of its own, which begins with that title. Fields are in this order. A longer one continues on indented lines; an empty one is left out.
 Without ``trashes`` a routine may change the registers that C allows, TRASHED. Without ``error`` a
 kernel has none. Without ``reads`` or ``writes`` it reads what its pointers to const point to or
 writes what its others do. ``cost`` is no other routine's: without it, it is the bench row of a
@@ -24,6 +22,7 @@ that routine. The entry ``start`` of a command may be documented under the comma
 kernels, for the program bench.
 """
 
+import itertools
 import re
 import sys
 from dataclasses import dataclass, replace
@@ -44,7 +43,6 @@ REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1
 #: Folders whose routines are kernels: called one by one by the program bench.
 KERNELS = ("math", "mesh", "polygon", "edge", "span", "n64", "glide", "screen")
 
-BAR = re.compile(r";={20,}\s*$")
 TITLE = re.compile(r"; (\w+) - (\S.*)$")
 FIELD = re.compile(r"; (\w+):\s*(.*)$")
 UNCOMMENTED = re.compile(r"""(?:[^;'"]|'[^']*'|"[^"]*"|['"])*""")
@@ -160,20 +158,15 @@ def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
 
 
 def parse_block(file: str, first: int, lines: list[str]) -> Contract:
-    """Returns the contract in the ``lines`` between two bars; ``first``: the first one's number."""
+    """Returns the contract in the ``lines`` of a comment; ``first``: the first one's number."""
 
     def fail(number: int, text: str):
         raise UserError(f"{file}:{number}: {text}")
 
-    title = TITLE.match(lines[0]) if lines else None
-    if title is None:
-        fail(first, 'a contract block begins with "; name - summary"')
-    name, summary = title[1], [title[2]]
+    name, *summary = TITLE.match(lines[0]).groups()
     fields: dict[str, tuple[int, list[str]]] = {}
     current = summary
     for number, line in enumerate(lines[1:], first + 1):
-        if not line.startswith(";"):
-            fail(number, f"{name}: this line ends no contract block: a bar is missing")
         match = FIELD.match(line)
         if match:
             if match[1] not in FIELDS:
@@ -211,11 +204,11 @@ def parse_block(file: str, first: int, lines: list[str]) -> Contract:
 def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
     """Returns the contract blocks of a source file, by name."""
     blocks: dict[str, Contract] = {}
-    bars = [number for number, line in enumerate(lines, 1) if BAR.match(line)]
-    for first, last in zip(bars[::2], bars[1::2] + [None]):
-        if last is None:
-            raise UserError(f"{file}:{first}: the contract block is not closed by a bar")
-        block = parse_block(file, first + 1, lines[first:last - 1])
+    for first, (before, line) in enumerate(zip(["", *lines], lines)):
+        if before.startswith(";") or not TITLE.match(line):
+            continue
+        comment = itertools.takewhile(lambda each: each.startswith(";"), lines[first:])
+        block = parse_block(file, first + 1, list(comment))
         if block.name in blocks:
             raise UserError(f"{file}:{block.line}: second contract block of {block.name}")
         blocks[block.name] = block
