@@ -39,7 +39,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 
 ; call_place - puts the calling loop where it and a routine share no cache line
 ;
-; in:      a0  void*   the routine that call_repeat will call
+; in:      a0  const void*  the routine that call_repeat will call
 
 ; The 68020's instruction cache is direct-mapped: the lines that two pieces of code
 ; share depend on their addresses modulo 256. The loop ends where the routine begins,
@@ -79,9 +79,8 @@ LOOP_SIZE               equ     *-calling_loop
 
 ; call_repeat - calls call_place's routine again and again, with the same registers
 ;
-; in:      a0  int32*  d0-d7/a0-a6 for it
+; in:      a0  const int32*  d0-d7/a0-a6 for it
 ;          d0  int32   how often, 1 or more
-; reads:   the block
 ; cost:    the same for every routine: measure one that only returns
         routine call_repeat,a0,d0
         save_all

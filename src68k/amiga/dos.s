@@ -23,10 +23,9 @@ transfer macro
 
 ; file_open - opens a file
 ;
-; in:      d0  char*  name, zero-terminated
+; in:      d0  const char*  name, zero-terminated
 ;          d1  int32  mode: 1005 old file for reading, 1006 new file
 ; out:     d0  int32  handle 1 to 8, or 0: not opened
-; reads:   name
 ; writes:  the table of open files
 ; error:   also 0 if 8 files are open
         routine file_open,d0,d1
@@ -59,7 +58,6 @@ transfer macro
 ;          d1  void*  destination
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes read, or -1
-; writes:  memory at d1
 ; error:   fewer bytes than requested at the file's end
         routine file_read,d0,d1,a0
         transfer Read
@@ -67,10 +65,9 @@ transfer macro
 ; file_write - writes to an open file
 ;
 ; in:      d0  int32  handle from file_open
-;          d1  void*  data
+;          d1  const void*  data
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes written, or -1
-; reads:   memory at d1
 ; error:   fewer bytes than requested when the volume is full
         routine file_write,d0,d1,a0
         transfer Write
@@ -113,8 +110,7 @@ transfer macro
 
 ; file_delete - deletes an incomplete file
 ;
-; in:      d0  char*  name, zero-terminated; closed
-; reads:   name
+; in:      d0  const char*  name, zero-terminated; closed
 ; error:   ignored: the failure that led here was printed already
         routine file_delete,d0
         move.l  a6,-(sp)
@@ -126,8 +122,7 @@ transfer macro
 
 ; print - writes text to the program's output
 ;
-; in:      d0  char*  text, zero-terminated
-; reads:   text
+; in:      d0  const char*  text, zero-terminated
 ; error:   a failed write is ignored: there is nowhere to report it
         routine print,d0
         movem.l d2/d3/a6,-(sp)
@@ -146,10 +141,9 @@ transfer macro
 
 ; args_read - the program's arguments by a dos template
 ;
-; in:      d0  char*   template
+; in:      d0  const char*  template
 ;          d1  int32*  one longword an item, preset to the defaults
 ; out:     d0  int32   1 understood, 0 not
-; reads:   template
 ; writes:  the items; texts and numbers they point to live until the end
 ; formats: ReadArgs: /N items point to an int32
         routine args_read,d0,d1

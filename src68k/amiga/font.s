@@ -1,5 +1,3 @@
-; The characters of the ROM's font.
-
         include "amiga.i"
 
 FIRST                   equ     32
@@ -12,7 +10,6 @@ ROWS                    equ     8
 ;                      highest bit
 ; out:     d0  int32   1, or 0: the ROM has none
 ; reads:   the font
-; writes:  the room
 ; error:   the room of characters that the font lacks is unchanged
         routine font_read,d0
         movem.l d2-d6/a2-a3/a6,-(sp)

@@ -10,7 +10,6 @@ AGNUS_BITS              equ     $7f
 ;
 ; in:      a0  struct machine*  the struct to fill in
 ; reads:   ExecBase, VPOSR
-; writes:  the struct
 ; formats: see its fields
         routine machine_read,a0
         movem.l a2/a6,-(sp)
@@ -73,7 +72,6 @@ fast_bytes
 ;
 ; in:      d0  char*  where the text goes, zero-terminated
 ;          d1  int32  its size in bytes
-; writes:  the text
 ; error:   a number that dos does not know is written as a number
         routine dos_fault,d0,d1
         movem.l d2-d4/a6,-(sp)

@@ -1,6 +1,6 @@
 ; Memory through exec. A program's allocations are noted here and freed when it ends.
 
-        include "memory.i"
+        include "amiga.i"
 
         xdef    mem_cleared,mem_uncleared,mem_blocks,mem_aside,mem_aside_bytes
 
@@ -10,7 +10,6 @@
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
 ; error:   *d0 is unchanged if memory is short
         routine mem_alloc,d0,d1,a0
         move.l  d1,asked_bytes
@@ -21,7 +20,6 @@
 ;
 ; in:      a0  int32*  where the kind goes
 ; out:     d0  int32   bytes
-; writes:  *a0
         routine mem_asked,a0
         move.l  asked_kind,(a0)
         move.l  asked_bytes,d0

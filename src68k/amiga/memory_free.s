@@ -1,6 +1,6 @@
 ; Frees memory: from a mark on, or all of it.
 
-        include "memory.i"
+        include "amiga.i"
 
         xref    mem_aside_bytes,mem_blocks
         xdef    mem_free_all

@@ -64,6 +64,10 @@ mh_Attributes           equ     14
 mh_Lower                equ     20
 mh_Upper                equ     24
 
+; The head of a block that mem_alloc and mem_take get from exec.
+BLOCK_SIZE              equ     4       ; after the address of the previous block
+BLOCK_HEAD              equ     8
+
 ; dos.library
 _LVOOpen                equ     -30
 _LVOClose               equ     -36

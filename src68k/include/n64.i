@@ -136,6 +136,15 @@ n64_nearest macro
         eori.w  #$7fff,\1
         endm
 
+; Opens a conversion of YUV texels: a6 = their end, and what n64_converted takes except d6.
+n64_convert_open macro
+        save_all
+        lea     (a0,d0.l*4),a6
+        movea.l n64_yuv_conversion_chroma(a2),a3
+        movea.l n64_yuv_conversion_matrix(a2),a4
+        lea     n64_matrix_v(a4),a5
+        endm
+
 ; Converts the pixel at a0 with the chroma at a3: d0 = Y, d1-d3 = R, G, B, words of which only the
 ; lower 9 bits are right. In: a4, a5 the tables of U and V, d6 = 255. The upper words of d0 and d1
 ; are ignored.

@@ -102,6 +102,15 @@ span_next macro
         return_all
         endm
 
+; Opens a span of one colour: a1 = table, d7 = lines, a6 = row, a5 = pitch.
+fill_open macro
+        save_all
+        movea.l span_plan_lines(a0),a1
+        move.l  span_plan_count(a0),d7
+        movea.l span_plan_row(a0),a6
+        movea.l span_plan_pitch(a0),a5
+        endm
+
 ; Writes d3 longwords of d0 from (a0) on, 16 at a time. In: a3 = .longwords_end,
 ; d5 = 15. Uses d4.
 fill_longwords macro

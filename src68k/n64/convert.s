@@ -7,11 +7,7 @@
 ;          a2  const n64_yuv_conversion*  U and V, tables
 ; formats: 9 bits each of R, G, B and A = Y are the indices of the colours' channels
         pass    n64_convert
-        save_all
-        lea     (a0,d0.l*4),a6
-        movea.l n64_yuv_conversion_chroma(a2),a3
-        movea.l n64_yuv_conversion_matrix(a2),a4
-        lea     n64_matrix_v(a4),a5
+        n64_convert_open
         movea.l n64_yuv_conversion_colours(a2),a2
         move.w  #255,d6
         move.w  #511,d7

@@ -6,11 +6,7 @@
 ; in:      a1  n64_wide*  R, G, B, A = Y
 ; formats: 9 bits as the combiner takes them: -128 to 383
         pass    n64_convert_wide
-        save_all
-        lea     (a0,d0.l*4),a6
-        movea.l n64_yuv_conversion_chroma(a2),a3
-        movea.l n64_yuv_conversion_matrix(a2),a4
-        lea     n64_matrix_v(a4),a5
+        n64_convert_open
         move.w  #128,d5
         move.w  #255,d6
         move.w  #511,d7

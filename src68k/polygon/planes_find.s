@@ -43,9 +43,7 @@ plane   macro
 ; planes_find - the planes of q, s and t through three corners
 ;
 ; in:      a0  found_planes*   the planes to fill in
-;          a1  plane_corners*  a corner, two vectors and the pixel of at
-; reads:   *plane_corners
-; writes:  *found_planes
+;          a1  const plane_corners*  a corner, two vectors and the pixel of at
 ; formats: with vectors a and b and D = xa yb - xb ya > 0:
 ;            dx = (va yb - vb ya) / D     dy = (xa vb - xb va) / D
 ;          v = q, s or t; at = v of the first corner + x dx + y dy, each product rounded

@@ -118,6 +118,19 @@ raise   macro
         move.l  d0,texturing_\1(a6)
         endm
 
+; Finds \1, u or v, and its steps from the plane of \2, s or t; a0 and a1 are 0.
+axis    macro
+        gradient vertex_\2,vertex_y
+        rise    a4,\1
+        move.l  texturing_\1_cut(a6),d3
+        step    d\1dx,ways_x
+        gradient vertex_x,vertex_\2
+        rise    a5,\1
+        move.l  texturing_\1_cut(a6),d3
+        step    d\1dy,ways_y
+        raise   \1
+        endm
+
 ; On the stack:
 ways_all        equ     0               ; twice the pixels from the first vertex to the
                                         ; farthest pixel, x and y added
@@ -176,15 +189,7 @@ chain           equ     box+4
         suba.l  a0,a0
         suba.l  a1,a1
 
-        gradient vertex_t,vertex_y
-        rise    a4,v
-        move.l  texturing_v_cut(a6),d3
-        step    dvdx,ways_x
-        gradient vertex_x,vertex_t
-        rise    a5,v
-        move.l  texturing_v_cut(a6),d3
-        step    dvdy,ways_y
-        raise   v
+        axis    v,t
 
         movea.l a6,a0
         movea.l box(sp),a1
@@ -193,15 +198,7 @@ chain           equ     box+4
         suba.l  a0,a0
         suba.l  a1,a1
 
-        gradient vertex_s,vertex_y
-        rise    a4,u
-        move.l  texturing_u_cut(a6),d3
-        step    dudx,ways_x
-        gradient vertex_x,vertex_s
-        rise    a5,u
-        move.l  texturing_u_cut(a6),d3
-        step    dudy,ways_y
-        raise   u
+        axis    u,s
         move.l  texturing_guard(a6),d0
         or.l    d0,texturing_u(a6)
         lea     chain+4(sp),sp

@@ -2,9 +2,8 @@
 
 ; span_affine_copy - span_affine_row if u's step is one texel a pixel
 ;
+; like:    span_affine_column
 ; in:      a0  span_plan*  the table, the frame, the map
-; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
 ; formats: U, V 8 bits, U wraps at 256; 8-bit texels and pixels. dudx is 1 texel and
 ;          dvdx 0, both modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u) + n, floor(v))

@@ -13,11 +13,7 @@
 SHORT                   equ     12
 
         routine span_fill,a0
-        save_all
-        movea.l span_plan_lines(a0),a1
-        move.l  span_plan_count(a0),d7
-        movea.l span_plan_row(a0),a6
-        movea.l span_plan_pitch(a0),a5
+        fill_open
         move.b  span_plan_colour+3(a0),d0
         move.b  d0,d1
         lsl.w   #8,d0

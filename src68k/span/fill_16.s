@@ -8,11 +8,7 @@
 ; One pixel up to a longword boundary, longwords 16 at a time, one pixel at the end.
 
         routine span_fill_16,a0
-        save_all
-        movea.l span_plan_lines(a0),a1
-        move.l  span_plan_count(a0),d7
-        movea.l span_plan_row(a0),a6
-        movea.l span_plan_pitch(a0),a5
+        fill_open
         move.w  span_plan_colour+2(a0),d0
         move.w  d0,d1
         swap    d0

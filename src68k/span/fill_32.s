@@ -6,11 +6,7 @@
 ; formats: 32-bit pixels at multiples of 4
 
         routine span_fill_32,a0
-        save_all
-        movea.l span_plan_lines(a0),a1
-        move.l  span_plan_count(a0),d7
-        movea.l span_plan_row(a0),a6
-        movea.l span_plan_pitch(a0),a5
+        fill_open
         move.l  span_plan_colour(a0),d0
         lea     .longwords_end(pc),a3
         moveq   #scanline_sizeof-6,d6

@@ -26,11 +26,10 @@ copy    macro
 
 ; floor_fetch - bytes fetched through an address register
 ;
-; in:      a0  uint8*  the byte
+; in:      a0  const uint8*  the byte
 ;          d7  int32   rounds of 16, less one
 ; out:     d0  uint8   the byte
 ; trashes: d7
-; reads:   the byte
         routine floor_fetch
         accesses fetch
 
@@ -47,12 +46,11 @@ copy    macro
 
 ; floor_copy - a byte fetched and stored for each pixel
 ;
-; in:      a0  uint8*  the byte
+; in:      a0  const uint8*  the byte
 ;          a1  uint8*  the first copy's address
 ;          d7  int32   rounds of 16, less one
 ; out:     a1  uint8*  after the last byte
 ; trashes: d7
-; reads:   the byte
 ; writes:  16 bytes a round
         routine floor_copy
         accesses copy

@@ -47,6 +47,13 @@ pixels  macro
         bra     .next
         endm
 
+; The places in the loop \1 of the pixel counts less one, modulo 8, from .entries.
+entries macro
+        rept    8
+        dc.w    \1-.entries+(7-REPTN)*PIXEL
+        endr
+        endm
+
         routine span_logarithm,a0
         movem.l d2-d7/a2-a6,-(sp)
         move.l  logarithm_span_count(a0),-(sp)
@@ -92,18 +99,10 @@ pixels  macro
 
 ; By way and the count of pixels less one, modulo 8.
 .entries
-        rept    8
-        dc.w    .add_add-.entries+(7-REPTN)*PIXEL
-        endr
-        rept    8
-        dc.w    .sub_add-.entries+(7-REPTN)*PIXEL
-        endr
-        rept    8
-        dc.w    .add_sub-.entries+(7-REPTN)*PIXEL
-        endr
-        rept    8
-        dc.w    .sub_sub-.entries+(7-REPTN)*PIXEL
-        endr
+        entries .add_add
+        entries .sub_add
+        entries .add_sub
+        entries .sub_sub
 
         pixels  add,add,.add_add
         pixels  sub,add,.sub_add

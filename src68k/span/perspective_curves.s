@@ -67,9 +67,8 @@ bend    macro
 
 ; span_perspective_curves - draws lines with perspective, by curved pieces
 ;
+; like:    span_perspective_pieces
 ; in:      a0  perspective_span*  the lines, the frame, the map, the longest piece
-; reads:   the plan, its lines, the map
-; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels. A piece of 4, 8, 16 or
 ;          32 pixels is a parabola through its exact first and middle pixel and the one
 ;          after it. It draws the longest piece whose least weight is enough, else a single
