@@ -1,5 +1,3 @@
-; Memory that a program cannot do without.
-
         include "routine.i"
 
         xref    mem_cleared,_print,program_end,quiet_leave

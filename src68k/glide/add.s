@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "glide.i"
 
 ; glide_add - texels plus others
 ;
@@ -38,8 +38,4 @@
         add.l   d0,d0
         sub.l   d1,d0                   ; 255 for each
         or.l    d2,d0
-        move.l  d0,(a1)+
-        cmpa.l  a3,a0
-        bne.s   .pixels
-        movem.l (sp)+,d2-d7/a2-a3
-        rts
+        glide_modulate_close

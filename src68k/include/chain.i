@@ -100,24 +100,25 @@ join_uv macro
         endm
 
 ; Pixels of spans: d4 holds the map's page in its upper word, (a1)+ is the destination.
-; texel_next makes d4 the texel's address and steps the coordinates; a2 is free.
+; texel_next makes d4 the texel's address and steps the coordinates; a2 is free. Its arguments are
+; registers with steps, d2 and d3 unless the steps change from pixel to pixel.
 
-; The chain of two registers: B in d0, A in d1, their steps in d2 and d3. 8 bytes.
+; The chain of two registers: B in d0, A in d1, their steps in \1 and \2. 8 bytes.
 texel_next macro
         move.w  d0,d4                   ; mmVv
         move.b  d1,d4                   ; mmVU
-        addx.l  d2,d0
-        addx.l  d3,d1
+        addx.l  \1,d0
+        addx.l  \2,d1
         endm
 
-; S, Q and P in d5, d1 and d0, their steps in a4, d3 and d2: P is stepped as a word, so
+; S, Q and P in d5, d1 and d0, their steps in a4, \2 and \1: P is stepped as a word, so
 ; V's overflow is lost instead of entering u. 10 bytes.
 texel_next_apart macro
         move.w  d0,d4                   ; mmVv
         move.b  d1,d4                   ; mmVU
         add.l   a4,d5
-        addx.l  d3,d1
-        addx.w  d2,d0
+        addx.l  \2,d1
+        addx.w  \1,d0
         endm
 
 ; Draws the texel at d4. 4 bytes.
@@ -136,12 +137,12 @@ draw_lit macro
         endm
 
 pixel_chain macro
-        texel_next
+        texel_next d2,d3
         draw
         endm
 
 pixel_apart macro
-        texel_next_apart
+        texel_next_apart d2,d3
         draw
         endm
 
@@ -194,7 +195,7 @@ wide_chain macro
         add.l   a4,d1
         span_enter_out 4
 .pixels rept    16
-        texel_next
+        texel_next d2,d3
         draw_wide \1
         endr
         span_close d5
@@ -209,7 +210,7 @@ wide_apart macro
         span_rounds_out 4
         span_enter_out 2,4
 .pixels rept    16
-        texel_next_apart
+        texel_next_apart d2,d3
         draw_wide \1
         endr
         span_close (sp)

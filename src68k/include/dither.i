@@ -114,9 +114,9 @@ dither_chain_lines macro
         bra     .line
         cnop    0,4
 .pixels rept    8
-        dither_next d2,d3
+        texel_next d2,d3
         \1     \2
-        dither_next d5,d6
+        texel_next d5,d6
         \1     \2
         endr
         dbra    d7,.pixels
@@ -162,9 +162,9 @@ dither_apart_lines macro
         bra     .line
         cnop    0,4
 .pixels rept    4
-        dither_next_apart d2,d3
+        texel_next_apart d2,d3
         \3     \4
-        dither_next_apart d6,d7
+        texel_next_apart d6,d7
         \3     \4
         endr
         cmpa.l  a5,a1
@@ -205,20 +205,4 @@ dither_apart_lines macro
         bra     .line_next
 .done   lea     DITHER_BYTES(sp),sp
         return_all
-        endm
-
-; texel_next with the steps \1 and \2.
-dither_next macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        addx.l  \1,d0
-        addx.l  \2,d1
-        endm
-
-dither_next_apart macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        add.l   a4,d5
-        addx.l  \2,d1
-        addx.w  \1,d0
         endm

@@ -12,13 +12,6 @@
 
 ; v alone, in a chain of one register: v-Vv, with the spare byte and the borrow of pack_alone.
 
-pixel   macro
-        move.w  d1,d4                   ; mmVv
-        move.b  d5,d4                   ; mmVU
-        addx.l  d2,d1
-        draw
-        endm
-
         routine span_affine_column,a0
         alone_open dvdx
         moveq   #0,d3                   ; the spare byte of a line's start
@@ -41,6 +34,9 @@ pixel   macro
         add.l   a4,d1
         span_enter 2
 .pixels rept    16
-        pixel
+        move.w  d1,d4                   ; mmVv
+        move.b  d5,d4                   ; mmVU
+        addx.l  d2,d1
+        draw
         endr
         span_close (sp)

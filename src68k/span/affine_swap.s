@@ -9,13 +9,6 @@
 ; The best form found without addx: v is held 8 bits higher, so that V is above U once
 ; u's lower bytes have replaced v's, and one swap makes both an index.
 
-pixel   macro
-        join_uv d5
-        add.l   d2,d0
-        add.l   d3,d1
-        move.b  (a4,d4.w),(a1)+
-        endm
-
         routine span_affine_swap,a0
         span_open
         movea.l span_plan_map(a0),a4
@@ -33,6 +26,9 @@ pixel   macro
         span_rounds 3
         span_enter 2,8
 .pixels rept    8
-        pixel
+        join_uv d5
+        add.l   d2,d0
+        add.l   d3,d1
+        move.b  (a4,d4.w),(a1)+
         endr
         span_close (sp)

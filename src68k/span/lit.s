@@ -8,10 +8,6 @@
 ;          256 bytes at light, a multiple of 256
 ; error:   none: pixel n shows light[texel (floor(u + n dudx), floor(v + n dvdx))]
 ; cost:    bench row affine_lit
-pixel   macro
-        texel_next
-        draw_lit d5
-        endm
 
         routine span_lit,a0
         chain_open light
@@ -22,6 +18,7 @@ pixel   macro
         add.l   a4,d1
         span_enter 8
 .pixels rept    8
-        pixel
+        texel_next d2,d3
+        draw_lit d5
         endr
         span_close 4(sp),8

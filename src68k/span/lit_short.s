@@ -16,7 +16,7 @@
         movea.l span_plan_lines(a0),a0
         bra     .line
         rept    SHORT_LIT
-        texel_next
+        texel_next d2,d3
         draw_lit d5
         endr
         short_line

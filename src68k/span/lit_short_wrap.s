@@ -16,7 +16,7 @@
         apart_steps
         bra     .line
         rept    SHORT_LIT_WRAP
-        texel_next_apart
+        texel_next_apart d2,d3
         draw_lit d6
         endr
         short_line

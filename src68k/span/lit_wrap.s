@@ -6,11 +6,6 @@
 ; formats: as span_affine_addx_wrap
 ; cost:    bench row affine_lit_wrap
 
-pixel   macro
-        texel_next_apart
-        draw_lit d6
-        endm
-
         routine span_lit_wrap,a0
         apart_open light
         lea     .pixels_end-18(pc),a3
@@ -23,6 +18,7 @@ pixel   macro
         move.l  (sp),d6                 ; lll0
         jmp     (a2)
 .pixels rept    8
-        pixel
+        texel_next_apart d2,d3
+        draw_lit d6
         endr
         span_close 4(sp),8

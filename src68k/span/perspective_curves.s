@@ -35,15 +35,6 @@ single  macro
         move.b  (a4,\2.w),(a1)+
         endm
 
-pixel   macro
-        join_uv d5
-        add.l   d2,d0
-        add.l   a2,d2
-        add.l   d3,d1
-        add.l   a3,d3
-        move.b  (a4,d4.w),(a1)+
-        endm
-
 ; The curve through \1 (where it begins), \2 and \3 (d registers), d7 = log2 of their
 ; distance: \2 = second difference a pixel, \3 = the first step. Uses d4-d5; a5 =
 ; distance^2 / 2.
@@ -220,7 +211,12 @@ bend    macro
         move.w  d4,d7
         subq.w  #1,d7
 .pixels rept    4
-        pixel
+        join_uv d5
+        add.l   d2,d0
+        add.l   a2,d2
+        add.l   d3,d1
+        add.l   a3,d3
+        move.b  (a4,d4.w),(a1)+
         endr
         dbra    d7,.pixels
         move.l  a5,d7

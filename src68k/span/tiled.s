@@ -16,16 +16,6 @@
 ; each step all gaps are cleared, and so are overflows into them. A's v is one step
 ; ahead, so that its carry is ready when B needs it.
 
-pixel   macro
-        move.w  d0,d4
-        or.w    d1,d4                   ; mm, TTTTTVVVVVVVVUUU
-        addx.l  d2,d0
-        addx.l  d3,d1
-        and.l   d6,d1
-        and.l   d5,d0
-        draw
-        endm
-
 ; Packs u (\1 = uu:UU) and v (\2 = VVvv) into B (\1) and A (\2), by their masks d5
 ; and d6. Uses d4's lower word.
 pack_tiled macro
@@ -68,6 +58,12 @@ pack_tiled macro
         add.l   a4,d1
         jmp     (a2)
 .pixels rept    8
-        pixel
+        move.w  d0,d4
+        or.w    d1,d4                   ; mm, TTTTTVVVVVVVVUUU
+        addx.l  d2,d0
+        addx.l  d3,d1
+        and.l   d6,d1
+        and.l   d5,d0
+        draw
         endr
         span_close (sp)
