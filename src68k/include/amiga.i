@@ -125,6 +125,7 @@ ie_Qualifier            equ     8
 IECLASS_NULL            equ     0
 IECLASS_RAWKEY          equ     1
 IECLASS_RAWMOUSE        equ     2
+IECODE_UP               equ     $80
 IEQUALIFIERB_CONTROL    equ     3
 IEQUALIFIERB_REPEAT     equ     9       ; of the word
 
