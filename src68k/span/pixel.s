@@ -123,22 +123,18 @@ pixel_a3 macro
 
 ; pixel_addx_3 - three interpolants in one addx chain: u, v and a shade
 ;
-; in:      d0  uint32  uuVv
-;          d1  uint32  c--U
+; like:    pixel_addx_2
+; in:      d1  uint32  c--U
 ;          d2  uint32  v-Cc, v one step ahead
 ;          d3  uint32  step, uuVv
 ;          d4  uint32  step, c--U
 ;          d5  uint32  step, v-Cc
 ;          d6  uint32  256x256 map at a multiple of 65,536
 ;          d7  uint32  table of shades at a multiple of 65,536
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
-; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d2/d6-d7/a2
 ; reads:   the map, the table
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v, shade 8.16; v wraps once
-; error:   none if v's first carry is in d0 already
         routine pixel_addx_3
         move    #0,ccr
         pixels  8,pixel_a3

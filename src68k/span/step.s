@@ -100,13 +100,10 @@ chain_3 macro
 
 ; step_addx_1 - one interpolant by add and addx
 ;
-; in:      d0  uint32  value, swapped, ff:ii
-;          d3  uint32  step, swapped, ff:ii
-;          d6  uint32  0
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-; trashes: d7
+; like:    step_chain_1
+; in:      d6  uint32  0
 ; formats: integer in the low word, positive and below 32,768
+; error:   none
         routine step_addx_1
         steps   addx_1
 

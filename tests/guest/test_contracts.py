@@ -91,10 +91,11 @@ def test_like_another_routine(parse):
         assert f"no other routine {wrong}" in complaint(parse, text.replace("like:    scale",
                                                                             f"like:    {wrong}"))
     assert "field 'error' says nothing" in complaint(parse, text.replace("a unit", "none: exact"))
-    grow, _ = parse(text.replace("; error:   a unit", "; in:      d0  int32  b\n; out:     a0  void*  c"))
+    grow, _ = parse(text.replace("; error:   a unit",
+                                 "; in:      d0  int32  b\n; out:     a0  void*  c"))
     assert grow.inputs == (("d0", "int32", "b"), scale.inputs[1])
     assert grow.outputs == (*scale.outputs, ("a0", "void*", "c"))
-    assert "d0 says nothing" in complaint(parse, text.replace("; error:   a unit", "; in:      d0  int32  a"))
+    assert "d0 says nothing" in complaint(parse, text.replace("error:   a unit", "in:      d0  int32  a"))
 
 
 def test_defaults_of_a_kernel(tmp_path):
@@ -148,7 +149,7 @@ def test_comments_that_are_no_block(parse, wrong):
 
 
 def test_registers_of_macro_and_block_differ(parse):
-    assert "scale takes a1, d0 from C" in complaint(parse, source("        routine scale,a1,d0\n"))
+    assert "scale: takes a1, d0 from C" in complaint(parse, source("        routine scale,a1,d0\n"))
 
 
 def test_assembly_only_routine(parse):

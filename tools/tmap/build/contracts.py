@@ -9,14 +9,14 @@
     ; trashes: d0-d2/a1, everything, or - for nothing
     ; reads: writes: formats: error: cost:    free text
 
-The block is a comment of its own, which begins with that title. Fields are in this order. A longer one continues on indented lines; an empty one is left out.
-Without ``trashes`` a routine may change the registers that C allows, TRASHED. Without ``error`` a
-kernel has none. Without ``reads`` or ``writes`` it reads what its pointers to const point to or
-writes what its others do. ``cost`` is no other routine's: without it, it is the bench row of a
-kernel's own name, which has no "span_".
-A routine begins with the macro ``routine`` or ``pass``, whose last argument is the count, or with an
-exported label of a code section. Other labels that a documented routine runs into are entries of
-that routine. The entry ``start`` of a command may be documented under the command's name.
+The block is a comment of its own, which begins with that title. Fields are in this order. A longer
+one continues on indented lines; an empty one is left out. Without ``trashes`` a routine may change
+the registers that C allows, TRASHED. Without ``error`` a kernel has none. Without ``reads`` or
+``writes`` a routine reads what its pointers to const point to or writes what its others do. ``cost``
+is no other routine's: without it, it is the bench row of a kernel's own name, which has no "span_".
+A routine begins with the macro ``routine`` or ``pass``, whose last argument is the count, or with
+an exported label of a code section. Other labels that a documented routine runs into are entries
+of that routine. The entry ``start`` of a command may be documented under the command's name.
 
 ``python -m tmap.build.contracts SRC OUT`` writes OUT/kernel_table.s: names and addresses of all
 kernels, for the program bench.
@@ -304,28 +304,31 @@ def complete(contracts: list[Contract]) -> list[Contract]:
             given = {"error": "none", "cost": f"bench row {c.name.removeprefix('span_')}"}
         if c.like:
             if c.like not in named or c.like in (*above, c.name):
-                raise UserError(f"{c.file}:{c.line}: {c.name}: like: no other routine {c.like}")
+                fail(c, f"like: no other routine {c.like}")
             base = completed(named[c.like], (*above, c.name))
             given |= {field: getattr(base, field) for field in INHERITED}
-            c = replace(c, **{field: merged(c, field, given[field]) for field in ATTRIBUTES.values()})
-        for field in given.keys() - c.missing - set(ATTRIBUTES.values()):
+            c = replace(c, inputs=merged(c, c.inputs, base.inputs),
+                        outputs=merged(c, c.outputs, base.outputs))
+        for field in given.keys() - c.missing:
             if getattr(c, field) == given[field]:
-                raise UserError(f"{c.file}:{c.line}: {c.name}: field {field!r} says nothing: "
-                                "leave it out")
-        found = replace(c, **{field: given[field] for field in given.keys() & c.missing})
-        done[c.name] = found
-        check_registers(found)
-        return found
+                fail(c, f"field {field!r} says nothing: leave it out")
+        done[c.name] = replace(c, **{field: given[field] for field in given.keys() & c.missing})
+        check_registers(done[c.name])
+        return done[c.name]
 
     return [completed(c) for c in contracts]
 
 
-def merged(block: Contract, field: str, base: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """Returns the entries of another routine's ``inputs`` or ``outputs``, with those of the block."""
-    own = getattr(block, field)
+def fail(block: Contract, text: str):
+    """Raises a UserError about a block."""
+    raise UserError(f"{block.file}:{block.line}: {block.name}: {text}")
+
+
+def merged(block: Contract, own: tuple[Argument, ...],
+           base: tuple[Argument, ...]) -> tuple[Argument, ...]:
+    """Returns another routine's entries of ``in`` or ``out``, with the block's own in their place."""
     for argument in set(own) & set(base):
-        raise UserError(f"{block.file}:{block.line}: {block.name}: {argument.register} says nothing: "
-                        "leave it out")
+        fail(block, f"{argument.register} says nothing: leave it out")
     return tuple(({a.register: a for a in base} | {a.register: a for a in own}).values())
 
 
@@ -336,9 +339,8 @@ def check_registers(block: Contract) -> None:
     """
     stated = tuple(r for argument in block.inputs for r in argument.register.split(":"))
     if block.registers and block.registers != stated:
-        raise UserError(f"{block.file}:{block.line}: {block.name} takes "
-                        f"{', '.join(block.registers)} from C, its block says in: "
-                        f"{', '.join(stated) or '-'}")
+        fail(block, f"takes {', '.join(block.registers)} from C, its block says in: "
+                    f"{', '.join(stated) or '-'}")
 
 
 def is_kernel(block: Contract) -> bool:
