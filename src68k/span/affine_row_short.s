@@ -6,9 +6,7 @@
 ; formats: as span_affine_row; a line has SHORT_AFFINE_ROW pixels at most
 
         routine span_affine_row_short,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
+        short_open d2
         movea.l span_plan_lines(a0),a0
         pack_alone d2,d5,a4
         bra     .line

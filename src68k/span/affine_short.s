@@ -6,10 +6,7 @@
 ; formats: as span_affine_addx; a line has SHORT_AFFINE pixels at most
 
         routine span_affine_short,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
-        move.l  span_plan_dvdx(a0),d5
+        short_open d2,d5
         movea.l span_plan_lines(a0),a0
         chain_steps
         bra     .line

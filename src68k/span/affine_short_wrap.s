@@ -6,10 +6,7 @@
 ; formats: as span_affine_addx_wrap; a line has SHORT_AFFINE_WRAP pixels at most
 
         routine span_affine_short_wrap,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d5
-        move.l  span_plan_dvdx(a0),d2
+        short_open d5,d2
         movea.l span_plan_lines(a0),a0
         apart_steps
         bra     .line

@@ -7,10 +7,7 @@
 ; cost:    bench row affine_lit_short
 
         routine span_lit_short,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
-        move.l  span_plan_dvdx(a0),d5
+        short_open d2,d5
         chain_steps
         move.l  span_plan_light(a0),d5  ; lll0
         movea.l span_plan_lines(a0),a0

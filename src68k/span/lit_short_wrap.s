@@ -7,11 +7,7 @@
 ; cost:    bench row affine_lit_short_wrap
 
         routine span_lit_short_wrap,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_light(a0),-(sp)
-        move.l  span_plan_dudx(a0),d5
-        move.l  span_plan_dvdx(a0),d2
+        short_open d5,d2,light
         movea.l span_plan_lines(a0),a0
         apart_steps
         bra     .line
