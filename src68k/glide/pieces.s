@@ -134,13 +134,7 @@ locals  equ     68
         adda.l  piece+8(sp),a5
         move.l  a5,d3
         ble     .odd
-        move.l  d3,d5
-        add.l   d5,d5
-        moveq   #30,d4
-        move.l  a3,d0
-        quotient d0,.odd
-        move.l  a4,d1
-        quotient d1,.odd
+        quotients .odd
 .ended  move.l  bits(sp),d4
         move.l  d0,d2
         move.l  d1,d3

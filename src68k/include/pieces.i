@@ -18,6 +18,17 @@ quotient macro
         minus   <subq.l #1,\1>
         endm
 
+; d0, d1 = the quotients of a3 and a4 by d3; goes to \1 if one does not fit. Uses d2/d4-d5.
+quotients macro
+        move.l  d3,d5
+        add.l   d5,d5
+        moveq   #30,d4
+        move.l  a3,d0
+        quotient d0,\1
+        move.l  a4,d1
+        quotient d1,\1
+        endm
+
 ; Shifts s and t (d0, d1) and their steps (d2, d3) left by d5, subtracts a6 from s and t, and swaps
 ; as n64_step does: d0 = SSss, d1 = ttTT, d3 = tt--, d5 = TT.
 scaled  macro
@@ -63,13 +74,7 @@ at_end  macro
 quotients_of_ends macro
 .ends   move.l  a5,d3
         ble.s   .both
-        move.l  d3,d5
-        add.l   d5,d5
-        moveq   #30,d4
-        move.l  a3,d0
-        quotient d0,.both
-        move.l  a4,d1
-        quotient d1,.both
+        quotients .both
         rts
 .both   move.l  a4,d0
         bsr.s   .one

@@ -2,24 +2,6 @@
 
         include "number.i"
 
-; d3 = q of the line's first pixel, d7 pixels from the planes' own; d2 = q of its last, d6
-; pixels further. Uses d0-d1/d4-d5/d7.
-ends_q  macro
-        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
-        move.l  d5,d1
-        mulu.l  d7,d0:d1
-        muls.l  d4,d7
-        add.l   d7,d0
-        add.l   row_q+number64_lo(sp),d1
-        move.l  row_q(sp),d3
-        addx.l  d0,d3
-        mulu.l  d6,d2:d5
-        muls.l  d6,d4
-        add.l   d4,d2
-        add.l   d1,d5
-        addx.l  d3,d2
-        endm
-
 ; Writes a line's left and n to the struct \1 at a1 and finds q at its ends: d3 of the first
 ; pixel, d2 of the last, d4 the larger, d5 the smaller; d7 = d4's leading zeros, d6 = n. Goes to
 ; .next if the line has no pixel, to .other if d5 is below q_low or d7 above \2.
@@ -33,7 +15,19 @@ ends_sorted macro
         move.w  d6,\1_n(a1)
         bmi     .next
         sub.l   a4,d7
-        ends_q
+        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
+        move.l  d5,d1
+        mulu.l  d7,d0:d1
+        muls.l  d4,d7
+        add.l   d7,d0
+        add.l   row_q+number64_lo(sp),d1
+        move.l  row_q(sp),d3
+        addx.l  d0,d3
+        mulu.l  d6,d2:d5
+        muls.l  d6,d4
+        add.l   d4,d2
+        add.l   d1,d5
+        addx.l  d3,d2
         move.l  d2,d4
         move.l  d3,d5
         cmp.l   d4,d5

@@ -12,8 +12,9 @@
 The block is a comment of its own, which begins with that title. Fields are in this order. A longer
 one continues on indented lines; an empty one is left out. Without ``trashes`` a routine may change
 the registers that C allows, TRASHED. Without ``error`` a kernel has none. Without ``reads`` or
-``writes`` a routine reads what its pointers to const point to or writes what its others do. ``cost``
-is no other routine's: without it, it is the bench row of a kernel's own name, which has no "span_".
+``writes`` a routine reads what its pointers to const point to or writes what its others do.
+``cost`` is no other routine's: without it, it is the bench row of a kernel's own name, which has
+no "span_".
 A routine begins with the macro ``routine`` or ``pass``, whose last argument is the count, or with
 an exported label of a code section. Other labels that a documented routine runs into are entries
 of that routine. The entry ``start`` of a command may be documented under the command's name.
@@ -326,7 +327,7 @@ def fail(block: Contract, text: str):
 
 def merged(block: Contract, own: tuple[Argument, ...],
            base: tuple[Argument, ...]) -> tuple[Argument, ...]:
-    """Returns another routine's entries of ``in`` or ``out``, with the block's own in their place."""
+    """Returns another routine's entries of ``in`` or ``out``, with the block's own among them."""
     for argument in set(own) & set(base):
         fail(block, f"{argument.register} says nothing: leave it out")
     return tuple(({a.register: a for a in base} | {a.register: a for a in own}).values())
