@@ -186,7 +186,7 @@ build/gen/headers.o: build/gen/headers.c build/obj/flags | setup
 build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/headers.o tools/tmap/build/layout.py
 	@$(PYTHON) -m tmap.build.layout $< build/gen $(HEADERS:c/%=%)
 
-build/gen/kernel_table.s build/gen/contracts.json &: $(ASM_FILES) tools/tmap/build/contracts.py build/obj/objects | setup
+build/gen/kernel_table.s: $(ASM_FILES) tools/tmap/build/contracts.py build/obj/objects | setup
 	@$(PYTHON) -m tmap.build.contracts src68k build/gen
 
 $(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/tmap/build/%.py | setup

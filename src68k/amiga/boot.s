@@ -1,13 +1,11 @@
-;==============================================================================
 ; boot - the code in a disk's first two sectors: starts dos, as any bootable disk does
 ;
-; in:      a6  struct ExecBase*  exec
-;          a1  struct IOStdReq*  the drive's, open
+; in:      a6  const struct ExecBase*  exec
+;          a1  const struct IOStdReq*  the drive's, open
 ; out:     d0  int32  0: start the routine a0; -1: no dos
 ;          a0  void*  dos's initial routine
 ; reads:   exec's list of resident modules
 ; formats: after the sectors' header of 12 bytes; position-independent, no data elsewhere
-;==============================================================================
         include "amiga.i"
 
         xdef    boot

@@ -1,17 +1,14 @@
 ; Ctrl-C: a program polls it between two pieces of its work.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    _print
 
-;==============================================================================
 ; break_asked - checks for Ctrl-C, or the command Break
 ;
 ; out:     d0  int32  1: end the program, which is printed as AmigaDOS's commands do; 0: go on
 ; reads:   the task's signals
 ; writes:  clears the break signal
-;==============================================================================
         routine break_asked
         move.l  a6,-(sp)
         moveq   #0,d0

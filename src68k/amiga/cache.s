@@ -1,7 +1,6 @@
 ; The 68030's data cache; the 68020 has none.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    at_end
 
@@ -13,13 +12,11 @@ CACR_CLEAR_DATA         equ     $800
 CACR_BURST_DATA         equ     $1000
 CACR_ALLOCATE           equ     $2000   ; on writes, too
 
-;==============================================================================
 ; cache_data - switches the data cache on; the program's end restores it
 ;
 ; out:     d0  int32  1 if it is on, 0 if there is none
 ; writes:  CACR; bursts and write allocation are on, too
 ; error:   call it once
-;==============================================================================
         routine cache_data
         movem.l a5-a6,-(sp)
         lea     cache_end,a0

@@ -1,13 +1,11 @@
 ; Calls a routine with given registers and records them after the call. The bench
 ; and the tests call every kernel this way, by its contract.
 
-        include "routine.i"
         include "amiga.i"
 
 REGISTERS               equ     15      ; d0-d7/a0-a6
 CACHE_SIZE              equ     256     ; the 68020's, in bytes
 
-;==============================================================================
 ; call_kernel - calls a routine once
 ;
 ; in:      a0  int32*  d0-d7/a0-a6 for it, then one longword more
@@ -15,7 +13,7 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
 ; reads:   the block
 ; writes:  the block: the registers after the call, then by how much the stack
 ;          pointer was off
-;==============================================================================
+
 ; The value for a0 is on the stack too: C's first argument.
 
         routine call_kernel,a0,d0
@@ -39,11 +37,10 @@ CACHE_SIZE              equ     256     ; the 68020's, in bytes
         move.l  d0,(a0)
         return_all
 
-;==============================================================================
 ; call_place - puts the calling loop where it and a routine share no cache line
 ;
-; in:      a0  void*   the routine that call_repeat will call
-;==============================================================================
+; in:      a0  const void*  the routine that call_repeat will call
+
 ; The 68020's instruction cache is direct-mapped: the lines that two pieces of code
 ; share depend on their addresses modulo 256. The loop ends where the routine begins,
 ; modulo 256. So a figure depends on the routine alone, wherever the linker and
@@ -80,14 +77,11 @@ calling_loop
         cnop    0,4
 LOOP_SIZE               equ     *-calling_loop
 
-;==============================================================================
 ; call_repeat - calls call_place's routine again and again, with the same registers
 ;
-; in:      a0  int32*  d0-d7/a0-a6 for it
+; in:      a0  const int32*  d0-d7/a0-a6 for it
 ;          d0  int32   how often, 1 or more
-; reads:   the block
 ; cost:    the same for every routine: measure one that only returns
-;==============================================================================
         routine call_repeat,a0,d0
         save_all
         move.l  d0,calls

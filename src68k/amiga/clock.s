@@ -4,7 +4,6 @@
 ; each (709,379 Hz and 14.18758 MHz).
 
         include "amiga.i"
-        include "routine.i"
 
         xdef    ciab_base
 
@@ -15,11 +14,9 @@ LINE                    equ     227     ; colour clocks in a raster line
 E_CLOCK                 equ     5       ; in an E-clock
 ROUGH                   equ     4*E_CLOCK       ; the timers' error: both edges are waited for
 
-;==============================================================================
 ; clock_open - takes CIA-B's two timers
 ;
 ; out:     d0  int32  1 if they are ours, 0 if another program has them
-;==============================================================================
         routine clock_open
         movem.l d2/a6,-(sp)
         movea.l sys_base,a6
@@ -53,11 +50,9 @@ ROUGH                   equ     4*E_CLOCK       ; the timers' error: both edges 
 ciab_name       dc.b    'ciab.resource',0
                 even
 
-;==============================================================================
 ; clock_close - gives the timers back
 ;
 ; error:   does nothing if they are not ours
-;==============================================================================
         routine clock_close
         move.l  a6,-(sp)
         move.l  ciab_base,d0
@@ -73,14 +68,13 @@ ciab_name       dc.b    'ciab.resource',0
 .done   movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; clock_wait - empties the instruction cache and waits for a fixed place of a raster line and a
 ;              fixed phase of the E-clock, from the field's first line on; on NTSC machines, where
 ;              that may not come, until line 128 at most
 ;
 ; reads:   CIA-B, the beam's position
 ; cost:    1 to 25 ms
-;==============================================================================
+
 ; Chip RAM is refreshed at fixed places of each raster line, so code that starts at another
 ; place takes some ticks more or less. A line has 227 colour clocks, a prime, and an E-clock
 ; has 5, so every place of the line meets every phase. It waits twice: the second time the
@@ -108,7 +102,6 @@ ciab_name       dc.b    'ciab.resource',0
 .there  dbra    d1,.again
         rts
 
-;==============================================================================
 ; clock_start - starts the clock and the watchdog; outside quiet mode the watchdog does not bite,
 ;               and the time of interrupts is included
 ;
@@ -116,7 +109,6 @@ ciab_name       dc.b    'ciab.resource',0
 ; reads:   the beam's position
 ; writes:  CIA-B timers A and B
 ; error:   limits from 1 to 65,535
-;==============================================================================
         routine clock_start,d0
         lea     ciab,a0
         move.b  #CRAF_STOP,ciacra(a0)
@@ -132,14 +124,13 @@ ciab_name       dc.b    'ciab.resource',0
         move.b  custom+vhposr+1,place
         rts
 
-;==============================================================================
 ; clock_stop - stops the clock
 ;
 ; out:     d0  uint32  colour clocks since clock_start, 4 CPU cycles each
 ; reads:   CIA-B timers A and B, the beam's position
 ; error:   one colour clock; ROUGH of them if raster lines do not have LINE of them each (NTSC);
 ;          the caller must subtract the constant cost of clock_start and clock_stop
-;==============================================================================
+
 ; The timers count E-clocks, and their phase between two instructions is not known: a time is up
 ; to two of them off. The beam's place in its line gives the exact time.
 

@@ -2,7 +2,6 @@
 ; interrupts go on. The lists alone define the picture.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    at_end
 
@@ -18,12 +17,11 @@ SET                     equ     12      ; the list that the copper takes at the 
 SHOWN                   equ     16      ; the list that the copper runs
 SINCE                   equ     20      ; the first field of that list
 
-;==============================================================================
 ; display_has_aga - checks for AGA
 ;
 ; out:     d0  int32  1 if the machine has it, 0 if not
 ; reads:   Denise's number
-;==============================================================================
+
 ; The first Denise has no number: a read gives the last value on the bus.
 
         routine display_has_aga
@@ -36,7 +34,6 @@ SINCE                   equ     20      ; the first field of that list
 .none   moveq   #0,d0
         rts
 
-;==============================================================================
 ; display_open - takes the display over and shows a list, until display_close or the end
 ;
 ; in:      d0  uint16*  copper list in chip RAM
@@ -44,7 +41,6 @@ SINCE                   equ     20      ; the first field of that list
 ; writes:  the copper's first list, DMACON, BEAMCON0 of NTSC machines
 ; error:   0 if it is taken already, or there is no graphics.library
 ; cost:    two fields or more
-;==============================================================================
         routine display_open,d0
         movem.l d2/a6,-(sp)
         move.l  d0,d2
@@ -96,14 +92,12 @@ wait_shown
 
 DMA_ON                  equ     $8380   ; all, bitplanes, copper
 
-;==============================================================================
 ; display_show - shows another list from the next field on; returns when it is shown
 ;
 ; in:      d0  uint16*  copper list in chip RAM
 ; writes:  the copper's first list
 ; error:   the display must be ours
 ; cost:    a field or two
-;==============================================================================
         routine display_show,d0
         move.l  a6,-(sp)
         move.l  state+FIELDS,state+DUE
@@ -112,35 +106,29 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; display_post - shows another list from a field on; returns at once
 ;
 ; in:      d0  uint16*  copper list in chip RAM
 ;          d1  uint32   field, as display_fields counts; the next one if it is over
 ; writes:  the copper's first list, when it is time
 ; error:   the display must be ours, and the list posted before must be shown
-;==============================================================================
         routine display_post,d0,d1
         move.l  d1,state+DUE            ; first: until then the old list is the next one
         move.l  d0,state+NEXT
         rts
 
-;==============================================================================
 ; display_since - the first field of the list that the copper runs
 ;
 ; out:     d0  uint32  the field, as display_fields counts
-;==============================================================================
         routine display_since
         move.l  state+SINCE,d0
         rts
 
-;==============================================================================
 ; display_age - how long the copper has run its list
 ;
 ; out:     d0  uint32  raster lines since its first field began, 312 a field
 ; reads:   the beam's position
 ; error:   a line each field if they have 313
-;==============================================================================
         routine display_age
         lea     state,a0
         lea     custom,a1
@@ -163,12 +151,10 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 
 FIELD_LINES             equ     312
 
-;==============================================================================
 ; display_wait - waits for the next field; other tasks run until then
 ;
 ; error:   the display must be ours
 ; cost:    a field at most
-;==============================================================================
         routine display_wait
         move.l  a6,-(sp)
         movea.l gfx_base,a6
@@ -176,31 +162,25 @@ FIELD_LINES             equ     312
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; display_shown - the list that the copper runs
 ;
 ; out:     d0  uint32  the list's address
-;==============================================================================
         routine display_shown
         move.l  state+SHOWN,d0
         rts
 
-;==============================================================================
 ; display_fields - fields while the display was ours
 ;
 ; out:     d0  uint32  vertical blanks, 50 a second
-;==============================================================================
         routine display_fields
         move.l  state+FIELDS,d0
         rts
 
-;==============================================================================
 ; display_close - gives the display back
 ;
 ; writes:  the same as display_open
 ; error:   does nothing if it is not ours
 ; cost:    two fields or more
-;==============================================================================
         routine display_close
         movem.l d2/a6,-(sp)
         move.l  gfx_base,d2

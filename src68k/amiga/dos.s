@@ -2,12 +2,9 @@
 ; noted here and closed when it ends.
 
         include "amiga.i"
-        include "routine.i"
 
-        xref    dos_base
-        xref    no_arguments
-        xdef    file_close_all
-        xdef    read_args
+        xref    dos_base,no_arguments
+        xdef    file_close_all,read_args
 
 FILES                   equ     8
 
@@ -24,16 +21,13 @@ transfer macro
         rts
         endm
 
-;==============================================================================
 ; file_open - opens a file
 ;
-; in:      d0  char*  name, zero-terminated
+; in:      d0  const char*  name, zero-terminated
 ;          d1  int32  mode: 1005 old file for reading, 1006 new file
 ; out:     d0  int32  handle 1 to 8, or 0: not opened
-; reads:   name
 ; writes:  the table of open files
 ; error:   also 0 if 8 files are open
-;==============================================================================
         routine file_open,d0,d1
         movem.l d2/d3/a6,-(sp)
         move.l  d1,d2
@@ -58,39 +52,31 @@ transfer macro
         movem.l (sp)+,d2/d3/a6
         rts
 
-;==============================================================================
 ; file_read - reads from an open file
 ;
 ; in:      d0  int32  handle from file_open
 ;          d1  void*  destination
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes read, or -1
-; writes:  memory at d1
 ; error:   fewer bytes than requested at the file's end
-;==============================================================================
         routine file_read,d0,d1,a0
         transfer Read
 
-;==============================================================================
 ; file_write - writes to an open file
 ;
 ; in:      d0  int32  handle from file_open
-;          d1  void*  data
+;          d1  const void*  data
 ;          a0  int32  bytes
 ; out:     d0  int32  bytes written, or -1
-; reads:   memory at d1
 ; error:   fewer bytes than requested when the volume is full
-;==============================================================================
         routine file_write,d0,d1,a0
         transfer Write
 
-;==============================================================================
 ; file_size - length of an open file; its position returns to the start
 ;
 ; in:      d0  int32  handle from file_open
 ; out:     d0  int32  bytes
 ; error:   -1 if the file system does not know it
-;==============================================================================
         routine file_size,d0
         movem.l d2/d3/d4/a6,-(sp)
         lea     files,a0
@@ -107,12 +93,10 @@ transfer macro
         movem.l (sp)+,d2/d3/d4/a6
         rts
 
-;==============================================================================
 ; file_close - closes a file
 ;
 ; in:      d0  int32  handle from file_open
 ; writes:  the table of open files
-;==============================================================================
         routine file_close,d0
         move.l  a6,-(sp)
         lea     files,a0
@@ -124,13 +108,10 @@ transfer macro
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; file_delete - deletes an incomplete file
 ;
-; in:      d0  char*  name, zero-terminated; closed
-; reads:   name
+; in:      d0  const char*  name, zero-terminated; closed
 ; error:   ignored: the failure that led here was printed already
-;==============================================================================
         routine file_delete,d0
         move.l  a6,-(sp)
         move.l  d0,d1
@@ -139,13 +120,10 @@ transfer macro
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; print - writes text to the program's output
 ;
-; in:      d0  char*  text, zero-terminated
-; reads:   text
+; in:      d0  const char*  text, zero-terminated
 ; error:   a failed write is ignored: there is nowhere to report it
-;==============================================================================
         routine print,d0
         movem.l d2/d3/a6,-(sp)
         move.l  d0,d2
@@ -161,16 +139,13 @@ transfer macro
         movem.l (sp)+,d2/d3/a6
         rts
 
-;==============================================================================
 ; args_read - the program's arguments by a dos template
 ;
-; in:      d0  char*   template
+; in:      d0  const char*  template
 ;          d1  int32*  one longword an item, preset to the defaults
 ; out:     d0  int32   1 understood, 0 not
-; reads:   template
 ; writes:  the items; texts and numbers they point to live until the end
 ; formats: ReadArgs: /N items point to an int32
-;==============================================================================
         routine args_read,d0,d1
         movem.l d2-d4/a6,-(sp)
         move.l  d1,d2
@@ -186,11 +161,9 @@ transfer macro
 .bad    movem.l (sp)+,d2-d4/a6
         rts
 
-;==============================================================================
 ; file_close_all - closes all open files and frees the arguments
 ;
 ; writes:  the table of open files
-;==============================================================================
         section .text.dos_end,code
 file_close_all:
         movem.l d2/a2/a6,-(sp)

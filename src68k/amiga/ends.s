@@ -2,19 +2,16 @@
 ; like, before memory, files and timers are released.
 
         include "amiga.i"
-        include "layout.i"
-        include "routine.i"
 
         xref    ends_call
 
-;==============================================================================
 ; at_end - registers a routine to be called at the program's end, however it ends
 ;
 ; in:      a0  struct end*   static; `next` is 0 in the program file
 ; reads:   the chain
 ; writes:  the chain
 ; error:   a struct that is in the chain already is not added again
-;==============================================================================
+
 ; The last one added is called first, before timers, files and memory are released. Routines
 ; keep d2-d7/a2-a6 and do nothing if there is nothing to close: they stay in the chain when a
 ; program closes something itself.

@@ -3,23 +3,15 @@
 ; in order with return code 20.
 
         include "amiga.i"
-        include "layout.i"
 
-        xdef    fault_handler
-        xdef    fault_enter
-        xdef    fault_number
-        xref    start
-        xref    program_end
-        xref    quiet_leave
-        xref    _print
+        xdef    fault_handler,fault_enter,fault_number
+        xref    start,program_end,quiet_leave,_print
 
-;==============================================================================
 ; fault_handler - the task's trap code: notes the fault, resumes at the report
 ;
 ; in:      sp  exec's frame: int32 exception number, then the 680x0 frame
 ; trashes: everything
 ; writes:  the fault record
-;==============================================================================
         section .text.fault,code
 fault_handler:
         move.l  (sp)+,fault_number
@@ -40,13 +32,11 @@ fault_enter:                            ; supervisor mode, number noted already
 .frame_bytes
         dc.b    8,8,12,12,8,8,8,8,8,20,32,92,8,8,8,8
 
-;==============================================================================
 ; fault_report - prints the fault record and ends the program
 ;
 ; trashes: everything
 ; reads:   the fault record
 ; formats: "fault: exception N pc $OFFSET", then d0-d7 and a0-a7, hexadecimal
-;==============================================================================
 fault_report:
         lea     -64(sp),sp              ; stay clear of the stack in use
         jsr     quiet_leave

@@ -1,22 +1,16 @@
-; The characters of the ROM's font.
-
         include "amiga.i"
-        include "routine.i"
 
 FIRST                   equ     32
 LETTERS                 equ     96
 ROWS                    equ     8
 
-;==============================================================================
 ; font_read - the ROM font's characters 32 to 127, topaz of 8 rows
 ;
 ; in:      d0  uint8*  room for 96 of them, 8 bytes each from the top, the leftmost dot the
 ;                      highest bit
 ; out:     d0  int32   1, or 0: the ROM has none
 ; reads:   the font
-; writes:  the room
 ; error:   the room of characters that the font lacks is unchanged
-;==============================================================================
         routine font_read,d0
         movem.l d2-d6/a2-a3/a6,-(sp)
         movea.l d0,a3

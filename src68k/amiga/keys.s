@@ -1,7 +1,6 @@
 ; Takes keys before any window gets them, by a handler of input.device ahead of the system's.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    at_end
 
@@ -9,12 +8,10 @@ PRIORITY                equ     60      ; the system's own is at 50
 RING                    equ     16      ; keys that wait; a power of two
 C_KEY                   equ     $33
 
-;==============================================================================
 ; keys_open - takes keys and mouse from the system, until keys_close or the end
 ;
 ; out:     d0  int32  1 taken, 0 not
 ; error:   0 if memory is short, or they are taken already
-;==============================================================================
         routine keys_open
         movem.l d2/a6,-(sp)
         moveq   #0,d2
@@ -61,11 +58,9 @@ tell    movea.l request,a1
         lvo     DoIO
         rts
 
-;==============================================================================
 ; keys_close - gives keys and mouse back
 ;
 ; error:   does nothing if they are not ours
-;==============================================================================
         routine keys_close
         move.l  a6,-(sp)
         movea.l sys_base,a6
@@ -90,13 +85,11 @@ tell    movea.l request,a1
 .done   movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; key_take - the next key that was pressed
 ;
 ; out:     d0  uint32  its raw code, 0 to $7f, or $ffffffff: none
 ; writes:  the keys that wait
 ; error:   while 15 keys wait, further ones are dropped
-;==============================================================================
         routine key_take
         moveq   #-1,d0
         moveq   #0,d1

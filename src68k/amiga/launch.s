@@ -1,21 +1,17 @@
 ; Runs other programs: each is loaded once and entered any number of times.
 
         include "amiga.i"
-        include "routine.i"
 
         xref    dos_base
 
-;==============================================================================
 ; program_load - loads a program, until program_unload
 ;
-; in:      d0  char*   name, zero-terminated
+; in:      d0  const char*  name, zero-terminated
 ; out:     d0  uint32   address of its first hunk's link, or 0: not loaded. A link is a quarter of
 ;                       the next one's address, or 0; the longword before it has the hunk's
 ;                       bytes, those of itself and the link included
-; reads:   name
 ; formats: AmigaDOS segment list
 ; error:   also 0 if memory is short
-;==============================================================================
         routine program_load,d0
         move.l  a6,-(sp)
         move.l  d0,d1
@@ -25,12 +21,10 @@
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; program_unload - gives a program's memory back
 ;
 ; in:      d0  uint32   from program_load
 ; reads:   the links
-;==============================================================================
         routine program_unload,d0
         move.l  a6,-(sp)
         move.l  d0,d1
@@ -40,18 +34,15 @@
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; program_run - enters a loaded program as the shell does, its output in a file
 ;
 ; in:      d0  uint32   from program_load
-;          d1  char*    arguments, the last character a line feed
+;          d1  const char*  arguments, the last character a line feed
 ;          a0  int32    their bytes
-;          a1  char*    name of the file for its output
+;          a1  const char*  name of the file for its output
 ; out:     d0  int32   its return code, or -1: not run
-; reads:   arguments, name
 ; writes:  whatever the program does
 ; error:   -1 if the file cannot be made, or memory is short
-;==============================================================================
         routine program_run,d0,d1,a0,a1
         movem.l d2-d7/a6,-(sp)
         move.l  d0,d5

@@ -1,21 +1,16 @@
 ; Facts about the machine, and dos's texts for errors.
 
         include "amiga.i"
-        include "layout.i"
-        include "routine.i"
 
         xref    dos_base
 
 AGNUS_BITS              equ     $7f
 
-;==============================================================================
 ; machine_read - reads facts about the machine from exec and Agnus
 ;
 ; in:      a0  struct machine*  the struct to fill in
 ; reads:   ExecBase, VPOSR
-; writes:  the struct
 ; formats: see its fields
-;==============================================================================
         routine machine_read,a0
         movem.l a2/a6,-(sp)
         movea.l a0,a2
@@ -58,12 +53,10 @@ fast_bytes
         bne.s   .memory
 .done   jmp     _LVOPermit(a6)          ; keeps all registers
 
-;==============================================================================
 ; memory_is_chip - checks if an address is in chip RAM
 ;
 ; in:      a0  const void*  the address
 ; out:     d0  int32        1 if it is, 0 if not
-;==============================================================================
         routine memory_is_chip,a0
         move.l  a6,-(sp)
         movea.l a0,a1
@@ -75,14 +68,11 @@ fast_bytes
         moveq   #1,d0
 .done   rts
 
-;==============================================================================
 ; dos_fault - dos's text for the failure of its last call
 ;
 ; in:      d0  char*  where the text goes, zero-terminated
 ;          d1  int32  its size in bytes
-; writes:  the text
 ; error:   a number that dos does not know is written as a number
-;==============================================================================
         routine dos_fault,d0,d1
         movem.l d2-d4/a6,-(sp)
         move.l  d0,d3
@@ -95,13 +85,11 @@ fast_bytes
         movem.l (sp)+,d2-d4/a6
         rts
 
-;==============================================================================
 ; dos_requests - sets the window of dos's requesters
 ;
 ; in:      d0  int32  the window's address; 0 on Workbench's screen, -1 nowhere: calls just fail
 ; out:     d0  int32  the previous value
 ; writes:  the process's pr_WindowPtr, which is the shell's too: put the old one back
-;==============================================================================
         routine dos_requests,d0
         movem.l d2/a6,-(sp)
         move.l  d0,d2

@@ -1,48 +1,34 @@
 ; Memory through exec. A program's allocations are noted here and freed when it ends.
 
         include "amiga.i"
-        include "memory.i"
-        include "routine.i"
 
-        xdef    mem_cleared
-        xdef    mem_uncleared
-        xdef    mem_blocks
-        xdef    mem_aside
-        xdef    mem_aside_bytes
+        xdef    mem_cleared,mem_uncleared,mem_blocks,mem_aside,mem_aside_bytes
 
-;==============================================================================
 ; mem_alloc - allocates cleared memory, freed at the program's end
 ;
 ; in:      d0  void**  where the address goes
 ;          d1  int32   bytes
 ;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
 ; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
 ; error:   *d0 is unchanged if memory is short
-;==============================================================================
         routine mem_alloc,d0,d1,a0
         move.l  d1,asked_bytes
         move.l  a0,asked_kind
         jmp     mem_cleared
 
-;==============================================================================
 ; mem_asked - bytes and kind of the last request to mem_alloc
 ;
 ; in:      a0  int32*  where the kind goes
 ; out:     d0  int32   bytes
-; writes:  *a0
-;==============================================================================
         routine mem_asked,a0
         move.l  asked_kind,(a0)
         move.l  asked_bytes,d0
         rts
 
-;==============================================================================
 ; mem_largest - the largest piece of memory that is free
 ;
 ; in:      d0  int32   kind: 0 any, 2 chip, 4 fast
 ; out:     d0  int32   bytes
-;==============================================================================
         routine mem_largest,d0
         move.l  a6,-(sp)
         move.l  d0,d1
@@ -52,16 +38,9 @@
         movea.l (sp)+,a6
         rts
 
-;==============================================================================
 ; mem_cleared - mem_alloc without a record for mem_asked
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
-; error:   *d0 is unchanged if memory is short
-;==============================================================================
+; like:    mem_alloc
         section .text.mem_cleared,code
 mem_cleared:
         movem.l d2/d3/a6,-(sp)
@@ -88,16 +67,9 @@ allocate:
 .short  movem.l (sp)+,d2/d3/a6
         rts
 
-;==============================================================================
 ; mem_uncleared - mem_take from exec only, without the memory set aside
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
-; error:   *d0 is unchanged if memory is short
-;==============================================================================
+; like:    mem_alloc
         section .text.mem_uncleared,code
 mem_uncleared:
         movem.l d2/d3/a6,-(sp)

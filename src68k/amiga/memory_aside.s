@@ -2,11 +2,7 @@
 
         include "routine.i"
 
-        xref    mem_largest
-        xref    mem_needed
-        xref    mem_uncleared
-        xref    mem_aside
-        xref    mem_aside_bytes
+        xref    mem_largest,mem_needed,mem_uncleared,mem_aside,mem_aside_bytes
 
 ALIGN                   equ     8       ; of allocations, as exec's
 
@@ -28,11 +24,9 @@ take    macro
 .exec\@ movea.l (sp)+,a0
         endm
 
-;==============================================================================
 ; mem_reserve - sets memory aside for mem_take: half of the largest block
 ;
 ; error:   if memory is short, sets nothing aside
-;==============================================================================
         routine mem_reserve
         moveq   #0,d0
         jsr     mem_largest
@@ -49,31 +43,18 @@ take    macro
         move.l  d1,mem_aside_bytes
 .none   rts
 
-;==============================================================================
 ; mem_take - allocates memory, freed at the program's end, in a time that does not depend on other
 ;            allocations as long as the memory set aside by mem_reserve lasts
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1 allocated, 0 not
-; writes:  *d0
-; error:   *d0 is unchanged if memory is short
-;==============================================================================
+; like:    mem_alloc
         routine mem_take,d0,d1,a0
         take
         jmp     mem_uncleared
 
-;==============================================================================
 ; mem_need_take - mem_take, but ends the program with a message if memory is short
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
-; out:     d0  int32   1; it returns only then
-; writes:  *d0
-; error:   if memory is short it prints so and ends with return code 20
-;==============================================================================
+; like:    mem_need
+
 ; Programs of one scene call it instead of mem_take.
 
         routine mem_need_take,d0,d1,a0

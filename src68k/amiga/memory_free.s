@@ -1,29 +1,22 @@
 ; Frees memory: from a mark on, or all of it.
 
         include "amiga.i"
-        include "memory.i"
-        include "routine.i"
 
-        xref    mem_aside_bytes
-        xref    mem_blocks
+        xref    mem_aside_bytes,mem_blocks
         xdef    mem_free_all
 
-;==============================================================================
 ; mem_mark - marks the current allocations: mem_release frees all later ones
 ;
 ; out:     d0  uint32  the mark
 ; reads:   the list of blocks
-;==============================================================================
         routine mem_mark
         move.l  mem_blocks,d0
         rts
 
-;==============================================================================
 ; mem_release - frees all memory allocated since mem_mark, and gives up the memory set aside
 ;
 ; in:      d0  uint32  the mark; no older one may have been released
 ; writes:  the list of blocks
-;==============================================================================
         routine mem_release,d0
         movem.l a2/a3/a6,-(sp)
         movea.l d0,a2
@@ -40,11 +33,9 @@
 .done   movem.l (sp)+,a2/a3/a6
         rts
 
-;==============================================================================
 ; mem_free_all - frees every block of mem_alloc
 ;
 ; writes:  the list of blocks
-;==============================================================================
         section .text.mem_end,code
 mem_free_all:
         movem.l a2/a6,-(sp)

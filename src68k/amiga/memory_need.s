@@ -1,36 +1,24 @@
-; Memory that a program cannot do without.
-
-        include "layout.i"
         include "routine.i"
 
-        xref    mem_cleared
-        xref    _print
-        xref    program_end
-        xref    quiet_leave
+        xref    mem_cleared,_print,program_end,quiet_leave
         xdef    mem_needed
 
-;==============================================================================
 ; mem_need - allocates cleared memory, or ends the program with a message
 ;
-; in:      d0  void**  where the address goes
-;          d1  int32   bytes
-;          a0  int32   kind: 0 any (fast first), 2 chip, 4 fast
+; like:    mem_alloc
 ; out:     d0  int32   1; it returns only then
-; writes:  *d0
 ; error:   if memory is short it prints so and ends with return code 20
-;==============================================================================
+
 ; Programs of one scene call it instead of mem_alloc.
 
         routine mem_need,d0,d1,a0
         jsr     mem_cleared
 
-;==============================================================================
 ; mem_needed - ends the program with a message if memory is short
 ;
 ; in:      d0  int32  1 if there was enough, 0 if not
 ; out:     d0  int32  1; it returns only then
 ; error:   if memory is short it prints so and ends with return code 20
-;==============================================================================
 mem_needed
         tst.l   d0
         beq.s   .short

@@ -2,15 +2,12 @@
 ; does, without a copper list, from wherever the pointers are.
 
         include "amiga.i"
-        include "routine.i"
 
-;==============================================================================
 ; planes_fetch - fetches eight planes, of 256 lines a field, or stops it; in quiet mode only
 ;
 ; in:      d0  uint32  enum plan_display
 ; writes:  bitplane registers: the system's copper list sets all of them again except FMODE, which
 ;          is 0 when it is stopped; DMACON, which quiet_leave restores then
-;==============================================================================
         routine planes_fetch,d0
         lea     custom,a0
         move.w  #DMA_OFF,dmacon(a0)

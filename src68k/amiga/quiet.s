@@ -2,23 +2,17 @@
 ; watchdog, which ends a routine that never returns. It uses CIA-B's timers, as the clock does.
 
         include "amiga.i"
-        include "routine.i"
 
-        xdef    quiet_leave
-        xdef    quiet
-        xref    ciab_base
-        xref    fault_number
-        xref    fault_enter
+        xdef    quiet_leave,quiet
+        xref    ciab_base,fault_number,fault_enter
 
 FAULT_WATCHDOG          equ     $100    ; no CPU exception has this number
 VECTOR_LEVEL_6          equ     $78
 
-;==============================================================================
 ; quiet_enter - switches DMA and interrupts off, except the watchdog
 ;
 ; writes:  DMACON, INTENA, the level 6 vector: quiet_leave restores them
 ; error:   calls do not nest; clock_open must have succeeded
-;==============================================================================
         routine quiet_enter
         movem.l a5/a6,-(sp)
         movea.l sys_base,a6
@@ -65,12 +59,10 @@ watchdog:
         move.w  #INTF_INTEN,custom+intena
         jmp     fault_enter
 
-;==============================================================================
 ; quiet_leave - restores what quiet_enter changed
 ;
 ; writes:  DMACON, INTENA, the level 6 vector
 ; error:   does nothing outside quiet mode
-;==============================================================================
         routine quiet_leave
         movem.l a5/a6,-(sp)
         tst.b   quiet

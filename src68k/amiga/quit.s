@@ -1,10 +1,9 @@
-;==============================================================================
 ; uaequit - the command that ends an FS-UAE session
 ;
 ; out:     d0  int32  0, if there is no UAE
 ; reads:   $F0FF60
 ; error:   returns if there is no UAE ($F0FF60 reads zero)
-;==============================================================================
+
 ; A separate command, so that the programs stay ordinary Amiga programs. UAE
 ; answers at $F0FF60 to calls with a function number on the stack.
 

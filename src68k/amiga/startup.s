@@ -2,29 +2,17 @@
 ; and releases everything that is still held, however the program ends.
 
         include "amiga.i"
-        include "layout.i"
 
-        xdef    start
-        xdef    program_begin
-        xdef    program_end
-        xdef    dos_base
-        xdef    ends_call
-        xref    _main
-        xref    print
-        xref    fault_handler
-        xref    workbench
-        xref    quiet_leave
-        xref    clock_close
-        xref    file_close_all
+        xdef    start,program_begin,program_end,dos_base,ends_call
+        xref    _main,print,fault_handler,workbench,quiet_leave,clock_close,file_close_all
         xref    mem_free_all
 
 DOS_VERSION             equ     36      ; Kickstart 2.0: ReadArgs, RunCommand
 
-;==============================================================================
 ; start - entry of a program, from a shell or by a double click
 ;
 ; out:     d0  int32  AmigaDOS return code: 0, 5, 10 or 20
-;==============================================================================
+
 ; All of it runs on a 68000 and with any Kickstart.
         section .text.start,code
 start:
@@ -37,7 +25,6 @@ start:
         bne.s   program_begin
         jmp     workbench               ; goes to program_begin, if at all
 
-;==============================================================================
 ; program_begin - calls main if the machine has what every program needs
 ;
 ; in:      a4  struct Process*   this task
@@ -45,7 +32,7 @@ start:
 ; out:     d0  int32  return code, from program_end
 ; writes:  the task's trap vector
 ; error:   no 68020 or no Kickstart 2.0: prints so, returns 20
-;==============================================================================
+
 ; On the stack are d2-d7/a2-a6. It must run on a 68000, and so must the end of a program that has
 ; opened nothing.
 program_begin:
@@ -70,13 +57,11 @@ program_begin:
         jsr     print
         moveq   #RETURN_FAIL,d0
 
-;==============================================================================
 ; program_end - ends the program from anywhere, in user mode
 ;
 ; in:      d0  int32  AmigaDOS return code
 ; trashes: -
 ; error:   never returns to its caller
-;==============================================================================
 program_end:
         movea.l initial_sp,sp
         move.l  d0,d2

@@ -2,13 +2,8 @@
 ; renderer that a scene needs. Linked in for that run only.
 
         include "amiga.i"
-        include "routine.i"
 
-        xref    _main
-        xref    _file_save
-        xref    clock_start
-        xref    start
-        xref    quiet
+        xref    _main,_file_save,clock_start,start,quiet
 
 TRACE_WORDS             equ     131072  ; of code: 256 KB
 TRACE_LIMIT             equ     65535   ; in units of 92 ms: the timer's maximum
@@ -18,7 +13,6 @@ TRACED_AGAIN            equ     2
 VECTOR_TRACE            equ     $24
 SR_TRACE                equ     $8000
 
-;==============================================================================
 ; trace_main - runs main and writes the file trace.flags
 ;
 ; out:     d0  int32  what main returns
@@ -27,7 +21,6 @@ SR_TRACE                equ     $8000
 ;          there and was executed, bit 1 in quiet mode, bit 2 more than once in quiet mode
 ; error:   code after the first 256 KB is not recorded
 ; cost:    some 20 times the program's own time
-;==============================================================================
         routine trace_main
         movem.l d2/a5/a6,-(sp)
         movea.l sys_base,a6
@@ -76,22 +69,19 @@ trace_step:                             ; the stacked PC: the next instruction
 .done   movem.l (sp)+,d0/a0
         rte
 
-;==============================================================================
 ; trace_wait - replaces clock_wait while instructions are recorded; does nothing
 ;
 ; trashes: -
-;==============================================================================
+
 ; clock_wait's loops wait for one place of the beam; traced, each round takes several lines and
 ; could miss that place forever.
         routine trace_wait
         rts
 
-;==============================================================================
 ; trace_start - replaces clock_start while instructions are recorded; sets the longest limit
 ;
 ; in:      d0  int32  limit before the watchdog bites, ignored
 ; writes:  CIA-B timers A and B
-;==============================================================================
         routine trace_start,d0
         move.l  #TRACE_LIMIT,d0
         bra     clock_start

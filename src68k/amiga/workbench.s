@@ -2,18 +2,12 @@
 ; output.
 
         include "amiga.i"
-        include "layout.i"
 
-        xdef    workbench
-        xdef    no_arguments
-        xref    at_end
-        xref    dos_base
-        xref    read_args
-        xref    program_begin
+        xdef    workbench,no_arguments
+        xref    at_end,dos_base,read_args,program_begin
 
 DELAY                   equ     250     ; fiftieths of a second
 
-;==============================================================================
 ; workbench - runs the program as from a shell, its output in a window that waits to be closed
 ;
 ; in:      a4  struct Process*  this task
@@ -23,7 +17,7 @@ DELAY                   equ     250     ; fiftieths of a second
 ; reads:   the start-up message
 ; writes:  the process's input, output and current directory
 ; error:   without a window the program does not run; returns 20
-;==============================================================================
+
 ; On the stack are d2-d7/a2-a6, as start saved them. The window opens with the first line of
 ; output. Kickstart 1.3 opens it at once and does not wait for its closing, so it stays for DELAY.
         section .text.workbench,code
@@ -80,12 +74,10 @@ workbench:
 dos_name        dc.b    'dos.library',0
                 even
 
-;==============================================================================
 ; no_arguments - keeps ReadArgs from waiting for a line from the window
 ;
 ; out:     d0  struct RDArgs*  an empty line of arguments, freed at the program's end; 0 if the
 ;                              program was started from a shell, or memory is short
-;==============================================================================
         section .text.no_arguments,code
 no_arguments:
         tst.b   by_icon

@@ -1,11 +1,9 @@
 ; For programs of one scene, which a double click does not run.
 
         include "amiga.i"
-        include "layout.i"
 
         xdef    workbench_none
 
-;==============================================================================
 ; workbench_none - started by a double click: replies and leaves
 ;
 ; in:      a4  struct Process*  this task
@@ -13,7 +11,7 @@
 ; out:     d0  int32  return code 20
 ; trashes: everything
 ; reads:   the start-up message
-;==============================================================================
+
 ; On the stack are d2-d7/a2-a6, as start saved them. Such programs link it in place of workbench.
         section .text.workbench_none,code
 workbench_none:

@@ -1,10 +1,6 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "edge.i"
 
-        xref    edge_right
-        xref    edge_right_exact
+        xref    edge_right,edge_right_exact
 
 addx_steps macro
         pack_uv d0,d5,d4
@@ -27,7 +23,6 @@ addx_step macro
         addx.w  \2,d3
         endm
 
-;==============================================================================
 ; edge_addx - fills a scanline table: left, last and packed u, v
 ;
 ; in:      a0  edge_plan*  both sides, their edges, the pixel steps
@@ -36,20 +31,13 @@ addx_step macro
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = Vv,
 ;          start2 = v--U
 ; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
-; cost:    bench row edge_addx
-;==============================================================================
         routine edge_addx,a0
         edge_left addx,error_rounded,edge_right
 
-;==============================================================================
 ; edge_addx_exact - the same, x by integer quotient and remainder
 ;
-; in:      a0  edge_plan*  both sides, their edges, the pixel steps
+; like:    edge_addx
 ; reads:   the plan, its edges
-; writes:  plan->lines[0 .. lines of one side - 1]
-; formats: as edge_addx
 ; error:   none, and x is the rational one on every line
-; cost:    bench row edge_addx_exact
-;==============================================================================
         routine edge_addx_exact,a0
         edge_left addx,error_exact,edge_right_exact

@@ -1,9 +1,6 @@
-        include "routine.i"
-        include "layout.i"
         include "edge.i"
 
-        xref    edge_right
-        xref    edge_right_exact
+        xref    edge_right,edge_right_exact
 
 ; \1: the macro that steps x; \2: the routine for the right side.
 steps   macro
@@ -18,28 +15,19 @@ steps   macro
         return_all
         endm
 
-;==============================================================================
 ; edge_flat - fills a scanline table without u and v, for flat polygons
 ;
 ; in:      a0  edge_plan*  both sides and their edges
 ; reads:   the plan, of its edges lines, x, whole, error and part
 ; writes:  left and last of plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768
-; error:   none
-; cost:    bench row edge_flat
-;==============================================================================
         routine edge_flat,a0
         steps   edge_step,edge_right
 
-;==============================================================================
 ; edge_flat_exact - the same, x by integer quotient and remainder
 ;
-; in:      a0  edge_plan*  both sides and their edges
+; like:    edge_flat
 ; reads:   the plan, of its edges lines, x, whole, error, part and height
-; writes:  left and last of plan->lines[0 .. lines of one side - 1]
-; formats: as edge_flat
 ; error:   none, and x is the rational one on every line
-; cost:    bench row edge_flat_exact
-;==============================================================================
         routine edge_flat_exact,a0
         steps   edge_step_exact,edge_right_exact

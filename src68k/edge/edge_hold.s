@@ -1,8 +1,5 @@
-        include "routine.i"
-        include "layout.i"
         include "hold.i"
 
-;==============================================================================
 ; edge_hold - moves the starts of a table's lines so that no pixel leaves a range of u and v
 ;
 ; in:      a0  hold_plan*  the table, the steps, the ranges
@@ -13,7 +10,6 @@
 ; error:   none: a line that was inside is unchanged, the start of another one moves as
 ;          little as possible. With both ends inside, so is every pixel between
 ; cost:    about 130 cycles a line
-;==============================================================================
         routine edge_hold,a0
         save_all
         movea.l a0,a6

@@ -1,10 +1,6 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "edge.i"
 
-        xref    edge_right
-        xref    edge_right_exact
+        xref    edge_right,edge_right_exact
 
 ; Splits the 16.16 number \1 into its integer (\1's lower word) and \2 = uu--.
 fraction macro
@@ -41,29 +37,18 @@ plain_step macro
         add.l   \3,d2
         endm
 
-;==============================================================================
 ; edge_plain - fills a scanline table: left, last and u, v in 16.16
 ;
-; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; reads:   the plan, its edges except height
-; writes:  plan->lines[0 .. lines of one side - 1]
+; like:    edge_addx
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv
-; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
-; cost:    bench row edge_plain
-;==============================================================================
         routine edge_plain,a0
         edge_left plain,error_rounded,edge_right
 
-;==============================================================================
 ; edge_plain_exact - the same, x by integer quotient and remainder
 ;
-; in:      a0  edge_plan*  both sides, their edges, the pixel steps
+; like:    edge_plain
 ; reads:   the plan, its edges
-; writes:  plan->lines[0 .. lines of one side - 1]
-; formats: as edge_plain
 ; error:   none, and x is the rational one on every line
-; cost:    bench row edge_plain_exact
-;==============================================================================
         routine edge_plain_exact,a0
         edge_left plain,error_exact,edge_right_exact

@@ -1,8 +1,5 @@
-        include "routine.i"
-        include "layout.i"
         include "chain.i"
 
-;==============================================================================
 ; edge_ramp - u, v and their steps on each scanline, by two divides a scanline
 ;
 ; in:      a0  ramp_plan*  the table, both sides' ramps, where the steps go
@@ -14,8 +11,7 @@
 ;          pixels. Otherwise u at the first pixel, steps (u1 - u0) / (x1 - x0); on a
 ;          line under one pixel wide the steps are 0 and u is between u0 and u1.
 ; error:   steps are rounded up: less than 1/65536 a pixel; products are cut
-; cost:    bench row edge_ramp
-;==============================================================================
+
 ; Rounds the quotient \1 up; d4 is its remainder.
 up      macro
         tst.l   d4

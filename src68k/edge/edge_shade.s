@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "hold.i"
 
 ; d0 = the shade of the line's first pixel: a2 + left * \1.
@@ -15,7 +13,6 @@ packed  macro
         add.l   a5,d0
         endm
 
-;==============================================================================
 ; edge_shade - the shade of each line's first pixel, on the polygon's plane
 ;
 ; in:      a0  shade_plan*  the table, the plane, the range, where the shades go
@@ -27,9 +24,7 @@ packed  macro
 ;          pixels in the range low to high, both included, themselves 0 to 63.99.
 ;          Packed as c-Cc: the lower 8 of 16 bits of fraction, a spare byte, the level,
 ;          its fraction's upper byte; then the plan's added is added
-; error:   none
 ; cost:    bench row edge_shade; with inside, edge_shade_inside
-;==============================================================================
         routine edge_shade,a0
         save_all
         movea.l a0,a6

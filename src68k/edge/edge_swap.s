@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "edge.i"
 
 ; \3 = \2 and its fraction \1 as one 16.16 number
@@ -9,18 +7,14 @@ joined  macro
         swap    \3
         endm
 
-;==============================================================================
 ; edge_swap - fills a scanline table by add and swap, for comparison
 ;
-; in:      a0  edge_plan*  both sides, their edges, the pixel steps
-; reads:   the plan, its edges except height
-; writes:  plan->lines[0 .. lines of one side - 1]
+; like:    edge_plain
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv; of error and part the upper 16 bits
 ; error:   none: the same numbers as edge_plain
 ; cost:    bench row edge_swap; some 13 cycles of it because the table keeps u's halves
 ;          apart, for addx
-;==============================================================================
         routine edge_swap,a0
         save_all
         movea.l a0,a6

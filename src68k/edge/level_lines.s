@@ -1,7 +1,4 @@
-        include "routine.i"
-        include "layout.i"
         include "chain.i"
-        include "number.i"
         include "perspective.i"
 
 ; \1 = the step of u or v a pixel: the 64-bit gradient of the plane \2 (s or t) over q in d3,
@@ -15,25 +12,20 @@ step    macro
         addq.l  #1,d0
 .rounded\@
         move.l  d0,d2
-        bpl.s   .positive\@
-        not.l   d2
-.positive\@
+        minus   <not.l d2>
         add.l   d2,d2
         cmp.l   d3,d2
         bhs.s   .none\@                 ; more than the map: the line has a pixel or two
         divs.l  d3,d0:d1
         bvs.s   .none\@
         tst.l   d0
-        bpl.s   .floor\@
-        subq.l  #1,d1
-.floor\@
+        minus   <subq.l #1,d1>
         move.l  d1,\1
         bra.s   .made\@
 .none\@ clr.l   \1
 .made\@
         endm
 
-;==============================================================================
 ; level_lines - starts and steps of lines of constant depth, for the affine span
 ;
 ; in:      a0  perspective_plan*  the table, the planes; to and bend are not read
@@ -45,8 +37,7 @@ step    macro
 ;          clamped to the plan's limits; its step ds / q.hi rounded up; 16.16
 ; error:   if q is the same all along the line: u a unit too low at the first pixel, a
 ;          unit higher at each other one
-; cost:    bench row level_lines
-;==============================================================================
+
 ; Floors and ceilings seen by an upright camera are such polygons.
 
         routine level_lines,a0,a1

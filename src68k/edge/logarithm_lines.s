@@ -1,7 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "number.i"
-        include "reciprocal_lines.i"
         include "logarithm_lines.i"
 
 ; On the stack: q at the line's first possible pixel; for u and v each: 64 C there, its step
@@ -28,7 +24,6 @@ BIAS    equ     7                       ; parts are on chords, up to 11.5 too lo
 line_base equ   logarithm_line_power_u  ; the scale's part
 line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
 
-;==============================================================================
 ; logarithm_lines - prepares each line for spans by logarithms
 ;
 ; in:      a0  reciprocal_plan*   the planes, the constants
@@ -49,8 +44,7 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: E (35390 / i + 1.9), of K and powers 256, else 24; of a line that
 ;          is 1/32 texel from K at most 968 and these 280
-; cost:    bench row logarithm_lines
-;==============================================================================
+
 ; Errors of an index: 1/2 by its cut, 1/25 by q.hi's shift (1/128), the factor (1/2000) and 1023
 ; steps (half a unit of rounding and one of overflow each). Errors of a logarithm: 0.505 by its
 ; rounding, 0.14 by C's rounding less K's move, 0.04 by C itself. The move is 0.72 of the error
@@ -164,10 +158,7 @@ line_high equ   logarithm_line_power_v  ; the smaller q's logarithm
         move.l  (a5)+,d2
         tst.l   d0
         smi     d6
-        bpl.s   .positive
-        neg.l   d1
-        negx.l  d0
-.positive
+        minus   <neg.l d1>,<negx.l d0>
         bfffo   d0{0:32},d7
         beq.s   .none
         moveq   #32,d3

@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "number.i"
         include "perspective.i"
 
 ; Adds 64 log2(\1) to d2, \1 above 0, by the table \2, which rounds up or down. Uses d0-d1/a2.
@@ -17,7 +14,6 @@ logarithm macro
         add.w   d1,d2
         endm
 
-;==============================================================================
 ; perspective_lines - prepares each line for perspective spans
 ;
 ; in:      a0  perspective_plan*  the table, the planes, where to write the lines
@@ -29,8 +25,7 @@ logarithm macro
 ;          left until the larger is in 2^30 to 2^31, divided by n: the first one's is at
 ;          least 1, the last one's even. enough: 2^(x / 64), by tables that round x up
 ; error:   u, v: a unit at the ends. A weight: n + 1 in 2^30
-; cost:    bench row perspective_lines
-;==============================================================================
+
 ; A curve through three points of u = K + C / q, h pixels apart, is off by h^3 |u'''| /
 ; 15.59 at most, and u''' is 6 du q0 q1 dq^2 / (n q^4) in weights of the ends. As a sum
 ; of logarithms this gives the least q for each length.
@@ -116,21 +111,17 @@ logarithm macro
 
         ; d3 the first end's share, d4 dv, a5 du, d6 dweight, d7 n
 .curves move.l  a5,d5
-        bpl.s   .du
-        neg.l   d5
-.du     tst.l   d4
-        bpl.s   .dv
-        neg.l   d4
-.dv     cmp.l   d4,d5
+        minus   <neg.l d5>
+        tst.l   d4
+        minus   <neg.l d4>
+        cmp.l   d4,d5
         bhs.s   .way
         move.l  d4,d5
 .way    tst.l   d5
         beq     .straight
         move.l  d6,d4
         beq     .straight
-        bpl.s   .dweight
-        neg.l   d4
-.dweight
+        minus   <neg.l d4>
         move.l  perspective_plan_bend(a6),d2
         logarithm d5,log_up
         logarithm d4,log_up

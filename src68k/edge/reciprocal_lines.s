@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "number.i"
         include "reciprocal_lines.i"
 
 ; On the stack: q at the line's first possible pixel, 64 C; lines left, lines not taken.
@@ -23,7 +20,6 @@ THREE   equ     $aaaa0000               ; q below this fits 32 bits after * 3/2
 LEAST   equ     (RECIPROCAL_LOWEST+2)<<16
 ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 
-;==============================================================================
 ; reciprocal_lines - prepares each line for spans by reciprocals
 ;
 ; in:      a0  reciprocal_plan*  the planes, the constants, where to write the lines
@@ -41,8 +37,6 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
 ; error:   in units of 2^-16 texel, E texels being the farthest from K and i the smaller
 ;          q's index: of q's index E 32768 / i, of r and C E i / 16384, of C's rounding
 ;          (r - r') / 2^(10 - piece), else 50
-; cost:    bench row reciprocal_lines
-;==============================================================================
         routine reciprocal_lines,a0
         save_all
         movea.l a0,a6
@@ -121,9 +115,8 @@ ORIGIN  equ     RECIPROCAL_ORIGIN<<16
         move.l  d3,d5                   ; the larger r
 .rises  constant u,a3
         move.l  d6,d0
-        bpl.s   .cu
-        neg.l   d0
-.cu     constant v,a4
+        minus   <neg.l d0>
+        constant v,a4
         carry_of_u
         move.w  d1,reciprocal_line_carry(a1)
         cmp.w   d0,d6

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "chain.i"
 
 ; Cuts the lines of a table to the frame's columns. \1: the macro that moves the start of
@@ -71,20 +69,16 @@ start_addx macro
         pack_start d0,d4,d1,a4
         endm
 
-;==============================================================================
 ; scissor_flat - cuts a scanline table without u and v to the frame's columns
 ;
 ; in:      a0  scissor_plan*  the table and the frame's width
 ; reads:   the plan, left and last of its lines
 ; writes:  left and last of its lines
 ; formats: x with EDGE_BIAS, 0 to 32,769; of a line wholly outside last is below left
-; error:   none
 ; cost:    about 60 cycles a line
-;==============================================================================
         routine scissor_flat,a0
         scissor start_flat
 
-;==============================================================================
 ; scissor_addx - cuts a scanline table of the addx form to the frame's columns
 ;
 ; in:      a0  scissor_plan*  the table, the frame's width, the gradients
@@ -93,19 +87,14 @@ start_addx macro
 ; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = Vv, start2 = v--U
 ; error:   none: u, v as at the pixel on the uncut line, modulo 256
 ; cost:    about 60 cycles a line, 180 if its left end is cut
-;==============================================================================
         routine scissor_addx,a0
         scissor start_addx
 
-;==============================================================================
 ; scissor_plain - cuts a scanline table of the plain form to the frame's columns
 ;
-; in:      a0  scissor_plan*  the table, the frame's width, the gradients
-; reads:   the plan, its lines
-; writes:  its lines: the start follows the first pixel
+; like:    scissor_addx
 ; formats: x with EDGE_BIAS, 0 to 32,769; start0 = uu, start1 = UU, start2 = VVvv
 ; error:   none: u, v as at the pixel on the uncut line
 ; cost:    about 60 cycles a line, 130 if its left end is cut
-;==============================================================================
         routine scissor_plain,a0
         scissor start_plain

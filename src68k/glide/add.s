@@ -1,23 +1,15 @@
-        include "routine.i"
-        include "layout.i"
+        include "glide.i"
 
-;==============================================================================
 ; glide_add - texels plus others
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_mix*  the others
-;          d0  int32  count
-; reads:   both
-; writes:  the texels
+; like:    glide_modulate
+; in:      a2  const glide_mix*  the others
 ; formats: the sum of each channel, 255 at most
-; error:   none
-; cost:    bench row glide_add
-;==============================================================================
+
 ; Bits 0 to 6 of all channels are added at once. Bit 7's sum carries if both have it set, or if one
 ; has and the lower bits carry into it.
 
-        routine glide_add,a0,a1,a2,d0
+        pass    glide_add
         movem.l d2-d7/a2-a3,-(sp)
         lea     (a0,d0.l*4),a3
         move.l  glide_mix_other_step(a2),d5
@@ -46,8 +38,4 @@
         add.l   d0,d0
         sub.l   d1,d0                   ; 255 for each
         or.l    d2,d0
-        move.l  d0,(a1)+
-        cmpa.l  a3,a0
-        bne.s   .pixels
-        movem.l (sp)+,d2-d7/a2-a3
-        rts
+        glide_modulate_close

@@ -1,21 +1,11 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; glide_alpha - replaces the texels' alpha, and inverts channels
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_alphas*  the alphas, the bits to invert
-;          d0  int32  count
-; reads:   the texels, the alphas
-; writes:  the texels
+; like:    glide_modulate
+; in:      a2  const glide_alphas*  the alphas, the bits to invert
 ; formats: R G B of the texels, A a byte of the alphas; then bits inverted
-; error:   none
-; cost:    bench row glide_alpha
-;==============================================================================
-        routine glide_alpha,a0,a1,a2,d0
+        pass    glide_alpha
         movem.l d2-d7/a2-a3,-(sp)
         n64_rounds
         movem.l glide_alphas_step(a2),d4-d5     ; and inverted

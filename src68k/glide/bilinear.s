@@ -1,20 +1,10 @@
-        include "routine.i"
-        include "layout.i"
-        include "n64.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_bilinear - texels by the bilinear filter
 ;
 ; in:      a0  const glide_coordinates*  coordinates
 ;          a1  uint32*  texels, R G B A
 ;          a2  const glide_decoded*  the level, with quads
-;          d0  int32  count
-; reads:   the coordinates, the level, its quads
-; writes:  the texels
 ; formats: s:t, both 12.4 modulo 2^16; weights of 1/256, the sum cut to 8 bits
-; error:   none
-; cost:    bench row glide_bilinear
-;==============================================================================
-        routine glide_bilinear,a0,a1,a2,d0
+        pass    glide_bilinear
         glide_filter n64_write,$00ff00ff

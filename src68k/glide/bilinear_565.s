@@ -1,21 +1,10 @@
-        include "routine.i"
-        include "layout.i"
-        include "n64.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_bilinear_565 - texels by the bilinear filter into a 16-bit frame
 ;
-; in:      a0  const glide_coordinates*  coordinates
-;          a1  uint16*  pixels, 5/6/5
-;          a2  const glide_decoded*  the level, with quads
-;          d0  int32  count
-; reads:   the coordinates, the level, its quads
-; writes:  the pixels
+; like:    glide_bilinear
+; in:      a1  uint16*  pixels, 5/6/5
 ; formats: s:t, both 12.4 modulo 2^16; the texels of glide_bilinear, each channel's upper bits
-; error:   none
-; cost:    bench row glide_bilinear_565
-;==============================================================================
 
 ; Writes the texel d2, R-B-, and d3, G-A-.
 write_565 macro
@@ -32,5 +21,5 @@ write_565 macro
         move.w  d2,(a1)+
         endm
 
-        routine glide_bilinear_565,a0,a1,a2,d0
+        pass    glide_bilinear_565
         glide_filter write_565,$07e00000

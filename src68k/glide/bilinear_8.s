@@ -1,20 +1,11 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; glide_bilinear_8 - texels by the bilinear filter, weights of 8 bits
 ;
-; in:      a0  const glide_coordinates*  coordinates
-;          a1  uint32*  texels, R G B A
-;          a2  const glide_decoded*  the level, with quads of 8 bits
-;          d0  int32  count
-; reads:   the coordinates, the level, its quads
-; writes:  the texels
+; like:    glide_bilinear
+; in:      a2  const glide_decoded*  the level, with quads of 8 bits
 ; formats: s:t, both 8.8 modulo 2^16; weights of 1/65536, the sum cut to 8 bits
-; error:   none
-; cost:    bench row glide_bilinear_8
-;==============================================================================
+
 ; 256 U and 256 L, 16 bits each, are the values between the columns on the upper and on the lower
 ; row, two channels in a product. The sum is 65536 U + 256 ft (L - U); its part below 256 may be
 ; dropped early: 256 U + (ft (L - U) >> 8), modulo 2^16. If L - U borrows, the product is ft * 65536
@@ -49,7 +40,7 @@ sums    macro
         add.w   d0,d2
         endm
 
-        routine glide_bilinear_8,a0,a1,a2,d0
+        pass    glide_bilinear_8
         save_all
         lea     (a0,d0.l*4),a6
         move.l  glide_decoded_mask_s(a2),d6     ; and mask_t

@@ -1,21 +1,14 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; glide_combiner - one channel of the combine unit, any function
 ;
 ; in:      a0  void*  not read
 ;          a1  uint8*  the channel of the results, one texel a pixel
 ;          a2  const glide_inputs*  the inputs
-;          d0  int32  count
-; reads:   the inputs
 ; writes:  a byte of each pixel
 ; formats: factor m, inverted by flip: ((other - local) * (m + 1) >> 8) + added, clamped to 0 to
 ;          255, inverted by invert
-; error:   none
-; cost:    bench row glide_combiner
-;==============================================================================
-        routine glide_combiner,a0,a1,a2,d0
+        pass    glide_combiner
         save_all
         lea     (a1,d0.l*4),a6
         move.w  glide_inputs_invert(a2),-(sp)

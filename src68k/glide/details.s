@@ -1,22 +1,13 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; glide_details - detail factors of levels of detail
 ;
 ; in:      a0  const uint16*  LODs
 ;          a1  uint8*  factors
 ;          a2  const glide_nearness*  the LOD where they end, their growth
-;          d0  int32  count
-; reads:   the LODs
-; writes:  the factors
 ; formats: LODs 8.8, none above end, none so far below it that the factor exceeds a byte; factor =
 ;          end - LOD, shifted right
-; error:   none
-; cost:    bench row glide_details
-;==============================================================================
-        routine glide_details,a0,a1,a2,d0
+        pass    glide_details
         movem.l d2-d3/d6-d7/a2,-(sp)
         n64_rounds
         move.w  glide_nearness_end(a2),d2

@@ -1,22 +1,15 @@
-        include "routine.i"
-        include "layout.i"
         include "quotient.i"
 
-;==============================================================================
 ; glide_divide - a level's coordinates with perspective
 ;
 ; in:      a0  const glide_iterators*  at the first pixel
 ;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level
-;          d0  int32  count
-; reads:   the iterators, the steps
-; writes:  the coordinates
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t: q = s * 2^30 / w rounded down, clamped to 32 bits, 0
 ;          if w is 0, or negative and behind is 1; (q >> shift) - half, clamped to 0 to last_s, or
 ;          modulo 2^16 if that is 0xffff
-; error:   none
 ; cost:    bench rows glide_divide, glide_divide_clamp, glide_divide_each
-;==============================================================================
+
 ; One axis, then the other. With n = s * 2^(30 - shift) the coordinate is u = n / w rounded down; r
 ; is the remainder. Two pixels are divided; from then on u grows by g, and r by e, its change if u
 ; grows by g. If r leaves 0 to w - 1, g was wrong by one or more:
@@ -49,7 +42,7 @@ w_end   equ     44
 axis    equ     48
 locals  equ     52
 
-        routine glide_divide,a0,a1,a2,d0
+        pass    glide_divide
         save_all
         lea     -locals(sp),sp
         subq.l  #1,d0
@@ -265,7 +258,6 @@ locals  equ     52
         add.l   d5,d5
         subq.l  #1,d5
         move.l  a6,d4
-        bpl.s   .most
-        not.l   d5
-.most   sub.l   a4,d5
+        minus   <not.l d5>
+        sub.l   a4,d5
         bra     .write

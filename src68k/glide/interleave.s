@@ -1,20 +1,13 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; glide_interleave - a line from four arrays with every fourth texel each
 ;
 ; in:      a0  const uint32*  texels 0, 4, 8, ...; the other arrays follow
 ;          a1  uint32*  texels
 ;          a2  const glide_quarters*  the bytes from one array to the next
 ;          d0  int32  count, of the line
-; reads:   the arrays
-; writes:  the texels
 ; formats: texels of 32 bits, unchanged
-; error:   none
-; cost:    bench row glide_interleave
-;==============================================================================
-        routine glide_interleave,a0,a1,a2,d0
+        pass    glide_interleave
         movem.l a2-a4,-(sp)
         move.l  glide_quarters_bytes(a2),d1
         lea     (a0,d1.l),a2

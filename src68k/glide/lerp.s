@@ -1,24 +1,14 @@
-        include "routine.i"
-        include "layout.i"
-        include "n64.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_lerp - linear interpolation to others: between levels, the combine unit's blend
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_mix*  the others, the factors
-;          d0  int32  count
-; reads:   both texels, the factors
-; writes:  the texels
+; like:    glide_modulate
+; in:      a2  const glide_mix*  the others, the factors
 ; formats: factor m, inverted by flip, + one: texel + ((other - texel) * m >> 8)
-; error:   none
-; cost:    bench row glide_lerp
-;==============================================================================
+
 ; Two channels in one product: neither overflows its word.
 
-        routine glide_lerp,a0,a1,a2,d0
+        pass    glide_lerp
         save_all
         glide_mix_open
 .pixels glide_factor d2

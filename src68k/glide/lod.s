@@ -1,23 +1,17 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; glide_lod - each pixel's level of detail, by its w
 ;
 ; in:      a0  const glide_iterators*  w at the first pixel
 ;          a1  uint16*  LODs
 ;          a2  const glide_lods*  the step of w, the polygon's LOD, limits, logarithms
-;          d0  int32  count
-; reads:   w, the LODs, the logarithms
 ; writes:  the LODs: level in the upper byte, fraction in the lower one
 ; formats: w 2.30 modulo 2^32; LODs 8.8: lods of the pixel - 256 log2 |w|, the logarithm rounded
 ;          to the nearest, clamped to least to most; most if w is 0
-; error:   none
-; cost:    bench row glide_lod
-;==============================================================================
+
 ; w is kept shifted so that bit 31 is set, its step likewise; a clear bit 31 needs a new shift.
 
-        routine glide_lod,a0,a1,a2,d0
+        pass    glide_lod
         save_all
         lea     (a1,d0.l*2),a5          ; end
         move.l  glide_iterators_w(a0),d0
@@ -58,10 +52,8 @@
         beq.s   .high
         move.l  a0,d5
         tst.l   d2
-        bpl.s   .plus
-        neg.l   d2
-        neg.l   d5
-.plus   bfffo   d2{0:0},d7
+        minus   <neg.l d2>,<neg.l d5>
+        bfffo   d2{0:0},d7
         lsl.l   d7,d2
         move.l  d5,d4
         lsl.l   d7,d5

@@ -1,21 +1,12 @@
-        include "routine.i"
-        include "layout.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_modulate - texels times others, channel by channel
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const glide_mix*  the others; flip
-;          d0  int32  count
-; reads:   both
-; writes:  the texels
 ; formats: m = other, inverted by flip: texel * (m + 1) >> 8
-; error:   none
-; cost:    bench row glide_modulate
-;==============================================================================
-        routine glide_modulate,a0,a1,a2,d0
+        pass    glide_modulate
         glide_modulate_open
         glide_products
         swap    d0

@@ -1,21 +1,10 @@
-        include "routine.i"
-        include "layout.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_modulate_rgb - texels times others, channel by channel, except alpha
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_mix*  the others; flip
-;          d0  int32  count
-; reads:   both
-; writes:  the texels
+; like:    glide_modulate
 ; formats: m = other, inverted by flip: texel * (m + 1) >> 8; A is the texel's
-; error:   none
-; cost:    bench row glide_modulate_rgb
-;==============================================================================
-        routine glide_modulate_rgb,a0,a1,a2,d0
+        pass    glide_modulate_rgb
         glide_modulate_open
         move.w  d0,d2
         move.w  d1,d3

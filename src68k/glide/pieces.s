@@ -1,25 +1,17 @@
-        include "routine.i"
-        include "layout.i"
-        include "glide.i"
         include "pieces.i"
 
-;==============================================================================
 ; glide_pieces - a level's coordinates with perspective, divided at the ends of pieces
 ;
+; like:    glide_divide
 ; in:      a0  const glide_iterators*  at the first pixel of the run's first piece
-;          a1  glide_coordinates*  coordinates
 ;          a2  const glide_steps*  their steps, the level, the piece
-;          d0  int32  count
-; reads:   the iterators, the steps
-; writes:  the coordinates
 ; formats: 14.18 and 2.30 modulo 2^32 to s:t. Quotients of 32 bits, as glide_divide has them, at a
 ;          piece's first pixel and at the next piece's, or at the line's last one; from the first
 ;          on, pixel by pixel, their difference modulo 2^32 over the pixels between them, rounded
 ;          down; then (value >> shift) - half, clamped to 0 to last_s, or modulo 2^16 if that is
 ;          0xffff
-; error:   none
 ; cost:    bench rows glide_pieces, glide_pieces_16, glide_pieces_clamp, glide_pieces_small
-;==============================================================================
+
 ; A piece ends where the next one begins, so each costs two quotients. Its pixels are stepped as in
 ; glide_walk, also on a clamped axis if both ends are inside: with a step of 2^28 at most, a piece
 ; covers less than half of the range of 32 bits.
@@ -42,7 +34,7 @@ last_t  equ     60
 clamps  equ     64                      ; 0: no axis
 locals  equ     68
 
-        routine glide_pieces,a0,a1,a2,d0
+        pass    glide_pieces
         save_all
         lea     -locals(sp),sp
         move.l  d0,count(sp)
@@ -142,13 +134,7 @@ locals  equ     68
         adda.l  piece+8(sp),a5
         move.l  a5,d3
         ble     .odd
-        move.l  d3,d5
-        add.l   d5,d5
-        moveq   #30,d4
-        move.l  a3,d0
-        quotient d0,.odd
-        move.l  a4,d1
-        quotient d1,.odd
+        quotients .odd
 .ended  move.l  bits(sp),d4
         move.l  d0,d2
         move.l  d1,d3

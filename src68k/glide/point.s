@@ -1,19 +1,9 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; glide_point - texels by point sampling
 ;
-; in:      a0  const glide_coordinates*  coordinates
-;          a1  uint32*  texels, R G B A
-;          a2  const glide_decoded*  the level
-;          d0  int32  count
-; reads:   the coordinates, the level, its texels
-; writes:  the texels
+; like:    glide_bilinear
+; in:      a2  const glide_decoded*  the level
 ; formats: s:t, both 12.4 modulo 2^16
-; error:   none
-; cost:    bench row glide_point
-;==============================================================================
-        routine glide_point,a0,a1,a2,d0
+        pass    glide_point
         n64_texels glide_decoded,2,d2.l

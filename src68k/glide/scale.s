@@ -1,23 +1,14 @@
-        include "routine.i"
-        include "layout.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_scale - texels times one factor for all channels
 ;
-; in:      a0  const uint32*  texels, R G B A
-;          a1  uint32*  texels; may be the same memory
-;          a2  const glide_mix*  the factors; not the others
-;          d0  int32  count
-; reads:   the texels, the factors
-; writes:  the texels
+; like:    glide_modulate
+; in:      a2  const glide_mix*  the factors; not the others
 ; formats: factor m, inverted by flip, + one: texel * m >> 8
-; error:   none
-; cost:    bench row glide_scale
-;==============================================================================
+
 ; Also does local - local * factor: 256 - (m + 1) is m inverted, with 0 for one.
 
-        routine glide_scale,a0,a1,a2,d0
+        pass    glide_scale
         save_all
         glide_mix_open
 .pixels glide_factor d2

@@ -1,18 +1,10 @@
-        include "routine.i"
         include "fields.i"
 
-;==============================================================================
 ; glide_store_565 - texels into a 16-bit frame
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint16*  pixels, 5/6/5
 ;          a2  void*  not read
-;          d0  int32  count
-; reads:   the texels
-; writes:  the pixels
 ; formats: each channel's upper bits
-; error:   none
-; cost:    bench row glide_store_565
-;==============================================================================
-        routine glide_store_565,a0,a1,a2,d0
+        pass    glide_store_565
         fields_store $f800f800,$00fc0000,11

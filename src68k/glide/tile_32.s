@@ -1,20 +1,9 @@
-        include "routine.i"
-        include "layout.i"
-        include "span.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_tile_32 - pixels by point sampling of a page of 32-bit pixels
 ;
-; in:      a0  const glide_iterators*  s and t at the first pixel
-;          a1  uint32*  pixels
-;          a2  const glide_paging*  the page, their steps
-;          d0  int32  count, 16,384 at most
-; reads:   s and t, the steps, the page
-; writes:  the pixels
-; formats: s and t times 2^left are 8.24: column and row of the page, modulo 256
-; error:   none
+; like:    glide_tile_16
+; in:      a1  uint32*  pixels
 ; cost:    bench rows glide_tile_32, glide_bilinear_prefiltered
-;==============================================================================
-        routine glide_tile_32,a0,a1,a2,d0
+        pass    glide_tile_32
         glide_paged 4

@@ -1,20 +1,12 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; glide_walk - a level's coordinates without perspective, wrapped
 ;
+; like:    glide_divide
 ; in:      a0  const glide_iterators*  s and t at the first pixel
-;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  their steps, the level
-;          d0  int32  count
-; reads:   s and t, the steps
-; writes:  the coordinates
 ; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16
-; error:   none
 ; cost:    bench rows glide_walk, glide_walk_small
-;==============================================================================
+
 ; From shift 17 on s and t have more than 16 fraction bits; the excess bits are in separate
 ; registers.
 
@@ -31,7 +23,7 @@ low_bits macro
         asr.l   \1,d1
         endm
 
-        routine glide_walk,a0,a1,a2,d0
+        pass    glide_walk
         movem.l d2-d7/a3-a4,-(sp)
         moveq   #16,d4
         sub.w   glide_steps_shift(a2),d4

@@ -1,28 +1,19 @@
-        include "routine.i"
-        include "layout.i"
         include "glide.i"
 
-;==============================================================================
 ; glide_walk_clamp - a level's coordinates without perspective, clamped
 ;
-; in:      a0  const glide_iterators*  s and t at the first pixel
-;          a1  glide_coordinates*  coordinates
-;          a2  const glide_steps*  their steps, the level
-;          d0  int32  count
-; reads:   s and t, the steps
-; writes:  the coordinates
+; like:    glide_walk
 ; formats: 14.18 modulo 2^32 to s:t: (s >> shift) - half, clamped to 0 to last_s, or modulo 2^16
 ;          if that is 0xffff
-; error:   none
 ; cost:    bench rows glide_walk_clamp, glide_walk_inside
-;==============================================================================
+
 ; A line with both ends inside needs no clamping.
 
         xref    glide_walk
 
 FEW     equ     5                       ; pixels: for fewer, testing the ends takes as long
 
-        routine glide_walk_clamp,a0,a1,a2,d0
+        pass    glide_walk_clamp
         movem.l d2-d7/a3-a4,-(sp)
         glide_last glide_steps_last_s,a3,d1
         glide_last glide_steps_last_t,a4,d1

@@ -1,18 +1,12 @@
         include "routine.i"
 
-;==============================================================================
 ; glide_widen_565 - a 16-bit frame's pixels as texels
 ;
 ; in:      a0  const uint16*  pixels, 5/6/5
 ;          a1  uint32*  texels, R G B and 0
 ;          a2  void*  not read
-;          d0  int32  count
-; reads:   the pixels
-; writes:  the texels
 ; formats: each channel's upper bits are repeated below its bits
-; error:   none
-; cost:    bench row glide_widen_565
-;==============================================================================
+
 ; Two pixels at a time, by aligned longwords.
 
 ; Widens the pixels in d0: the upper one's texel to d0, the other's to d1. Uses d2-d3.
@@ -42,7 +36,7 @@ wide    macro
         swap    d1
         endm
 
-        routine glide_widen_565,a0,a1,a2,d0
+        pass    glide_widen_565
         movem.l d2-d7/a2-a3,-(sp)
         movea.l d0,a2
         move.l  #$00030003,d4

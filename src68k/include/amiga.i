@@ -1,6 +1,8 @@
 ; Amiga system facts: library offsets, custom chip and CIA registers.
 ; Source: the public autodocs and the Hardware Reference Manual.
 
+        include "routine.i"
+
 ; exec.library, and where its base is read
 sys_base                equ     4
 _LVOFindResident        equ     -96
@@ -62,6 +64,10 @@ mh_Attributes           equ     14
 mh_Lower                equ     20
 mh_Upper                equ     24
 
+; The head of a block that mem_alloc and mem_take get from exec.
+BLOCK_SIZE              equ     4       ; after the address of the previous block
+BLOCK_HEAD              equ     8
+
 ; dos.library
 _LVOOpen                equ     -30
 _LVOClose               equ     -36
@@ -100,7 +106,6 @@ gb_copinit              equ     38
 gb_DisplayFlags         equ     206
 PAL_BIT                 equ     2
 
-tf_YSize                equ     20
 tf_LoChar               equ     32
 tf_HiChar               equ     33
 tf_CharData             equ     34
@@ -146,7 +151,6 @@ ddfstrt                 equ     $092
 ddfstop                 equ     $094
 dmacon                  equ     $096
 intena                  equ     $09a
-intreq                  equ     $09c
 bplcon0                 equ     $100
 bplcon1                 equ     $102
 bplcon3                 equ     $106

@@ -6,6 +6,8 @@
 ; One step is add.l S, addx.l Q, addx.w P: u's fraction carries into U, v's low
 ; fraction byte into Vv. The bytes marked -- catch U's overflow.
 
+        include "routine.i"
+
 ; Packs u (\1) and v (\2), both 16.16, into S (\1, lower word 0), Q (\3) and P (\2's
 ; lower word; its upper word is left over).
 pack_uv macro
@@ -87,25 +89,36 @@ ahead   macro
         movea.l \2,\3
         endm
 
-; Pixels of spans: d4 holds the map's page in its upper word, (a1)+ is the destination.
-; texel_next makes d4 the texel's address and steps the coordinates; a2 is free.
+; For coordinates stepped by add and swap: d4 = uuVU of u (d0 = -Uuu) and v (d1 = Vvv-), which is
+; held 8 bits higher than u. \1: a register with $00ffffff. 10 bytes.
+join_uv macro
+        move.l  d1,d4
+        eor.l   d0,d4
+        and.l   \1,d4
+        eor.l   d1,d4                   ; VUuu
+        swap    d4
+        endm
 
-; The chain of two registers: B in d0, A in d1, their steps in d2 and d3. 8 bytes.
+; Pixels of spans: d4 holds the map's page in its upper word, (a1)+ is the destination.
+; texel_next makes d4 the texel's address and steps the coordinates; a2 is free. Its arguments are
+; registers with steps, d2 and d3 unless the steps change from pixel to pixel.
+
+; The chain of two registers: B in d0, A in d1, their steps in \1 and \2. 8 bytes.
 texel_next macro
         move.w  d0,d4                   ; mmVv
         move.b  d1,d4                   ; mmVU
-        addx.l  d2,d0
-        addx.l  d3,d1
+        addx.l  \1,d0
+        addx.l  \2,d1
         endm
 
-; S, Q and P in d5, d1 and d0, their steps in a4, d3 and d2: P is stepped as a word, so
+; S, Q and P in d5, d1 and d0, their steps in a4, \2 and \1: P is stepped as a word, so
 ; V's overflow is lost instead of entering u. 10 bytes.
 texel_next_apart macro
         move.w  d0,d4                   ; mmVv
         move.b  d1,d4                   ; mmVU
         add.l   a4,d5
-        addx.l  d3,d1
-        addx.w  d2,d0
+        addx.l  \2,d1
+        addx.w  \1,d0
         endm
 
 ; Draws the texel at d4. 4 bytes.
@@ -124,12 +137,12 @@ draw_lit macro
         endm
 
 pixel_chain macro
-        texel_next
+        texel_next d2,d3
         draw
         endm
 
 pixel_apart macro
-        texel_next_apart
+        texel_next_apart d2,d3
         draw
         endm
 
@@ -180,9 +193,9 @@ wide_chain macro
         span_line d0,d1,*\1
         span_rounds_out 4
         add.l   a4,d1
-        span_enter_out_12
+        span_enter_out 4
 .pixels rept    16
-        texel_next
+        texel_next d2,d3
         draw_wide \1
         endr
         span_close d5
@@ -195,9 +208,9 @@ wide_apart macro
         span_line d0,d1,*\1
         apart_start
         span_rounds_out 4
-        span_enter_out_14
+        span_enter_out 2,4
 .pixels rept    16
-        texel_next_apart
+        texel_next_apart d2,d3
         draw_wide \1
         endr
         span_close (sp)
@@ -215,7 +228,7 @@ wide_row macro
         move.b  d1,d5
         move.w  d5,d0                   ; uu-U
         add.l   a4,d0
-        span_enter_out_8
+        jmp     .pixels(pc,d6.w*8)
 .pixels rept    16
         move.b  d0,d4                   ; VU
         addx.l  d2,d0

@@ -1,11 +1,13 @@
 ; Spans with dithered texture coordinates: (u, v) is offset by (x & 1, y & 1), the pixel's
-; position in the frame. Include after chain.i and span.i.
+; position in the frame.
 ;
 ; The offsets of (u, v) in eighths of a texel:
 ;       (2, 0)  (6, 2)          in even lines, for even x and for odd x
 ;       (0, 4)  (4, 6)          in odd lines
 ; Starts are 3/8 less than the pixels' own. So in all lines the step from a pixel with even x is
 ; (4, 2) more than without dithering, and from one with odd x (4, 2) less.
+
+        include "span.i"
 
 ; On the stack, for all lines: four longwords, the offsets as uu:Vv, in the order of 2 x + y.
 DITHER_LAST     equ     16+2            ; a word: odd if a round begins with the step of even x
@@ -112,9 +114,9 @@ dither_chain_lines macro
         bra     .line
         cnop    0,4
 .pixels rept    8
-        dither_next d2,d3
+        texel_next d2,d3
         \1     \2
-        dither_next d5,d6
+        texel_next d5,d6
         \1     \2
         endr
         dbra    d7,.pixels
@@ -160,9 +162,9 @@ dither_apart_lines macro
         bra     .line
         cnop    0,4
 .pixels rept    4
-        dither_next_apart d2,d3
+        texel_next_apart d2,d3
         \3     \4
-        dither_next_apart d6,d7
+        texel_next_apart d6,d7
         \3     \4
         endr
         cmpa.l  a5,a1
@@ -203,20 +205,4 @@ dither_apart_lines macro
         bra     .line_next
 .done   lea     DITHER_BYTES(sp),sp
         return_all
-        endm
-
-; texel_next with the steps \1 and \2.
-dither_next macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        addx.l  \1,d0
-        addx.l  \2,d1
-        endm
-
-dither_next_apart macro
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d4                   ; mmVU
-        add.l   a4,d5
-        addx.l  \2,d1
-        addx.w  \1,d0
         endm

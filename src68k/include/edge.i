@@ -1,6 +1,8 @@
 ; Parts shared by the scanline steppers. A side's x is whole pixels and an error that
 ; counts up to 2^32: a carry moves x one pixel to the right (see struct edge).
 
+        include "chain.i"
+
 ; a4 = end of the table's part that the edge in a5 covers; 12 bytes an entry. Uses d0.
 edge_end macro
         move.l  edge_lines(a5),d0

@@ -1,5 +1,7 @@
 ; Converts texels to 16-bit pixels.
 
+        include "routine.i"
+
 ; Packs the fields of the texel \1: R and G at the top of its upper word, B and A at the top of
 ; the lower word. d6, d7: the masks. Uses d2.
 fields  macro

@@ -1,5 +1,7 @@
-; Parts shared by the passes of Glide's texture unit (structs: c/glide/passes.h). Include after
-; n64.i, and after span.i if spans' rounds are used.
+; Parts shared by the passes of Glide's texture unit (structs: c/glide/passes.h).
+
+        include "n64.i"
+        include "span.i"
 
 ; Filters the texels of the d0 coordinates at a0 to a1, by the parts of glide_weights. \1: the macro
 ; that writes a texel, \2: its value of d7.

@@ -1,5 +1,7 @@
 ; Keeping interpolants in their ranges, line by line.
 
+        include "routine.i"
+
 ; d7 = pixels of the longest line of the table a4 (d6 lines), less one. Goes to \1 if that
 ; is 0. Uses d0.
 longest_line macro
@@ -25,38 +27,33 @@ line_length macro
         ext.l   d6
         endm
 
-; Holds the start \1 (see hold) of a line of d6 + 1 pixels with the step \2. Uses d1-d2.
+; Clamps the start \1 of a line of d6 + 1 pixels with the step \2, so that it and the line's end
+; are within [\3, \4]. Uses d1-d2.
 hold_line macro
         move.l  \2,d1
         muls.l  d6,d1
-        hold    \1,d1,d2,\3,\4
-        endm
-
-; Clamps the start \1 so that it and the line's end, \1 + \2, are within [\4, \5]. Uses
-; \3.
-hold    macro
-        move.l  \4,\3
-        tst.l   \2
+        move.l  \3,d2
+        tst.l   d1
         bpl.s   .rises\@
-        sub.l   \2,\3                   ; lowest start
-        cmp.l   \3,\1
+        sub.l   d1,d2                   ; lowest start
+        cmp.l   d2,\1
         bge.s   .above\@
-        move.l  \3,\1
+        move.l  d2,\1
 .above\@
-        cmp.l   \5,\1
+        cmp.l   \4,\1
         ble.s   .held\@
-        move.l  \5,\1
+        move.l  \4,\1
         bra.s   .held\@
 .rises\@
-        cmp.l   \3,\1
+        cmp.l   d2,\1
         bge.s   .first\@
-        move.l  \3,\1
+        move.l  d2,\1
 .first\@
-        move.l  \5,\3
-        sub.l   \2,\3                   ; highest start
-        cmp.l   \3,\1
+        move.l  \4,d2
+        sub.l   d1,d2                   ; highest start
+        cmp.l   d2,\1
         ble.s   .held\@
-        move.l  \3,\1
+        move.l  d2,\1
 .held\@
         endm
 
@@ -71,15 +68,11 @@ limit   macro
         endc
         move.l  \1,d1
         move.l  d1,d2
-        bpl.s   .positive\@
-        neg.l   d2
-.positive\@
+        minus   <neg.l d2>
         cmp.l   d0,d2
         bls.s   .small\@
         tst.l   d1
-        bpl.s   .write\@
-        neg.l   d0
-.write\@
+        minus   <neg.l d0>
         move.l  d0,\1
 .small\@
         endm

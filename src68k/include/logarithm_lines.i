@@ -1,5 +1,6 @@
-; Parts of logarithm_lines; they use its registers and its stack. Include after
-; reciprocal_lines.i.
+; Parts of logarithm_lines; they use its registers and its stack.
+
+        include "reciprocal_lines.i"
 
 ; Scales \1 = q.hi: shifted left by d7 - 4, times the factor d4.
 scaled  macro

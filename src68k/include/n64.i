@@ -1,5 +1,7 @@
 ; Parts shared by the passes over a line's pixels (structs: c/n64/passes.h).
 
+        include "routine.i"
+
 ; Filters the texels of the d0 relative coordinates at a0 to a1, by the parts of n64_weights that
 ; the table \1 lists (see n64_threepoint). \2: the macro that writes a texel, \3: its value of d7.
 n64_filter macro
@@ -132,6 +134,15 @@ n64_nearest macro
         add.l   \1,\1
         subx.w  \1,\1                   ; -1 below 0
         eori.w  #$7fff,\1
+        endm
+
+; Opens a conversion of YUV texels: a6 = their end, and what n64_converted takes except d6.
+n64_convert_open macro
+        save_all
+        lea     (a0,d0.l*4),a6
+        movea.l n64_yuv_conversion_chroma(a2),a3
+        movea.l n64_yuv_conversion_matrix(a2),a4
+        lea     n64_matrix_v(a4),a5
         endm
 
 ; Converts the pixel at a0 with the chroma at a3: d0 = Y, d1-d3 = R, G, B, words of which only the

@@ -1,5 +1,7 @@
 ; Numbers of 64 bits (struct number64).
 
+        include "routine.i"
+
 ; Adds \2(\3) to the number \1 on the stack. Uses d0-d1.
 next    macro
         move.l  \2+number64_lo(\3),d1

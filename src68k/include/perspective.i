@@ -1,5 +1,7 @@
 ; Planes of q, s and t stepped from line to line (see c/span/perspective.h).
 
+        include "number.i"
+
 ; The planes at the line's first possible pixel, on the stack in this order.
 row_q   equ     0
 row_s   equ     8
@@ -24,9 +26,7 @@ value   macro
 ; shows: FS-UAE gives 0 without V from 2^32 on.
 quotient macro
         move.l  d0,d2
-        bpl.s   .positive\@
-        not.l   d2
-.positive\@
+        minus   <not.l d2>
         add.l   d2,d2
         cmp.l   \2,d2
         bhs.s   .far\@

@@ -1,5 +1,7 @@
 ; Parts of glide_pieces: quotients, steps, coordinates. They use its registers and its stack.
 
+        include "glide.i"
+
 ; \1 = 2^30 * \1 / d3, s / w, rounded down; w is above 0. Goes to \2 if that does not fit 32 bits.
 ; In: d5 = 2 w, d4 = 30. Uses d2.
 quotient macro
@@ -13,9 +15,18 @@ quotient macro
         lsl.l   d4,\1
         divs.l  d3,d2:\1
         tst.l   d2
-        bpl.s   .down\@
-        subq.l  #1,\1
-.down\@
+        minus   <subq.l #1,\1>
+        endm
+
+; d0, d1 = the quotients of a3 and a4 by d3; goes to \1 if one does not fit. Uses d2/d4-d5.
+quotients macro
+        move.l  d3,d5
+        add.l   d5,d5
+        moveq   #30,d4
+        move.l  a3,d0
+        quotient d0,\1
+        move.l  a4,d1
+        quotient d1,\1
         endm
 
 ; Shifts s and t (d0, d1) and their steps (d2, d3) left by d5, subtracts a6 from s and t, and swaps
@@ -39,9 +50,7 @@ step    macro
         sub.l   \2,\1
         divsl.l d5,d4:\1
         tst.l   d4
-        bpl.s   .down\@
-        subq.l  #1,\1
-.down\@
+        minus   <subq.l #1,\1>
         endm
 
 ; Goes to .single if the value d4 is not in 0 to \1. d5 = shift. Uses d4.
@@ -65,13 +74,7 @@ at_end  macro
 quotients_of_ends macro
 .ends   move.l  a5,d3
         ble.s   .both
-        move.l  d3,d5
-        add.l   d5,d5
-        moveq   #30,d4
-        move.l  a3,d0
-        quotient d0,.both
-        move.l  a4,d1
-        quotient d1,.both
+        quotients .both
         rts
 .both   move.l  a4,d0
         bsr.s   .one
@@ -88,9 +91,8 @@ quotients_of_ends macro
         bpl.s   .w
         neg.l   d3
 .w      tst.l   d0
-        bpl.s   .size
-        neg.l   d0
-.size   move.l  d0,d2
+        minus   <neg.l d0>
+        move.l  d0,d2
         lsr.l   #1,d2
         cmp.l   d3,d2
         bhs.s   .cut
@@ -110,7 +112,6 @@ quotients_of_ends macro
 .cut    moveq   #-1,d0
         lsr.l   #1,d0
         tst.l   d4
-        bpl.s   .most
-        not.l   d0
-.most   rts
+        minus   <not.l d0>
+        rts
         endm

@@ -3,6 +3,8 @@
 ; Five index bits number the 32 bits of a register, three more number eight registers. A merge
 ; exchanges one of the five with one of the three.
 
+        include "routine.i"
+
 ; Kept on the stack:
 BACK    equ     0                       ; from plane 3's next longword to plane 0's
 END     equ     4                       ; of the row's pixels

@@ -1,5 +1,7 @@
 ; Gradients of a plane through three points, from two vectors.
 
+        include "routine.i"
+
 ; d7 = the divisor of the gradients, the upper 32 bits of the area d0:d7, which is not 0;
 ; d6 = the right shift that gives them, d5 = 32 - d6.
 divisor macro
@@ -22,10 +24,7 @@ gradient macro
         sub.l   d3,d1
         subx.l  d2,d0
         move.l  d0,d4                   ; sign
-        bpl.s   .positive\@
-        neg.l   d1
-        negx.l  d0
-.positive\@
+        minus   <neg.l d1>,<negx.l d0>
         move.l  d0,d3
         lsr.l   d6,d0
         lsr.l   d6,d1
@@ -40,8 +39,5 @@ gradient macro
         moveq   #0,d2
         divu.l  d7,d0:d2
         tst.l   d4
-        bpl.s   .signed\@
-        neg.l   d2
-        negx.l  d1
-.signed\@
+        minus   <neg.l d2>,<negx.l d1>
         endm

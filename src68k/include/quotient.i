@@ -1,6 +1,8 @@
 ; Parts of glide_divide: quotients by division, or by differences from the last one (see there for
 ; the letters). They use its registers and its stack.
 
+        include "routine.i"
+
 ; d5 = u - half and d6 = r from the magnitudes d5 = s and d4 = w; a6 has the quotient's sign. In:
 ; d7 = 30 - shift, d2 = w. Uses d4.
 quotient macro
@@ -23,9 +25,7 @@ quotient macro
 ; |\1|
 magnitude macro
         tst.l   \1
-        bpl.s   .plus\@
-        neg.l   \1
-.plus\@
+        minus   <neg.l \1>
         endm
 
 ; Writes \1, clamped to 0 to a5, or modulo 2^16 if a5 is 2^32 - 1. Uses \1.

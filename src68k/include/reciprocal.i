@@ -6,6 +6,8 @@
 ; overflow enters u's lowest bit. A's v is a step ahead, except at a piece's last pixel:
 ; its addx.w does not step v, so that the next piece's steps take over there.
 
+        include "chain.i"
+
 ; On the stack.
 reciprocal_next equ     0               ; line
 reciprocal_row  equ     4

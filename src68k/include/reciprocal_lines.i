@@ -1,22 +1,6 @@
 ; Parts of reciprocal_lines and logarithm_lines; they use their registers, labels and stack.
 
-; d3 = q of the line's first pixel, d7 pixels from the planes' own; d2 = q of its last, d6
-; pixels further. Uses d0-d1/d4-d5/d7.
-ends_q  macro
-        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
-        move.l  d5,d1
-        mulu.l  d7,d0:d1
-        muls.l  d4,d7
-        add.l   d7,d0
-        add.l   row_q+number64_lo(sp),d1
-        move.l  row_q(sp),d3
-        addx.l  d0,d3
-        mulu.l  d6,d2:d5
-        muls.l  d6,d4
-        add.l   d4,d2
-        add.l   d1,d5
-        addx.l  d3,d2
-        endm
+        include "number.i"
 
 ; Writes a line's left and n to the struct \1 at a1 and finds q at its ends: d3 of the first
 ; pixel, d2 of the last, d4 the larger, d5 the smaller; d7 = d4's leading zeros, d6 = n. Goes to
@@ -31,7 +15,19 @@ ends_sorted macro
         move.w  d6,\1_n(a1)
         bmi     .next
         sub.l   a4,d7
-        ends_q
+        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
+        move.l  d5,d1
+        mulu.l  d7,d0:d1
+        muls.l  d4,d7
+        add.l   d7,d0
+        add.l   row_q+number64_lo(sp),d1
+        move.l  row_q(sp),d3
+        addx.l  d0,d3
+        mulu.l  d6,d2:d5
+        muls.l  d6,d4
+        add.l   d4,d2
+        add.l   d1,d5
+        addx.l  d3,d2
         move.l  d2,d4
         move.l  d3,d5
         cmp.l   d4,d5
@@ -109,9 +105,8 @@ scale_made macro
         move.l  d1,scale_dq(sp)
         move.w  #$7fff,d1
         tst.l   d0
-        bpl.s   .length
-        neg.l   d0
-.length cmp.l   #8<<16,d0
+        minus   <neg.l d0>
+        cmp.l   #8<<16,d0
         bhs.s   .enough
 .coarse moveq   #1,d1
         lsl.w   d5,d1
@@ -162,9 +157,8 @@ carry_of_u macro
         addq.w  #1,d1
         move.l  d6,d2
         beq.s   .cv
-        bpl.s   .up
-        neg.l   d6
-.up     move.l  a2,d3
+        minus   <neg.l d6>
+        move.l  a2,d3
         beq.s   .cv
         eor.l   d3,d2
         bpl.s   .cv

@@ -6,25 +6,29 @@
 ; and defines two entries:
 ;       _name   for C: copies its stack arguments to the registers named
 ;       name    for assembly: takes them in those registers
-; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6. If the third register is a2,
-; the entry for C saves a2 and calls the other entry.
+; C arguments are 32 bits each. Both entries keep d2-d7/a2-a6.
+;
+;       pass name
+;
+; does the same for a pass of a texture unit over a line's pixels: a0 its input, a1 its output, a2
+; other data, d0 how many. Its entry for C saves a2 and calls the other entry.
 
-routine macro
+        ifnd    ROUTINE_I
+ROUTINE_I equ   1
+
+        include "layout.i"
+
+; Opens the section and defines C's entry.
+c_entry macro
         section .text.\1,code
         cnop    0,4
         xdef    _\1
         xdef    \1
 _\1:
-        ifc     '\4','a2'
-        move.l  a2,-(sp)
-        movea.l 8(sp),\2
-        movea.l 12(sp),\3
-        movea.l 16(sp),a2
-        move.l  20(sp),\5
-        bsr     \1
-        movea.l (sp)+,a2
-        rts
-        else
+        endm
+
+routine macro
+        c_entry \1
         ifnb    \2
         move.l  4(sp),\2
         endc
@@ -37,7 +41,19 @@ _\1:
         ifnb    \5
         move.l  16(sp),\5
         endc
-        endc
+\1:
+        endm
+
+pass    macro
+        c_entry \1
+        move.l  a2,-(sp)
+        movea.l 8(sp),a0
+        movea.l 12(sp),a1
+        movea.l 16(sp),a2
+        move.l  20(sp),d0
+        bsr     \1
+        movea.l (sp)+,a2
+        rts
 \1:
         endm
 
@@ -50,3 +66,15 @@ return_all macro
         movem.l (sp)+,d2-d7/a2-a6
         rts
         endm
+
+; Executes the instructions \1 and \2 only if N is set, as it is after a negative result.
+minus   macro
+        bpl.s   .plus\@
+        \1
+        ifnb    \2
+        \2
+        endc
+.plus\@
+        endm
+
+        endc

@@ -2,15 +2,28 @@
 ; entered in their middle, and no loop around them. The code that reads a line follows
 ; the pixels, so each line runs into the next; both must fit the instruction cache.
 
+        include "chain.i"
+
 SHORT_KEPT reg  d2-d7/a2-a4/a6
 
 ; Takes the plan in a0; after it a3 is the pitch, a6 the row and d7 the number of
-; lines. The code that follows must set a0 to the lines and go to .line.
+; lines. If \1 is given, the map is in d4 (mm00), dudx in \1 and dvdx in \2. \3: another field
+; of the plan to push. The code that follows must set a0 to the lines and go to .line.
 short_open macro
         movem.l SHORT_KEPT,-(sp)
         movea.l span_plan_pitch(a0),a3
         movea.l span_plan_row(a0),a6
         move.l  span_plan_count(a0),d7
+        ifnb    \1
+        move.l  span_plan_map(a0),d4
+        ifnb    \3
+        move.l  span_plan_\3(a0),-(sp)
+        endc
+        move.l  span_plan_dudx(a0),\1
+        ifnb    \2
+        move.l  span_plan_dvdx(a0),\2
+        endc
+        endc
         endm
 
 ; Ends the pixels and reads a line: a1 = first pixel, d0 = start0:start1, d6 =

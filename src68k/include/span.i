@@ -2,6 +2,8 @@
 ; around an unrolled loop over pixels that is entered in its middle. The loop must
 ; fit the instruction cache of 256 bytes.
 
+        include "chain.i"
+
 ; Takes the plan in a0; after it (sp) is the pitch and a6 the row.
 span_open macro
         save_all
@@ -42,8 +44,9 @@ span_line macro
         endm
 
 ; Prepares a loop of 2^\1 pixels a round: d7 = rounds - 1, d6 = -(pixels of the short
-; first round - 1). The span_enter for the pixel's bytes of code jumps there, relative
-; to a3 = .pixels_end less one pixel. Code that sets X goes between the two. Uses a2.
+; first round - 1). span_enter jumps there, relative to a3 = .pixels_end less one pixel; its
+; arguments and 8 add up to a pixel's bytes of code. Code that sets X goes between the two.
+; Uses a2.
 span_rounds macro
         moveq   #(1<<\1)-1,d6
         and.w   d7,d6
@@ -51,35 +54,17 @@ span_rounds macro
         lsr.w   #\1,d7
         endm
 
-span_enter_10 macro
-        lea     (a3,d6.w*2),a2
-        jmp     (a2,d6.w*8)
-        endm
-
-span_enter_12 macro
-        lea     (a3,d6.w*4),a2
-        jmp     (a2,d6.w*8)
-        endm
-
-span_enter_14 macro
-        lea     (a3,d6.w*2),a2
-        lea     (a2,d6.w*4),a2
-        jmp     (a2,d6.w*8)
-        endm
-
-span_enter_16 macro
-        lea     (a3,d6.w*8),a2
-        jmp     (a2,d6.w*8)
-        endm
-
-span_enter_18 macro
-        lea     (a3,d6.w*2),a2
-        lea     (a2,d6.w*8),a2
+span_enter macro
+        lea     (a3,d6.w*\1),a2
+        ifnb    \2
+        lea     (a2,d6.w*\2),a2
+        endc
         jmp     (a2,d6.w*8)
         endm
 
 ; The same where all address registers are taken: d6 = the pixels that the short first
-; round leaves out of 2^\1; the jump is relative to .pixels, which must follow.
+; round leaves out of 2^\1; the jump is relative to .pixels, which must follow. An
+; entry of 8 bytes is jmp .pixels(pc,d6.w*8).
 span_rounds_out macro
         moveq   #(1<<\1)-1,d6
         or.w    d7,d6
@@ -87,18 +72,11 @@ span_rounds_out macro
         lsr.w   #\1,d7
         endm
 
-span_enter_out_8 macro
-        jmp     .pixels(pc,d6.w*8)
-        endm
-
-span_enter_out_12 macro
-        lea     .pixels(pc,d6.w*4),a2
-        jmp     (a2,d6.w*8)
-        endm
-
-span_enter_out_14 macro
-        lea     .pixels(pc,d6.w*2),a2
-        lea     (a2,d6.w*4),a2
+span_enter_out macro
+        lea     .pixels(pc,d6.w*\1),a2
+        ifnb    \2
+        lea     (a2,d6.w*\2),a2
+        endc
         jmp     (a2,d6.w*8)
         endm
 
@@ -122,6 +100,15 @@ span_next macro
         addq.l  #\2,sp
         endc
         return_all
+        endm
+
+; Opens a span of one colour: a1 = table, d7 = lines, a6 = row, a5 = pitch.
+fill_open macro
+        save_all
+        movea.l span_plan_lines(a0),a1
+        move.l  span_plan_count(a0),d7
+        movea.l span_plan_row(a0),a6
+        movea.l span_plan_pitch(a0),a5
         endm
 
 ; Writes d3 longwords of d0 from (a0) on, 16 at a time. In: a3 = .longwords_end,

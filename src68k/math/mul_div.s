@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; mul_div - a * b / c, rounded to the nearest integer, through 64 bits
 ;
 ; in:      d0  int32  a
@@ -10,7 +9,6 @@
 ; formats: any; with b = 65536 the quotient a / c in 16.16
 ; error:   half a unit; the quotient must fit 32 bits
 ; cost:    110 cycles with the cache warm, plus call and arguments
-;==============================================================================
         routine mul_div,d0,d1,a0
         movea.l d2,a1
         muls.l  d1,d1:d0
@@ -22,7 +20,6 @@
         move.l  a0,d2
         divs.l  d2,d1:d0                ; towards zero: remainder of the sign of a * b
         tst.l   d1
-        bpl.s   .floor
-        subq.l  #1,d0
-.floor  move.l  a1,d2
+        minus   <subq.l #1,d0>
+        move.l  a1,d2
         rts

@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; mul_fix - product of two 16.16 numbers
 ;
 ; in:      d0  int32  a, 16.16
@@ -10,7 +9,6 @@
 ; formats: 16.16 signed; the product must be within 16.16 to be meaningful
 ; error:   0 to 1/65536 too low (floor)
 ; cost:    40 cycles with the cache warm, plus call and arguments
-;==============================================================================
         routine mul_fix,d0,d1
         muls.l  d0,d0:d1
         move.w  d0,d1                   ; hh:HH ll:LL -> HH:ll

@@ -1,16 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; mul_round - product of two 16.16 numbers, rounded to the nearest
 ;
-; in:      d0  int32  a, 16.16
-;          d1  int32  b, 16.16
+; like:    mul_fix
 ; out:     d0  int32  floor(a * b / 65536 + 1/2), its low 32 bits
-; trashes: d0-d1
-; formats: 16.16 signed; the product must be within 16.16 to be meaningful
 ; error:   half of 1/65536
 ; cost:    46 cycles with the cache warm, plus call and arguments
-;==============================================================================
         routine mul_round,d0,d1
         muls.l  d0,d0:d1
         add.l   #$8000,d1

@@ -1,6 +1,5 @@
         include "routine.i"
 
-;==============================================================================
 ; mul_shift - a * b / 2^bits, rounded down
 ;
 ; in:      d0  int32  a
@@ -10,7 +9,6 @@
 ; formats: any
 ; error:   less than a unit too low
 ; cost:    60 cycles with the cache warm, plus call and arguments
-;==============================================================================
         routine mul_shift,d0,d1,a0
         movea.l d2,a1
         muls.l  d0,d0:d1

@@ -1,17 +1,13 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; mul_wide - a gradient times an offset
 ;
-; in:      a0  number64*  gradient, 48.16 signed
+; in:      a0  const number64*  gradient, 48.16 signed
 ;          d0  fix16      offset, 16.16
 ; out:     d0  int32      (gradient * offset + 2^31) / 2^32 rounded down, its low 32 bits
-; reads:   *a0
 ; formats: the product in units, 32.0
 ; error:   half a unit
 ; cost:    110 cycles, in chip RAM 130; with the cache warm, plus call and arguments
-;==============================================================================
         routine mul_wide,a0,d0
         movem.l d2-d3,-(sp)
         move.l  d0,d3

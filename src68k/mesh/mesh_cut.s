@@ -1,7 +1,5 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; mesh_cut - the point where a border cuts an edge, all six values of a vertex
 ;
 ; in:      a0  const struct cut_plan*  part is 0 or more and less than whole
@@ -9,8 +7,6 @@
 ; writes:  *to
 ; formats: any; the ends' values differ by less than 2^31
 ; error:   half a unit, ties away from the inner end; never beyond the outer end
-; cost:    bench row mesh_cut
-;==============================================================================
         routine mesh_cut,a0
         movem.l d2-d6/a2-a3,-(sp)
         move.l  cut_plan_part(a0),d2

@@ -1,7 +1,5 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; mesh_faces - faces that are seen from the front and not wholly outside one border
 ;
 ; in:      a0  const struct faces_plan*  count is 1 at least
@@ -11,7 +9,6 @@
 ; formats: normals 2.30, eye and distance 16.16; order: the greatest depth, inverted
 ; error:   a face counts as seen if floor(normal * eye) is above its distance
 ; cost:    bench row mesh_faces for four corners, mesh_faces_back for those not seen
-;==============================================================================
         routine mesh_faces,a0
         save_all
         movea.l faces_plan_view(a0),a1

@@ -1,7 +1,5 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; mesh_looks - the values that a light or an environment map gives to normals
 ;
 ; in:      a0  const struct look_plan*  count is 1 at least
@@ -9,8 +7,6 @@
 ; writes:  to and the same field of the following entries, count in all
 ; formats: normals 2.14, -1 to 1; factors 9.7; base, low, high and results 16.16
 ; error:   0 to 1/65536 too low (floor), once for the sum
-; cost:    bench row mesh_looks
-;==============================================================================
         routine mesh_looks,a0
         movem.l d2-d7/a2-a3,-(sp)
         movea.l look_plan_factors(a0),a1

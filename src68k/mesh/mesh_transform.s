@@ -1,7 +1,5 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; mesh_transform - camera and screen coordinates of a mesh's points
 ;
 ; in:      a0  const struct transform_plan*  count is 1 at least
@@ -12,7 +10,7 @@
 ;          below 16,384, which MESH_REACH and MESH_AWAY ensure
 ; error:   x, y, w half a unit; screen_x, screen_y half a unit of the quotient of these
 ; cost:    bench rows mesh_transform and mesh_transform_outside
-;==============================================================================
+
 ; d2 = a coordinate; d5-d7 the point in 14.18, a1 a row of the stack. The sum has 48
 ; fraction bits, so its upper longword is the result. The loop fits the instruction cache.
 row     macro
@@ -42,9 +40,7 @@ screen  macro
         addx.l  d4,d1
         divs.l  d2,d1:d0                ; towards zero: remainder of the dividend's sign
         tst.l   d1
-        bpl.s   .floor\@
-        subq.l  #1,d0
-.floor\@
+        minus   <subq.l #1,d0>
         add.l   \2(a4),d0
         move.l  d0,(a2)+
         endm

@@ -1,20 +1,13 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_chroma - turns relative coordinates of YUV's luma into those of its chroma
 ;
 ; in:      a0  const n64_coordinates*  relative coordinates
 ;          a1  n64_coordinates*  those of chroma; may be the same memory
 ;          a2  void*  not read
-;          d0  int32  count
-; reads:   the coordinates
-; writes:  the coordinates
 ; formats: s:t, both s10.5. A pair of texels shares its chroma: the fraction of s is halved,
 ;          plus another half in odd columns
-; error:   none
-; cost:    bench row n64_chroma
-;==============================================================================
-        routine n64_chroma,a0,a1,a2,d0
+        pass    n64_chroma
         movem.l d2-d3,-(sp)
         move.l  #$001f0000,d2
         move.w  d0,d3

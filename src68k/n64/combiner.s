@@ -1,22 +1,15 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; n64_combiner - one channel of the colour combiner, any inputs
 ;
 ; in:      a0  void*  not read
 ;          a1  int16*  the channel of the results, one n64_wide a pixel
 ;          a2  const n64_combination*  A, B, C, D
-;          d0  int32  count
-; reads:   the inputs
 ; writes:  a word of each pixel
 ; formats: (A - B) * C + 256 * D + 128 >> 8 as 9 bits, which are read as those of A, B and D
 ;          are: -128 to 383. Inputs are such numbers or others of 9 bits; C is read as 9
 ;          bits signed
-; error:   none
-; cost:    bench row n64_combiner
-;==============================================================================
-        routine n64_combiner,a0,a1,a2,d0
+        pass    n64_combiner
         save_all
         movea.l a1,a4
         move.l  d0,d3

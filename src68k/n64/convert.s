@@ -1,26 +1,13 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_convert - colours of YUV texels
 ;
 ; in:      a0  const uint32*  texels, Y the last byte
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_yuv_conversion*  U and V, tables
-;          d0  int32  count
-; reads:   the texels, U and V, the tables
-; writes:  the colours
 ; formats: 9 bits each of R, G, B and A = Y are the indices of the colours' channels
-; error:   none
-; cost:    bench row n64_convert
-;==============================================================================
-        routine n64_convert,a0,a1,a2,d0
-        save_all
-        lea     (a0,d0.l*4),a6
-        movea.l n64_yuv_conversion_chroma(a2),a3
-        movea.l n64_yuv_conversion_matrix(a2),a4
-        lea     n64_matrix_v(a4),a5
+        pass    n64_convert
+        n64_convert_open
         movea.l n64_yuv_conversion_colours(a2),a2
         move.w  #255,d6
         move.w  #511,d7

@@ -1,26 +1,12 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_convert_wide - YUV texels as inputs of the combiner
 ;
-; in:      a0  const uint32*  texels, Y the last byte
-;          a1  n64_wide*  R, G, B, A = Y
-;          a2  const n64_yuv_conversion*  U and V, tables
-;          d0  int32  count
-; reads:   the texels, U and V, the tables
-; writes:  the numbers
+; like:    n64_convert
+; in:      a1  n64_wide*  R, G, B, A = Y
 ; formats: 9 bits as the combiner takes them: -128 to 383
-; error:   none
-; cost:    bench row n64_convert_wide
-;==============================================================================
-        routine n64_convert_wide,a0,a1,a2,d0
-        save_all
-        lea     (a0,d0.l*4),a6
-        movea.l n64_yuv_conversion_chroma(a2),a3
-        movea.l n64_yuv_conversion_matrix(a2),a4
-        lea     n64_matrix_v(a4),a5
+        pass    n64_convert_wide
+        n64_convert_open
         move.w  #128,d5
         move.w  #255,d6
         move.w  #511,d7

@@ -1,16 +1,10 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_copy_row - copies a row of a page
 ;
 ; in:      a0  const uint32*  the row
 ;          a1  uint32*  the copy
 ;          d0  int32  longwords, a multiple of 32
-; reads:   the row
-; writes:  the copy
-; error:   none
-; cost:    bench row n64_copy_row
-;==============================================================================
         routine n64_copy_row,a0,a1,d0
         movem.l d2-d7/a2-a3,-(sp)
         lsr.l   #5,d0

@@ -1,24 +1,16 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_divide - coordinates with perspective
 ;
 ; in:      a0  const n64_iterators*  at the first pixel
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_division*  their steps, the table of reciprocals
-;          d0  int32  count
-; reads:   the iterators, the table
-; writes:  the coordinates
 ; formats: s15.16 modulo 2^32, their upper words divided; the results clamped to s10.5,
 ;          32,767 if w is not above 0
-; error:   none
-; cost:    bench row n64_divide
-;==============================================================================
+
 ; s * 65536 * reciprocal: the upper half of the product is the quotient.
 
-        routine n64_divide,a0,a1,a2,d0
+        pass    n64_divide
         save_all
         move.l  d0,d7
         movem.l (a0),d0-d2

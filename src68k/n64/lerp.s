@@ -1,25 +1,17 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_lerp - linear interpolation between texels
 ;
 ; in:      a0  const uint32*  texels 0, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const n64_blend*  texels 1 and their fractions
-;          d0  int32  count
-; reads:   both texels, the fractions
-; writes:  the texels
 ; formats: fractions of 256, -256 to 255: (texel 1 - texel 0) * fraction + 256 * texel 0 +
 ;          128 >> 8, its 9 bits clamped: 256 to 383 are 255, 384 to 511 are 0
-; error:   none
-; cost:    bench row n64_lerp
-;==============================================================================
+
 ; Two channels in one product: neither overflows its word unless the fraction is negative.
 ; Then each channel is multiplied alone.
 
-        routine n64_lerp,a0,a1,a2,d0
+        pass    n64_lerp
         save_all
         lea     (a0,d0.l*4),a6
         movea.l n64_blend_other(a2),a3

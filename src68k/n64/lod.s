@@ -1,21 +1,14 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_lod - coordinates with perspective, and the blending of tiles at each pixel
 ;
-; in:      a0  const n64_iterators*  at the first pixel
-;          a1  n64_coordinates*  coordinates
-;          a2  const n64_lod_steps*  their steps, gradients, tables, the other output
-;          d0  int32  count
-; reads:   the iterators, the gradients, the tables
+; like:    n64_divide
+; in:      a2  const n64_lod_steps*  their steps, gradients, tables, the other output
 ; writes:  the coordinates, a n64_blending of each pixel
 ; formats: coordinates as n64_divide; the gradients are cut to multiples of 2^5 in x and of
 ;          2^15 in y
-; error:   none
 ; cost:    bench rows n64_lod, n64_lod_apart
-;==============================================================================
+
 ; Divides three points: the pixel's and those of its neighbours in x and in y. If the steps
 ; are the gradients, the neighbour in x is the next pixel and is divided only once.
 
@@ -34,9 +27,8 @@ LEVELS  equ     n64_levels_levels       ; a6 points there, after the magnified o
 ; d7 = the larger of d7 and |\1 - \2|; of a negative difference it takes the one's complement.
 distance macro
         sub.l   \2,\1
-        bpl.s   .up\@
-        not.l   \1
-.up\@   cmp.l   d7,\1
+        minus   <not.l \1>
+        cmp.l   d7,\1
         ble.s   .less\@
         move.l  \1,d7
 .less\@
@@ -69,7 +61,7 @@ cut     macro
         movem.l d1-d3,\2(sp)
         endm
 
-        routine n64_lod,a0,a1,a2,d0
+        pass    n64_lod
         save_all
         lea     -locals(sp),sp
         move.l  d0,left(sp)

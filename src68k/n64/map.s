@@ -1,20 +1,14 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_map - texels through a table for each channel
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const uint8*  256 bytes for each of R, G, B, A
-;          d0  int32  count
-; reads:   the texels, the tables
-; writes:  the texels
-; error:   none
-; cost:    bench row n64_map
-;==============================================================================
+
 ; Replaces a combiner whose only input, apart from constants, is the texel.
 
-        routine n64_map,a0,a1,a2,d0
+        pass    n64_map
         movem.l d2-d3/a2-a6,-(sp)
         lea     (a0,d0.l*4),a6
         lea     256(a2),a3

@@ -1,19 +1,11 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; n64_modulate - texels times other colours
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint32*  texels; may be the same memory
 ;          a2  const n64_modulation*  the other colours
-;          d0  int32  count
-; reads:   both
-; writes:  the texels
 ; formats: texel * other + 128 >> 8, each channel: needs no clamping
-; error:   none
-; cost:    bench row n64_modulate
-;==============================================================================
 
 ; Multiplies each byte x of d0's lower word by the same byte y of d1: \1's lower word =
 ; (x y + 128) >> 8 of both. d6 is 128. Uses d3-d4.
@@ -34,7 +26,7 @@ products macro
         move.b  d3,\1
         endm
 
-        routine n64_modulate,a0,a1,a2,d0
+        pass    n64_modulate
         movem.l d2-d7/a2-a3,-(sp)
         lea     (a0,d0.l*4),a3
         move.l  n64_modulation_step(a2),d7

@@ -1,18 +1,11 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_narrow - the combiner's results as texels
 ;
 ; in:      a0  const n64_wide*  results
 ;          a1  uint32*  texels, R G B A
 ;          a2  void*  not read
-;          d0  int32  count
-; reads:   the results
-; writes:  the texels
 ; formats: -128 to 383, clamped to 0 to 255
-; error:   none
-; cost:    bench row n64_narrow
-;==============================================================================
 
 ; The next number, clamped, in \1. d4 = 255.
 narrow  macro
@@ -24,7 +17,7 @@ narrow  macro
 .fits\@
         endm
 
-        routine n64_narrow,a0,a1,a2,d0
+        pass    n64_narrow
         movem.l d2-d5,-(sp)
         move.w  #255,d4
         move.w  d0,d5

@@ -1,19 +1,8 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_point - texels by point sampling
 ;
-; in:      a0  const n64_coordinates*  relative coordinates
-;          a1  uint32*  texels, R G B A
-;          a2  const n64_decoded*  the tile
-;          d0  int32  count
-; reads:   the coordinates, the tile, its texels
-; writes:  the texels
-; formats: s:t, both s10.5 modulo 2^16
-; error:   none
-; cost:    bench row n64_point
-;==============================================================================
-        routine n64_point,a0,a1,a2,d0
+; like:    n64_threepoint
+; in:      a2  const n64_decoded*  the tile
+        pass    n64_point
         n64_texels n64_decoded,5,d2.l*4

@@ -1,19 +1,14 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; n64_quads - makes the quads of the filters from texels and their neighbours
 ;
 ; in:      a0  const uint32*  a row's texels, R G B A
 ;          a1  struct n64_quad*  quads
 ;          a2  const n64_quad_row*  the row below, and the step to the next texel
-;          d0  int32  count
 ; reads:   count + 1 texels of both rows, each a step from the one before
 ; writes:  the quads, each a step from the one before, except their unused fields
 ; formats: channels of quads 8.8
-; error:   none
-; cost:    bench row n64_quads
-;==============================================================================
+
 ; Two channels at a time, each times 8: 0cc0 0cc0. A quad's right texels are the next quad's
 ; left ones.
 
@@ -58,7 +53,7 @@ quad_half macro
         movea.l d0,\1
         endm
 
-        routine n64_quads,a0,a1,a2,d0
+        pass    n64_quads
         save_all
         move.l  d0,d5                   ; count
         move.l  n64_quad_row_step(a2),d3

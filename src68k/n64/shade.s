@@ -1,19 +1,11 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; n64_shade - interpolated colours
 ;
 ; in:      a0  const n64_shades*  at the first pixel
 ;          a1  uint32*  colours, R G B A
 ;          a2  const n64_shades*  their steps
-;          d0  int32  count
-; reads:   both
-; writes:  the colours
 ; formats: 16.16 modulo 2^32, signed; the integers clamped to 0 to 255
-; error:   none
-; cost:    bench row n64_shade
-;==============================================================================
 
 ; Shifts the integer of \1, clamped, into d5 and steps \1 by \2. Uses d4; d6 is 255.
 channel macro
@@ -29,7 +21,7 @@ channel macro
         add.l   \2,\1
         endm
 
-        routine n64_shade,a0,a1,a2,d0
+        pass    n64_shade
         movem.l d2-d7/a2-a6,-(sp)
         move.l  d0,d7
         movem.l (a0),d0-d3

@@ -1,18 +1,10 @@
-        include "routine.i"
         include "fields.i"
 
-;==============================================================================
 ; n64_store_16 - texels into a 16-bit frame
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  uint16*  pixels, 5/5/5/1
 ;          a2  void*  not read
-;          d0  int32  count
-; reads:   the texels
-; writes:  the pixels
 ; formats: channels >> 3, alpha >> 7
-; error:   none
-; cost:    bench row n64_store_16
-;==============================================================================
-        routine n64_store_16,a0,a1,a2,d0
+        pass    n64_store_16
         fields_store $f800f800,$00f80080,10

@@ -1,19 +1,10 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_threepoint - texels by the three-point filter
 ;
 ; in:      a0  const n64_coordinates*  relative coordinates
 ;          a1  uint32*  texels, R G B A
 ;          a2  const n64_decoded*  the tile, with quads
-;          d0  int32  count
-; reads:   the coordinates, the tile, its quads
-; writes:  the texels
 ; formats: s:t, both s10.5 modulo 2^16
-; error:   none
-; cost:    bench row n64_threepoint
-;==============================================================================
-        routine n64_threepoint,a0,a1,a2,d0
+        pass    n64_threepoint
         n64_filter n64_weights_table,n64_write,$00ff00ff

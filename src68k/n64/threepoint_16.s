@@ -1,19 +1,9 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_threepoint_16 - texels by the three-point filter into a 16-bit frame
 ;
-; in:      a0  const n64_coordinates*  relative coordinates
-;          a1  uint16*  pixels, 5/5/5/1
-;          a2  const n64_decoded*  the tile, with quads
-;          d0  int32  count
-; reads:   the coordinates, the tile, its quads
-; writes:  the pixels
+; like:    n64_threepoint
+; in:      a1  uint16*  pixels, 5/5/5/1
 ; formats: s:t, both s10.5 modulo 2^16; channels >> 3, alpha >> 7
-; error:   none
-; cost:    bench row n64_threepoint_16
-;==============================================================================
-        routine n64_threepoint_16,a0,a1,a2,d0
+        pass    n64_threepoint_16
         n64_filter n64_weights_table,n64_write_16,$07c00400

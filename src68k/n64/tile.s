@@ -1,19 +1,13 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; n64_tile - coordinates relative to a tile
 ;
 ; in:      a0  const n64_coordinates*  coordinates
 ;          a1  n64_coordinates*  relative coordinates; may be the same memory
 ;          a2  const n64_axes*  the tile's axes
-;          d0  int32  count
-; reads:   the coordinates, the axes
-; writes:  the relative coordinates
 ; formats: s:t, both s10.5; the results modulo 2^16
-; error:   none
 ; cost:    bench rows n64_tile, n64_tile_plain
-;==============================================================================
+
 ; One axis at a time, by a loop that does only what the axis needs.
 
 ; \1: the instruction that shifts d0 by d1, if any.
@@ -52,7 +46,7 @@ axis_loops macro
         rts
         endm
 
-        routine n64_tile,a0,a1,a2,d0
+        pass    n64_tile
         movem.l d2-d7/a2-a4,-(sp)
         move.l  d0,d6
         bsr.s   .axis

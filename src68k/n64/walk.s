@@ -1,21 +1,12 @@
-        include "routine.i"
-        include "layout.i"
         include "n64.i"
 
-;==============================================================================
 ; n64_walk - coordinates without perspective
 ;
 ; in:      a0  const n64_iterators*  s and t at the first pixel
 ;          a1  n64_coordinates*  coordinates
 ;          a2  const n64_iterators*  their steps
-;          d0  int32  count
-; reads:   s and t
-; writes:  the coordinates
 ; formats: s15.16 modulo 2^32 to s:t, the upper words
-; error:   none
-; cost:    bench row n64_walk
-;==============================================================================
-        routine n64_walk,a0,a1,a2,d0
+        pass    n64_walk
         movem.l d2-d7,-(sp)
         n64_rounds
         movem.l (a0),d0-d1

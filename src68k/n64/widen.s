@@ -1,19 +1,12 @@
         include "routine.i"
 
-;==============================================================================
 ; n64_widen - texels as inputs of the combiner
 ;
 ; in:      a0  const uint32*  texels, R G B A
 ;          a1  n64_wide*  the same
 ;          a2  void*  not read
-;          d0  int32  count
-; reads:   the texels
-; writes:  the numbers
 ; formats: 0 to 255
-; error:   none
-; cost:    bench row n64_widen
-;==============================================================================
-        routine n64_widen,a0,a1,a2,d0
+        pass    n64_widen
         movem.l d2-d4,-(sp)
         move.l  #$00ff00ff,d4
         move.w  d0,d3

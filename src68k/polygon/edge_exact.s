@@ -1,7 +1,5 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; edge_exact - an edge by integer quotient and remainder, from any of its lines on
 ;
 ; in:      a0  edge*    the edge to fill in
@@ -16,7 +14,7 @@
 ;          (that ceil * H - A), whole = floor(W / H), part = W modulo H
 ; error:   none: every ceil is the rational one
 ; cost:    about 320 cycles
-;==============================================================================
+
 ; The numerator has 64 bits. Its part below 1/65536 is the same on every line, so its
 ; ceil is taken once.
 

@@ -1,23 +1,15 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; edge_rounded - an edge in 16.16, from any of its lines on
 ;
-; in:      a0  edge*    the edge to fill in
-;          a1  vertex*  upper end, 16.16
-;          a2  vertex*  lower end, below the upper one
-;          d1  int32    line, between the two
-; trashes: d0-d7
-; reads:   x, y of both ends
-; writes:  edge: x, whole, error, part, height
+; like:    edge_exact
 ; formats: slope = W / H to the nearest 1/65536 pixel a line, 0 if the edge has one line
 ;          only; x = x0 + W * prestep / H, to the nearest 1/65536, at the given line,
 ;          prestep being the distance down to it; whole and part are the slope's halves,
 ;          x and error those of x + EDGE_BIAS + 1 - 1/65536; height 0
 ; error:   of x, n lines below the given one: (n + 1) / 2^17 pixels
 ; cost:    about 340 cycles
-;==============================================================================
+
 ; The slope cannot overflow: two lines or more are more than one pixel high.
 
 ; \2 = \1:\2 / d4, to the nearest, halves up. d6 = 0, d7 = H / 2.
@@ -26,9 +18,7 @@ nearest macro
         addx.l  d6,\1
         divs.l  d4,\1:\2                ; towards zero
         tst.l   \1
-        bpl.s   .floor\@
-        subq.l  #1,\2
-.floor\@
+        minus   <subq.l #1,\2>
         endm
 
         routine edge_rounded

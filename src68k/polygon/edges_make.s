@@ -1,10 +1,7 @@
         include "routine.i"
-        include "layout.i"
 
-        xref    edge_exact
-        xref    edge_rounded
+        xref    edge_exact,edge_rounded
 
-;==============================================================================
 ; edges_make - the edges of a polygon's sides, from its top line to its bottom one
 ;
 ; in:      a0  edge_plan*  left, right: where to write edges; the others are not read
@@ -16,7 +13,7 @@
 ; formats: as edge_exact, edge_rounded
 ; error:   theirs
 ; cost:    about 2,000 cycles for a triangle, with a cold cache
-;==============================================================================
+
 ; Skips edges that cover no line and edges that run upwards: each line gets one left and
 ; one right edge, whatever the vertices are.
 

@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "plane.i"
 
 ; Adds the gradient d1:d2 times the offset \1(a5), cut to 48.16, to the value \2. Uses d0-d4.
@@ -42,13 +40,10 @@ plane   macro
         rise    y,\1
         endm
 
-;==============================================================================
 ; planes_find - the planes of q, s and t through three corners
 ;
 ; in:      a0  found_planes*   the planes to fill in
-;          a1  plane_corners*  a corner, two vectors and the pixel of at
-; reads:   *plane_corners
-; writes:  *found_planes
+;          a1  const plane_corners*  a corner, two vectors and the pixel of at
 ; formats: with vectors a and b and D = xa yb - xb ya > 0:
 ;            dx = (va yb - vb ya) / D     dy = (xa vb - xb va) / D
 ;          v = q, s or t; at = v of the first corner + x dx + y dy, each product rounded
@@ -56,7 +51,6 @@ plane   macro
 ; error:   of a gradient g: |g| / 2^31 + 3 / 2^16 units a pixel: D keeps 32 bits
 ;          (cut: up to 1 in 2^31), the numerator loses as many, the quotient is cut
 ; cost:    2,500 to 2,700 cycles, in chip RAM 3,600 to 3,750: its code exceeds the cache
-;==============================================================================
         routine planes_find,a0,a1
         save_all
         movea.l a1,a5

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; d0:d1 = the plane \1 of the plan a5, d6 pixels right of its own pixel and d7 below.
 ; Uses d2-d3.
@@ -53,10 +52,7 @@ constant macro
         movem.l perspective_plan_q+screen_plane_dx(a5),d2-d3
         movea.l d0,a1
         tst.l   d0
-        bpl.s   .positive\@
-        neg.l   d1
-        negx.l  d0
-.positive\@
+        minus   <neg.l d1>,<negx.l d0>
         tst.l   d2
         bpl.s   .grows\@
         neg.l   d3
@@ -94,10 +90,7 @@ constant macro
         moveq   #0,d5
         divu.l  d2,d0:d5
         move.l  a1,d0
-        bpl.s   .signed\@
-        neg.l   d5
-        negx.l  d4
-.signed\@
+        minus   <neg.l d5>,<negx.l d4>
         move.l  d4,reciprocal_plan_k\1(a0)      ; d4:d5 = K
         movem.l perspective_plan_\2+screen_plane_dy(a5),d0-d1
         movem.l perspective_plan_q+screen_plane_dy(a5),d2-d3
@@ -125,7 +118,6 @@ constant macro
 
 FLAT    equ     1<<8                    ; if q grows less than this a pixel, no line is taken
 
-;==============================================================================
 ; reciprocal_find - the constants of a polygon's lines by reciprocals
 ;
 ; in:      a0  reciprocal_plan*  the plan to fill in; its planes
@@ -139,7 +131,6 @@ FLAT    equ     1<<8                    ; if q grows less than this a pixel, no 
 ;          and t by x, reaches 2^30 times their unit of q.hi a pixel
 ; error:   of K |K| / 2^31; of C 3 units of 2^-64 of the planes' own, times the lines
 ; cost:    about 2,700 cycles
-;==============================================================================
         routine reciprocal_find,a0,d0,d1
         save_all
         movea.l reciprocal_plan_planes(a0),a5

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; Goes to .far if \1 is not in -POLYGON_FAR to POLYGON_FAR: the upper two bits
 ; of such a 16.16 number differ. Uses d0.
@@ -9,7 +8,19 @@ in_range macro
         bvs     .far
         endm
 
-;==============================================================================
+; Notes the vertex a1 in \1 (its y) and \2 if d2 = y is beyond \1, or the same and d1 = x less. \3,
+; \4: the branches if it is not, and if it is.
+extreme macro
+        cmp.l   \1,d2
+        \3.s   .not\@
+        \4.s   .yes\@
+        cmp.l   vertex_x(\2),d1
+        bge.s   .not\@
+.yes\@  move.l  d2,\1
+        movea.l a1,\2
+.not\@
+        endm
+
 ; sides_find - a polygon's top and bottom vertex, and which side is left
 ;
 ; in:      a0  sides*   the sides to fill in
@@ -20,9 +31,7 @@ in_range macro
 ; reads:   x, y, s, t of the vertices
 ; writes:  *sides; not all of it if the polygon is refused
 ; formats: 16.16; area 32.32, below 2^63
-; error:   none
 ; cost:    about 1,000 cycles for a triangle, with a cold cache
-;==============================================================================
         routine sides_find,a0,a1,d0
         movem.l d2-d7/a2-a4,-(sp)
         subq.w  #1,d0
@@ -49,22 +58,8 @@ in_range macro
         ble.s   .not_greatest
         move.l  d1,d6
 .not_greatest
-        cmp.l   d3,d2
-        bgt.s   .not_top
-        blt.s   .top
-        cmp.l   vertex_x(a2),d1
-        bge.s   .not_top
-.top    move.l  d2,d3
-        movea.l a1,a2
-.not_top
-        cmp.l   d4,d2
-        blt.s   .not_bottom
-        bgt.s   .bottom
-        cmp.l   vertex_x(a3),d1
-        bge.s   .not_bottom
-.bottom move.l  d2,d4
-        movea.l a1,a3
-.not_bottom
+        extreme d3,a2,bgt,blt
+        extreme d4,a3,blt,bgt
         lea     vertex_sizeof(a1),a1
         dbra    d7,.vertex
 
@@ -96,10 +91,8 @@ in_range macro
         sub.l   d3,d1
         subx.l  d2,d0
         smi     d2                      ; on the right
-        bpl.s   .size
-        neg.l   d1
-        negx.l  d0
-.size   cmp.l   d6,d0
+        minus   <neg.l d1>,<negx.l d0>
+        cmp.l   d6,d0
         bhi.s   .apex
         bne.s   .turned
         cmp.l   d7,d1

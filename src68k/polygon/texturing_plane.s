@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "plane.i"
 
         xref    texturing_wrap
@@ -55,14 +53,12 @@ ways    macro
         move.l  texturing_j(a6),d3
         sub.l   rectangle_top(a0),d3
         move.l  a4,d0
-        bpl.s   .right
-        neg.l   d0
-.right  clr.w   d0
+        minus   <neg.l d0>
+        clr.w   d0
         swap    d0
         move.l  a5,d1
-        bpl.s   .below
-        neg.l   d1
-.below  clr.w   d1
+        minus   <neg.l d1>
+        clr.w   d1
         swap    d1
         add.l   d1,d0
         add.l   d2,d0
@@ -77,9 +73,7 @@ ways    macro
 ; unit, and to a1 that of the gradient's whole texels. Uses d0-d2/d4.
 step    macro
         move.l  d1,d0
-        bpl.s   .magnitude\@
-        not.l   d0
-.magnitude\@
+        minus   <not.l d0>
         adda.l  d0,a1
         move.l  #$8000,d0
         lsl.l   d3,d0
@@ -92,9 +86,7 @@ step    macro
         subq.l  #1,d4
         and.l   d2,d4
         sub.l   d4,d0
-        bpl.s   .added\@
-        neg.l   d0
-.added\@
+        minus   <neg.l d0>
         mulu.l  \2(sp),d0
         adda.l  d0,a0
         move.w  d1,d2
@@ -126,6 +118,19 @@ raise   macro
         move.l  d0,texturing_\1(a6)
         endm
 
+; Finds \1, u or v, and its steps from the plane of \2, s or t; a0 and a1 are 0.
+axis    macro
+        gradient vertex_\2,vertex_y
+        rise    a4,\1
+        move.l  texturing_\1_cut(a6),d3
+        step    d\1dx,ways_x
+        gradient vertex_x,vertex_\2
+        rise    a5,\1
+        move.l  texturing_\1_cut(a6),d3
+        step    d\1dy,ways_y
+        raise   \1
+        endm
+
 ; On the stack:
 ways_all        equ     0               ; twice the pixels from the first vertex to the
                                         ; farthest pixel, x and y added
@@ -135,7 +140,6 @@ vectors         equ     12
 box             equ     vectors+2*16
 chain           equ     box+4
 
-;==============================================================================
 ; texturing_plane - gradients of s and t on a polygon's plane, u and v in its box's middle
 ;
 ; in:      a0  texturing*  to fill in; its cuts are set: 0 to 8, 0 for a chain
@@ -159,7 +163,6 @@ chain           equ     box+4
 ;          pixel: raised by |step - dsdx| over half the box, by e over the way from the
 ;          first vertex to the farthest pixel, and by 1 for the two products
 ; cost:    about 2,700 cycles, with a cold cache 3,200
-;==============================================================================
         routine texturing_plane,a0,a1,d0,d1
         save_all
         move.l  d1,-(sp)
@@ -186,15 +189,7 @@ chain           equ     box+4
         suba.l  a0,a0
         suba.l  a1,a1
 
-        gradient vertex_t,vertex_y
-        rise    a4,v
-        move.l  texturing_v_cut(a6),d3
-        step    dvdx,ways_x
-        gradient vertex_x,vertex_t
-        rise    a5,v
-        move.l  texturing_v_cut(a6),d3
-        step    dvdy,ways_y
-        raise   v
+        axis    v,t
 
         movea.l a6,a0
         movea.l box(sp),a1
@@ -203,15 +198,7 @@ chain           equ     box+4
         suba.l  a0,a0
         suba.l  a1,a1
 
-        gradient vertex_s,vertex_y
-        rise    a4,u
-        move.l  texturing_u_cut(a6),d3
-        step    dudx,ways_x
-        gradient vertex_x,vertex_s
-        rise    a5,u
-        move.l  texturing_u_cut(a6),d3
-        step    dudy,ways_y
-        raise   u
+        axis    u,s
         move.l  texturing_guard(a6),d0
         or.l    d0,texturing_u(a6)
         lea     chain+4(sp),sp

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; Finds \1 (u or v) and its step where the edge begins: d2, d3 = its distance from pixel
 ; (i, j), d4 = whole pixels a line. Uses d0-d1/d5.
@@ -17,7 +16,6 @@ start   macro
         move.l  d0,edge_\1(a1)
         endm
 
-;==============================================================================
 ; texturing_starts - u and v where left edges begin, on the polygon's plane
 ;
 ; in:      a0  texturing*  as texturing_plane fills it
@@ -28,9 +26,7 @@ start   macro
 ; formats: 16.16 modulo 2^32; with x, y counted from pixel (i, j):
 ;          u + x dudx + y dudy at the first pixel of line top, and
 ;          du = dudy + whole dudx
-; error:   none
 ; cost:    about 300 cycles an edge, plus 60; with a cold cache 500 for one
-;==============================================================================
         routine texturing_starts,a0,a1,d0
         movem.l d2-d7,-(sp)
         move.w  d0,d7

@@ -1,5 +1,4 @@
         include "routine.i"
-        include "layout.i"
 
 ; \4 = travel of v by step \1 over half the box, from \2 to \3, 8.8, rounded up; a
 ; step of 256 texels or more goes to .may_wrap. d4 = 0 after it.
@@ -21,7 +20,6 @@ travel  macro
         moveq   #0,d4
         endm
 
-;==============================================================================
 ; texturing_wrap - how a polygon's spans deal with wraps of v in the addx chain
 ;
 ; in:      a0  texturing*  v (at the box's middle, except for CHAIN_ANYWHERE), its steps
@@ -36,7 +34,6 @@ travel  macro
 ;          1
 ; error:   none: in doubt it assumes a wrap
 ; cost:    about 190 cycles, 170 to 380; less without a chain
-;==============================================================================
         routine texturing_wrap,a0,a1,d0
         movem.l d2-d5,-(sp)
         moveq   #0,d2                   ; u_cut

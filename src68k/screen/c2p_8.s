@@ -1,17 +1,11 @@
-        include "routine.i"
-        include "layout.i"
         include "planar.i"
 
-;==============================================================================
 ; c2p_8 - a chunky frame as eight planes
 ;
 ; in:      a0  const planar_plan*  the pixels and the planes
-; reads:   the plan, the pixels
 ; writes:  the rows of eight planes
 ; formats: 8-bit chunky pixels; the leftmost of 8 is a byte's highest bit
-; error:   none
-; cost:    bench row c2p_8
-;==============================================================================
+
 ; 32 pixels are eight longwords, and so are their planes. At first bits 4 to 2 of a pixel's
 ; number select the longword; in the end the plane's number does. Merges by 16 and 2 put the
 ; pixel's bits 4 and 1 in their places and bring out the plane's bit 1, merges by 8 and 1 the

@@ -1,17 +1,11 @@
-        include "routine.i"
-        include "layout.i"
         include "planar.i"
 
-;==============================================================================
 ; c2p_ham8_16 - an RGB565 frame as the colour planes of HAM8
 ;
-; in:      a0  const planar_plan*  the pixels and the planes
-; reads:   the plan, the pixels
-; writes:  the rows of planes 2 to 7
+; like:    c2p_ham8_32
 ; formats: RGB565, four dots on the screen each: c/screen/planar.h
 ; error:   none: 5 bits become 6 by repeating the highest
-; cost:    bench row c2p_ham8_16
-;==============================================================================
+
 ; As c2p_ham8_32. Bits 0 and 1 of a colour's byte are undefined, as planes 0 and 1 are not
 ; written.
 

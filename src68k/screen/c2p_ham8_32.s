@@ -1,17 +1,12 @@
-        include "routine.i"
-        include "layout.i"
         include "planar.i"
 
-;==============================================================================
 ; c2p_ham8_32 - an RGBA8888 frame as the colour planes of HAM8
 ;
 ; in:      a0  const planar_plan*  the pixels and the planes
-; reads:   the plan, the pixels
 ; writes:  the rows of planes 2 to 7
 ; formats: R G B A, four dots on the screen each: c/screen/planar.h
 ; error:   the lower two bits of R, G and B are dropped; A is ignored
-; cost:    bench row c2p_ham8_32
-;==============================================================================
+
 ; As c2p_8, on eight pixels whose four bytes are the values of four dots, with B instead of A.
 
         routine c2p_ham8_32,a0

@@ -1,20 +1,12 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_affine_16 - span_affine_addx with 16-bit texels and pixels
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_addx
 ; formats: as span_affine_addx, with 16-bit texels and pixels; the map is a MAP_PAGE of such
 ;          texels, at any multiple of 2; plan->row is 2 EDGE_BIAS bytes before its
 ;          first pixel
-; error:   none, as span_affine_addx
-; cost:    bench row affine_16
-;==============================================================================
+
 ; The index is a signed word. Forming a longword address, as for 8-bit texels, would need a page
 ; of 65,536 texels at a multiple of its size, and a shift of U and V.
 

@@ -1,16 +1,10 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; span_affine_16_copy - span_affine_copy with 16-bit texels and pixels
 ;
-; in:      a0  span_plan*  the table, the frame, the map
-; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_copy
 ; formats: as span_affine_copy and span_affine_16
-; error:   none, as span_affine_copy
-; cost:    bench row affine_16_copy
-;==============================================================================
+
 ; Copies consecutive texels of the map's row, in parts up to the row's end: one texel if
 ; their number is odd, then longwords. Reading at an offset, not from (a2)+, leaves no gap
 ; on the bus: it takes 2.6 cycles less a longword in fast RAM, 3.7 in chip RAM. (32-bit texels

@@ -1,18 +1,9 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_affine_32_row - span_affine_row with 32-bit texels and pixels
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the step dudx
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_row
 ; formats: as span_affine_row and span_affine_32
-; error:   none, as span_affine_row
-; cost:    bench row affine_32_row
-;==============================================================================
 
         routine span_affine_32_row,a0
         wide_row 4

@@ -1,9 +1,5 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_affine_addx - draws a scanline table from a 256x256 map, the addx chain
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
@@ -13,8 +9,7 @@
 ;          a span, it may do so once, and the lowest bit of u must be free: dudx
 ;          even, u's own bit 0, or 1 if dvdx is negative
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
-; cost:    bench row affine_addx
-;==============================================================================
+
 ; One circular carry chain over two registers:
 ;       B  uuVv   u's fraction, V, the upper byte of v's fraction
 ;       A  v--U   the lower byte of v's fraction, two spare bytes, U
@@ -29,7 +24,7 @@
         span_line d0,d1
         span_rounds 4
         add.l   a4,d1
-        span_enter_12
+        span_enter 4
 .pixels rept    16
         pixel_chain
         endr

@@ -1,9 +1,5 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_affine_column - span_affine_addx if u's step is 0: walls on their side
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the step dvdx
@@ -13,16 +9,8 @@
 ;          modulo 256, as -128 to 127.99: v moves 64,000 texels a line at most. dudx
 ;          is 0 modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u), floor(v + n dvdx))
-; cost:    bench row affine_column
-;==============================================================================
-; v alone, in a chain of one register: v-Vv, with the spare byte and the borrow of pack_alone.
 
-pixel   macro
-        move.w  d1,d4                   ; mmVv
-        move.b  d5,d4                   ; mmVU
-        addx.l  d2,d1
-        draw
-        endm
+; v alone, in a chain of one register: v-Vv, with the spare byte and the borrow of pack_alone.
 
         routine span_affine_column,a0
         alone_open dvdx
@@ -44,8 +32,11 @@ pixel   macro
         and.l   #$ff00ffff,d1
         or.l    d3,d1
         add.l   a4,d1
-        span_enter_10
+        span_enter 2
 .pixels rept    16
-        pixel
+        move.w  d1,d4                   ; mmVv
+        move.b  d5,d4                   ; mmVU
+        addx.l  d2,d1
+        draw
         endr
         span_close (sp)

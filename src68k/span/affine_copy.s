@@ -1,17 +1,13 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; span_affine_copy - span_affine_row if u's step is one texel a pixel
 ;
+; like:    span_affine_column
 ; in:      a0  span_plan*  the table, the frame, the map
-; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
 ; formats: U, V 8 bits, U wraps at 256; 8-bit texels and pixels. dudx is 1 texel and
 ;          dvdx 0, both modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u) + n, floor(v))
-; cost:    bench row affine_copy
-;==============================================================================
+
 ; Copies consecutive texels of the map's row, in parts up to the row's end: a longword at
 ; each end of a part, and longwords between, which overlap these. From ALIGNED pixels on
 ; the reads between are aligned, which saves more in chip RAM than it costs. In shorter

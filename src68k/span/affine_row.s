@@ -1,20 +1,14 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_affine_row - span_affine_addx if v's step is 0: floors, upright pictures
 ;
+; like:    span_affine_addx
 ; in:      a0  span_plan*  the table, the frame, the map, the step dudx
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
 ; formats: u 8.16, V 8 bits; both wrap at 256; 8-bit texels and pixels. dudx is used
 ;          modulo 256, as -128 to 127.99: u moves 64,000 texels a line at most. dvdx
 ;          is 0 modulo 256 and not read
 ; error:   none: pixel n shows texel (floor(u + n dudx), floor(v))
-; cost:    bench row affine_row
-;==============================================================================
+
 ; A line's texels are in one row of the map: u alone, in a chain of one register.
 
         routine span_affine_row,a0

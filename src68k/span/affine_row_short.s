@@ -1,23 +1,12 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
-;==============================================================================
 ; span_affine_row_short - span_affine_row for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the step dudx
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_row
 ; formats: as span_affine_row; a line has SHORT_AFFINE_ROW pixels at most
-; error:   none, as span_affine_row
-; cost:    bench row affine_row_short
-;==============================================================================
 
         routine span_affine_row_short,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
+        short_open d2
         movea.l span_plan_lines(a0),a0
         pack_alone d2,d5,a4
         bra     .line

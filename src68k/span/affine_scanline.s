@@ -1,19 +1,11 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_affine_scanline - span_affine_addx_wrap with separate steps for each line
 ;
+; like:    span_affine_addx_wrap
 ; in:      a0  span_plan*  the table, the frame, the map, a table of steps
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their
 ;          steps, the map
-; writes:  the pixels of the lines, nothing else
-; formats: u, v 8.16, both wrap at 256 any number of times; 8-bit texels, pixels
-; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
-; cost:    bench row affine_scanline
-;==============================================================================
 
         routine span_affine_scanline,a0
         span_open
@@ -28,7 +20,7 @@
         apart_steps
         apart_start
         span_rounds 3
-        span_enter_14
+        span_enter 2,4
 .pixels rept    8
         pixel_apart
         endr

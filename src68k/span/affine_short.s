@@ -1,24 +1,12 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
-;==============================================================================
 ; span_affine_short - span_affine_addx for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_addx
 ; formats: as span_affine_addx; a line has SHORT_AFFINE pixels at most
-; error:   none, as span_affine_addx
-; cost:    bench row affine_short
-;==============================================================================
 
         routine span_affine_short,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
-        move.l  span_plan_dvdx(a0),d5
+        short_open d2,d5
         movea.l span_plan_lines(a0),a0
         chain_steps
         bra     .line

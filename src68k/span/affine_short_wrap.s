@@ -1,24 +1,12 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
-;==============================================================================
 ; span_affine_short_wrap - span_affine_addx_wrap for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_addx_wrap
 ; formats: as span_affine_addx_wrap; a line has SHORT_AFFINE_WRAP pixels at most
-; error:   none, as span_affine_addx_wrap
-; cost:    bench row affine_short_wrap
-;==============================================================================
 
         routine span_affine_short_wrap,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d5
-        move.l  span_plan_dvdx(a0),d2
+        short_open d5,d2
         movea.l span_plan_lines(a0),a0
         apart_steps
         bra     .line

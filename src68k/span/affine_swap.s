@@ -1,27 +1,13 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
-        include "swap.i"
 
-;==============================================================================
 ; span_affine_swap - draws a scanline table from a 256x256 map, by add and swap
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
+; like:    span_affine_addx
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map
-; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels
-; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
-; cost:    bench row affine_swap
-;==============================================================================
+
 ; The best form found without addx: v is held 8 bits higher, so that V is above U once
 ; u's lower bytes have replaced v's, and one swap makes both an index.
-
-pixel   macro
-        join_uv d5
-        add.l   d2,d0
-        add.l   d3,d1
-        move.b  (a4,d4.w),(a1)+
-        endm
 
         routine span_affine_swap,a0
         span_open
@@ -38,8 +24,11 @@ pixel   macro
         lsl.l   #8,d1
         bchg    #31,d1
         span_rounds 3
-        span_enter_18
+        span_enter 2,8
 .pixels rept    8
-        pixel
+        join_uv d5
+        add.l   d2,d0
+        add.l   d3,d1
+        move.b  (a4,d4.w),(a1)+
         endr
         span_close (sp)

@@ -1,19 +1,15 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
-;==============================================================================
 ; span_arbitrary - draws a scanline table from a map of any size
 ;
+; like:    span_affine_swap
 ; in:      a0  span_plan*  the table, the frame, the map, its width, the steps
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), of the
 ;          map the texels shown and no byte more
-; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, inside the map at every pixel; any map address; width and
 ;          height up to 1024; 8-bit texels and pixels
-; error:   none: pixel n shows texel (floor(u + n dudx), floor(v + n dvdx))
 ; cost:    bench row arbitrary; if dvdx is whole, bench row arbitrary_row
-;==============================================================================
+
 ; The texel's address moves by whole texels and rows, by 1 more when u's fraction
 ; carries, by a row more when v's does:
 ;       d0  uu--        d1  vv--        a4  texel
@@ -74,7 +70,7 @@ first_texel macro
         span_line d0,d1
         first_texel
         span_rounds 3
-        span_enter_14
+        span_enter 2,4
 .pixels rept    8
         pixel
         endr

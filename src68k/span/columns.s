@@ -1,5 +1,3 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
 ; The carry chain of span_tiled with 13 fraction bits and an index of up to 18 bits
@@ -132,7 +130,6 @@ columns_18_\1:
         column_lines 18,\1,\2
         endm
 
-;==============================================================================
 ; span_columns - draws a scanline table from a map in columns 4 texels wide
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, its layout, the steps
@@ -144,20 +141,15 @@ columns_18_\1:
 ;          u8 = floor(u / 8) and so on: u and v are cut to 13 fraction bits
 ; cost:    bench row columns; maps of more than 65,536 texels 2 cycles a pixel more
 ;          (frame and map in chip RAM 8)
-;==============================================================================
         routine span_columns,a0
         column_span b,1
 
-;==============================================================================
 ; span_columns_16 - the same from 16-bit texels to a 16-bit frame
 ;
-; in:      a0  span_plan*  the table, the frame, the map, its layout, the steps
+; like:    span_columns
 ; reads:   as span_columns; plan->row is 2 EDGE_BIAS bytes before its first pixel
-; writes:  the pixels of the lines, nothing else
-; formats: as span_columns
-; error:   as span_columns
+; formats: as span_columns, with 16-bit texels and pixels
 ; cost:    bench row columns_16; maps of more than 65,536 texels 2 cycles a pixel more
 ;          (frame and map in chip RAM 8)
-;==============================================================================
         routine span_columns_16,a0
         column_span w,2

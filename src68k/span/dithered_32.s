@@ -1,19 +1,9 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
-        include "span.i"
         include "dither.i"
 
-;==============================================================================
 ; span_dithered_32 - span_dithered with 32-bit texels and pixels
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps, odd
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_dithered
 ; formats: as span_dithered, with the 32-bit texels and pixels of span_affine_32
-; error:   none, as span_dithered
-; cost:    bench row dithered_32
-;==============================================================================
 
         routine span_dithered_32,a0
         dither_chain_open

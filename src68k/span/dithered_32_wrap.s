@@ -1,19 +1,9 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
-        include "span.i"
         include "dither.i"
 
-;==============================================================================
 ; span_dithered_32_wrap - span_dithered_wrap with 32-bit texels and pixels
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps, odd
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_dithered_wrap
 ; formats: as span_dithered_wrap and span_dithered_32
-; error:   none, as span_dithered
-; cost:    bench row dithered_32_wrap
-;==============================================================================
 
         routine span_dithered_32_wrap,a0
         dither_apart_open

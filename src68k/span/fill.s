@@ -1,28 +1,19 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
-;==============================================================================
 ; span_fill - draws a scanline table in one colour
 ;
 ; in:      a0  span_plan*  the table, the frame, the colour
 ; reads:   the plan, left and last of its lines
 ; writes:  the pixels of the lines, nothing else
 ; formats: 8-bit chunky pixels
-; error:   none
-; cost:    bench row fill
-;==============================================================================
+
 ; Short spans by bytes; long ones by a byte and a word up to a longword boundary,
 ; longwords 16 at a time, and a word and a byte at the end.
 
 SHORT                   equ     12
 
         routine span_fill,a0
-        save_all
-        movea.l span_plan_lines(a0),a1
-        move.l  span_plan_count(a0),d7
-        movea.l span_plan_row(a0),a6
-        movea.l span_plan_pitch(a0),a5
+        fill_open
         move.b  span_plan_colour+3(a0),d0
         move.b  d0,d1
         lsl.w   #8,d0

@@ -1,25 +1,14 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
-;==============================================================================
 ; span_fill_16 - draws a scanline table in one colour of two bytes
 ;
-; in:      a0  span_plan*  the table, the frame, the colour
-; reads:   the plan, left and last of its lines
-; writes:  the pixels of the lines, nothing else
+; like:    span_fill
 ; formats: 16-bit pixels at even addresses; the colour in the plan's lower word
-; error:   none
-; cost:    bench row fill_16
-;==============================================================================
+
 ; One pixel up to a longword boundary, longwords 16 at a time, one pixel at the end.
 
         routine span_fill_16,a0
-        save_all
-        movea.l span_plan_lines(a0),a1
-        move.l  span_plan_count(a0),d7
-        movea.l span_plan_row(a0),a6
-        movea.l span_plan_pitch(a0),a5
+        fill_open
         move.w  span_plan_colour+2(a0),d0
         move.w  d0,d1
         swap    d0

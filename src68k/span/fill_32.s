@@ -1,24 +1,12 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
 
-;==============================================================================
 ; span_fill_32 - draws a scanline table in one colour of four bytes
 ;
-; in:      a0  span_plan*  the table, the frame, the colour
-; reads:   the plan, left and last of its lines
-; writes:  the pixels of the lines, nothing else
+; like:    span_fill
 ; formats: 32-bit pixels at multiples of 4
-; error:   none
-; cost:    bench row fill_32
-;==============================================================================
 
         routine span_fill_32,a0
-        save_all
-        movea.l span_plan_lines(a0),a1
-        move.l  span_plan_count(a0),d7
-        movea.l span_plan_row(a0),a6
-        movea.l span_plan_pitch(a0),a5
+        fill_open
         move.l  span_plan_colour(a0),d0
         lea     .longwords_end(pc),a3
         moveq   #scanline_sizeof-6,d6

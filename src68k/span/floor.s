@@ -24,21 +24,15 @@ copy    macro
         move.b  (a0),(a1)+
         endm
 
-;==============================================================================
 ; floor_fetch - bytes fetched through an address register
 ;
-; in:      a0  uint8*  the byte
+; in:      a0  const uint8*  the byte
 ;          d7  int32   rounds of 16, less one
 ; out:     d0  uint8   the byte
 ; trashes: d7
-; reads:   the byte
-; error:   none
-; cost:    bench row floor_fetch
-;==============================================================================
         routine floor_fetch
         accesses fetch
 
-;==============================================================================
 ; floor_store - bytes stored one after the other
 ;
 ; in:      a1  uint8*  the first byte's address
@@ -47,24 +41,16 @@ copy    macro
 ; out:     a1  uint8*  after the last byte
 ; trashes: d7
 ; writes:  16 bytes a round
-; error:   none
-; cost:    bench row floor_store
-;==============================================================================
         routine floor_store
         accesses store
 
-;==============================================================================
 ; floor_copy - a byte fetched and stored for each pixel
 ;
-; in:      a0  uint8*  the byte
+; in:      a0  const uint8*  the byte
 ;          a1  uint8*  the first copy's address
 ;          d7  int32   rounds of 16, less one
 ; out:     a1  uint8*  after the last byte
 ; trashes: d7
-; reads:   the byte
 ; writes:  16 bytes a round
-; error:   none
-; cost:    bench row floor_copy
-;==============================================================================
         routine floor_copy
         accesses copy

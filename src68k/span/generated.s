@@ -1,12 +1,9 @@
-        include "routine.i"
-        include "layout.i"
         include "span.i"
         include "amiga.i"
 
 TO_PIXEL        equ     $132a           ; move.b d16(a2),-(a1)
 RETURN          equ     $4ed3           ; jmp (a3)
 
-;==============================================================================
 ; span_generated - draws a scanline table by code written for the polygon's steps
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps, the code
@@ -26,7 +23,7 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ; cost:    bench row generated, with the writing of the code and CacheClearU (exec)
 ;          once a table; bench row generated_once: one line of 1024 pixels. 4 bytes
 ;          of code a pixel: the instruction cache does not hold lines above 64 pixels
-;==============================================================================
+
 ; The code ends with pixel 0, so that a line of n pixels is its last n instructions:
 ; it needs no patch, and the cache is flushed once a polygon.
 ; Writing it: d0 uu--, d1 vv--, d4 opcode:offset. V's carry becomes 256 or 0 below

@@ -1,9 +1,5 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_gouraud - draws a scanline table with interpolated shades
 ;
 ; in:      a0  span_plan*  the table, the frame, the step dudx
@@ -12,8 +8,7 @@
 ; formats: s 16.16, pixels are its integer modulo 256; dudx is shades a pixel, used
 ;          modulo 256, as -128 to 127.99: s changes by 64,000 a line at most
 ; error:   none: pixel n is floor(s + n dudx)
-; cost:    bench row gouraud
-;==============================================================================
+
 ; A chain of one register, as pack_alone packs it; MOVE, JMP and DBRA keep X between
 ; pixels.
 

@@ -1,18 +1,9 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
-;==============================================================================
 ; span_gouraud_short - span_gouraud for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the step dudx
-; reads:   the plan, its lines (start0 = ss, start1 = SS)
-; writes:  the pixels of the lines, nothing else
+; like:    span_gouraud
 ; formats: as span_gouraud; a line has SHORT_GOURAUD pixels at most
-; error:   none, as span_gouraud
-; cost:    bench row gouraud_short
-;==============================================================================
 
         routine span_gouraud_short,a0
         short_open

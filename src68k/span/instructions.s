@@ -1,7 +1,5 @@
-        include "routine.i"
         include "amiga.i"
 
-;==============================================================================
 ; instructions - runs given code, with which the bench measures single instructions
 ;
 ; in:      d7  int32  rounds of that code, less one
@@ -10,9 +8,8 @@
 ; trashes: d1-d7/a0-a6
 ; reads:   the code, as does the code itself
 ; writes:  as the code does
-; error:   none
 ; cost:    bench row instruction_none, whose code is a dbra
-;==============================================================================
+
 ; The code has just been copied there, so the cache is cleared first.
 
         routine instructions

@@ -1,23 +1,13 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_lit - span_affine_addx through one row of a light table
 ;
+; like:    span_affine_addx
 ; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
 ;          256 bytes at light, a multiple of 256
-; writes:  the pixels of the lines, nothing else
-; formats: as span_affine_addx
 ; error:   none: pixel n shows light[texel (floor(u + n dudx), floor(v + n dvdx))]
 ; cost:    bench row affine_lit
-;==============================================================================
-pixel   macro
-        texel_next
-        draw_lit d5
-        endm
 
         routine span_lit,a0
         chain_open light
@@ -26,8 +16,9 @@ pixel   macro
         span_line d0,d1
         span_rounds 3
         add.l   a4,d1
-        span_enter_16
+        span_enter 8
 .pixels rept    8
-        pixel
+        texel_next d2,d3
+        draw_lit d5
         endr
         span_close 4(sp),8

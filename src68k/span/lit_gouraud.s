@@ -1,9 +1,5 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_lit_gouraud - draws a scanline table from a 256x256 map, lit pixel by pixel
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the light, all steps
@@ -15,7 +11,7 @@
 ; error:   none: pixel n shows light[256 floor(c + n dcdx) + the texel that
 ;          span_affine_addx shows]; dcdx's two lowest bits are ignored
 ; cost:    bench row affine_gouraud
-;==============================================================================
+
 ; One circular carry chain over three registers:
 ;       B  uuCc   u's fraction, the level, the upper byte of its fraction
 ;       A  v--U   the lower byte of v's fraction, two spare bytes, U

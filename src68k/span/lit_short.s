@@ -1,31 +1,19 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
-;==============================================================================
 ; span_lit_short - span_lit for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
-;          256 bytes at light, a multiple of 256
-; writes:  the pixels of the lines, nothing else
+; like:    span_lit
 ; formats: as span_lit; a line has SHORT_LIT pixels at most
-; error:   none, as span_lit
 ; cost:    bench row affine_lit_short
-;==============================================================================
 
         routine span_lit_short,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_dudx(a0),d2
-        move.l  span_plan_dvdx(a0),d5
+        short_open d2,d5
         chain_steps
         move.l  span_plan_light(a0),d5  ; lll0
         movea.l span_plan_lines(a0),a0
         bra     .line
         rept    SHORT_LIT
-        texel_next
+        texel_next d2,d3
         draw_lit d5
         endr
         short_line

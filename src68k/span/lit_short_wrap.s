@@ -1,31 +1,18 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "short.i"
 
-;==============================================================================
 ; span_lit_short_wrap - span_lit_wrap for short lines
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map,
-;          256 bytes at light, a multiple of 256
-; writes:  the pixels of the lines, nothing else
+; like:    span_lit_wrap
 ; formats: as span_lit_wrap; a line has SHORT_LIT_WRAP pixels at most
-; error:   none, as span_lit_wrap
 ; cost:    bench row affine_lit_short_wrap
-;==============================================================================
 
         routine span_lit_short_wrap,a0
-        short_open
-        move.l  span_plan_map(a0),d4    ; mm00
-        move.l  span_plan_light(a0),-(sp)
-        move.l  span_plan_dudx(a0),d5
-        move.l  span_plan_dvdx(a0),d2
+        short_open d5,d2,light
         movea.l span_plan_lines(a0),a0
         apart_steps
         bra     .line
         rept    SHORT_LIT_WRAP
-        texel_next_apart
+        texel_next_apart d2,d3
         draw_lit d6
         endr
         short_line

@@ -1,23 +1,10 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_lit_wrap - span_lit if v wraps more than once in a span
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the row, the steps
-; reads:   as span_lit
-; writes:  the pixels of the lines, nothing else
+; like:    span_lit
 ; formats: as span_affine_addx_wrap
-; error:   none, as span_lit
 ; cost:    bench row affine_lit_wrap
-;==============================================================================
-
-pixel   macro
-        texel_next_apart
-        draw_lit d6
-        endm
 
         routine span_lit_wrap,a0
         apart_open light
@@ -31,6 +18,7 @@ pixel   macro
         move.l  (sp),d6                 ; lll0
         jmp     (a2)
 .pixels rept    8
-        pixel
+        texel_next_apart d2,d3
+        draw_lit d6
         endr
         span_close 4(sp),8

@@ -1,7 +1,5 @@
         include "routine.i"
-        include "layout.i"
 
-;==============================================================================
 ; span_logarithm - draws lines with perspective, each pixel by logarithms
 ;
 ; in:      a0  logarithm_span*  the lines, the frame, the map, the tables
@@ -12,7 +10,6 @@
 ; error:   of a power 1/512 texel, of u's and v's distance from K half a unit of logs and one
 ;          part in twice the index; errors of q, C and K: see logarithm_lines
 ; cost:    bench row persp_pixel
-;==============================================================================
 
 ; On the stack.
 row     equ     0
@@ -48,6 +45,13 @@ pixels  macro
         cmpa.l  a6,a1
         bne     \3
         bra     .next
+        endm
+
+; The places in the loop \1 of the pixel counts less one, modulo 8, from .entries.
+entries macro
+        rept    8
+        dc.w    \1-.entries+(7-REPTN)*PIXEL
+        endr
         endm
 
         routine span_logarithm,a0
@@ -95,18 +99,10 @@ pixels  macro
 
 ; By way and the count of pixels less one, modulo 8.
 .entries
-        rept    8
-        dc.w    .add_add-.entries+(7-REPTN)*PIXEL
-        endr
-        rept    8
-        dc.w    .sub_add-.entries+(7-REPTN)*PIXEL
-        endr
-        rept    8
-        dc.w    .add_sub-.entries+(7-REPTN)*PIXEL
-        endr
-        rept    8
-        dc.w    .sub_sub-.entries+(7-REPTN)*PIXEL
-        endr
+        entries .add_add
+        entries .sub_add
+        entries .add_sub
+        entries .sub_sub
 
         pixels  add,add,.add_add
         pixels  sub,add,.sub_add

@@ -1,6 +1,4 @@
-        include "routine.i"
-        include "layout.i"
-        include "swap.i"
+        include "chain.i"
 
 ; On the stack.
 now_u   equ     0                       ; of the next pixel, 16.16
@@ -37,15 +35,6 @@ single  macro
         move.b  (a4,\2.w),(a1)+
         endm
 
-pixel   macro
-        join_uv d5
-        add.l   d2,d0
-        add.l   a2,d2
-        add.l   d3,d1
-        add.l   a3,d3
-        move.b  (a4,d4.w),(a1)+
-        endm
-
 ; The curve through \1 (where it begins), \2 and \3 (d registers), d7 = log2 of their
 ; distance: \2 = second difference a pixel, \3 = the first step. Uses d4-d5; a5 =
 ; distance^2 / 2.
@@ -67,12 +56,10 @@ bend    macro
         move.l  d4,\3
         endm
 
-;==============================================================================
 ; span_perspective_curves - draws lines with perspective, by curved pieces
 ;
+; like:    span_perspective_pieces
 ; in:      a0  perspective_span*  the lines, the frame, the map, the longest piece
-; reads:   the plan, its lines, the map
-; writes:  the pixels of the lines, nothing else
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels. A piece of 4, 8, 16 or
 ;          32 pixels is a parabola through its exact first and middle pixel and the one
 ;          after it. It draws the longest piece whose least weight is enough, else a single
@@ -80,7 +67,6 @@ bend    macro
 ; error:   of a point 3 units, of a second difference half a unit, which adds the square of
 ;          half the piece's length in half units; the parabola's: see perspective_lines
 ; cost:    bench rows persp_pixel_exact, persp_pixel_fine
-;==============================================================================
 
         routine span_perspective_curves,a0
         save_all
@@ -225,7 +211,12 @@ bend    macro
         move.w  d4,d7
         subq.w  #1,d7
 .pixels rept    4
-        pixel
+        join_uv d5
+        add.l   d2,d0
+        add.l   a2,d2
+        add.l   d3,d1
+        add.l   a3,d3
+        move.b  (a4,d4.w),(a1)+
         endr
         dbra    d7,.pixels
         move.l  a5,d7

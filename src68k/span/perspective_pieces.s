@@ -1,6 +1,3 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
 ; On the stack.
@@ -28,7 +25,6 @@ pack_steps macro
         move.l  d6,d2
         endm
 
-;==============================================================================
 ; span_perspective_pieces - draws lines with perspective, by linear pieces
 ;
 ; in:      a0  perspective_span*  the lines, the frame, the map, log2 of a piece: 3 or 4
@@ -40,7 +36,7 @@ pack_steps macro
 ; error:   at the ends of pieces 18 units, 10 with 8 pixels; at the last pixel as many
 ;          units as the last piece has steps
 ; cost:    bench rows persp_every16_exact, persp_every8_exact
-;==============================================================================
+
 ; S, Q and P of pixel_apart continue from piece to piece; only their steps change.
 
         routine span_perspective_pieces,a0
@@ -150,4 +146,4 @@ pack_steps macro
         divs.l  d7,d6
 .one    pack_steps
         span_rounds 3
-        span_enter_14
+        span_enter 2,4

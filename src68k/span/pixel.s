@@ -1,9 +1,7 @@
 ; A whole pixel with one, two and three interpolants, by swap and by addx: fetched
 ; from a row, fetched from a 256x256 map, fetched from it and lit through a table.
 
-        include "routine.i"
         include "chain.i"
-        include "swap.i"
 
 ; \1: how many in a round, \2: the pixel's code
 pixels  macro
@@ -50,7 +48,6 @@ pixel_a3 macro
         pixel_lit d0,d2
         endm
 
-;==============================================================================
 ; pixel_swap_1 - one interpolant by swap
 ;
 ; in:      d0  uint32  u, UUuu
@@ -63,55 +60,36 @@ pixel_a3 macro
 ; reads:   the row
 ; writes:  the pixels, a multiple of 16
 ; formats: u 16.16, 0 to 32767
-; error:   none
-; cost:    bench row pixel_swap_1
-;==============================================================================
         routine pixel_swap_1
         pixels  16,pixel_s1
 
-;==============================================================================
 ; pixel_addx_1 - one interpolant by addx, chained to itself
 ;
+; like:    pixel_swap_1
 ; in:      d0  uint32  u, uuUU, the fraction one step ahead
 ;          d2  uint32  dudx, uuUU
-;          a0  uint8*  a row of texels
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
-; out:     a1  uint8*  after the last pixel
 ; trashes: d0
-; reads:   the row
-; writes:  the pixels, a multiple of 16
 ; formats: u 16.16, 0 to 32767; u's carry enters U at the next pixel
 ; error:   none if u's first carry is in d0 already
-; cost:    bench row pixel_addx_1
-;==============================================================================
         routine pixel_addx_1
         move    #0,ccr
         pixels  16,pixel_a1
 
-;==============================================================================
 ; pixel_swap_2 - two interpolants by swap: the pixel of span_affine_swap
 ;
-; in:      d0  uint32  u, UUuu
-;          d1  uint32  v + 128 rows, VVvv << 8
+; like:    pixel_swap_1
+; in:      d1  uint32  v + 128 rows, VVvv << 8
 ;          d2  uint32  dudx
 ;          d3  uint32  dvdx << 8
 ;          d7  uint32  $00ffffff
 ;          a0  uint8*  256x256 map + 32,768
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
-; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d1/d4
 ; reads:   the map
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v 8.16, both wrap
-; error:   none
-; cost:    bench row pixel_swap_2
-;==============================================================================
         routine pixel_swap_2
         pixels  8,pixel_s2
 
-;==============================================================================
 ; pixel_addx_2 - two interpolants by addx: the pixel of span_affine_addx
 ;
 ; in:      d0  uint32  uuVv
@@ -127,58 +105,36 @@ pixel_a3 macro
 ; writes:  the pixels, a multiple of 16
 ; formats: u, v 8.16, both wrap, v once
 ; error:   none if v's first carry is in d0 already
-; cost:    bench row pixel_addx_2
-;==============================================================================
         routine pixel_addx_2
         move    #0,ccr
         pixels  16,pixel_chain
 
-;==============================================================================
 ; pixel_swap_3 - three interpolants by swap: u, v and a shade
 ;
-; in:      d0  uint32  u, UUuu
-;          d1  uint32  v + 128 rows, VVvv << 8
-;          d2  uint32  dudx
-;          d3  uint32  dvdx << 8
-;          d5  uint32  shade + 128, CCcc << 8
+; like:    pixel_swap_2
+; in:      d5  uint32  shade + 128, CCcc << 8
 ;          a4  uint32  its step << 8
-;          d7  uint32  $00ffffff
-;          a0  uint8*  256x256 map + 32,768
 ;          a3  uint8*  table of 256 shades by 256 texels + 32,768
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
-; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d1/d4-d6
 ; reads:   the map, the table
-; writes:  the pixels, a multiple of 8
 ; formats: u, v, shade 8.16
-; error:   none
-; cost:    bench row pixel_swap_3
-;==============================================================================
         routine pixel_swap_3
         pixels  8,pixel_s3
 
-;==============================================================================
 ; pixel_addx_3 - three interpolants in one addx chain: u, v and a shade
 ;
-; in:      d0  uint32  uuVv
-;          d1  uint32  c--U
+; like:    pixel_addx_2
+; in:      d1  uint32  c--U
 ;          d2  uint32  v-Cc, v one step ahead
 ;          d3  uint32  step, uuVv
 ;          d4  uint32  step, c--U
 ;          d5  uint32  step, v-Cc
 ;          d6  uint32  256x256 map at a multiple of 65,536
 ;          d7  uint32  table of shades at a multiple of 65,536
-;          a1  uint8*  first pixel
-;          a6  uint8*  after the last pixel
-; out:     a1  uint8*  after the last pixel
 ; trashes: d0-d2/d6-d7/a2
 ; reads:   the map, the table
 ; writes:  the pixels, a multiple of 8
 ; formats: u, v, shade 8.16; v wraps once
-; error:   none if v's first carry is in d0 already
-; cost:    bench row pixel_addx_3
-;==============================================================================
         routine pixel_addx_3
         move    #0,ccr
         pixels  8,pixel_a3

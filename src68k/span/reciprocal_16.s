@@ -1,9 +1,5 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "reciprocal.i"
 
-;==============================================================================
 ; span_reciprocal_16 - draws lines with perspective, pieces of 16 pixels, by a table
 ;
 ; in:      a0  reciprocal_span*  the lines, the frame, the map, the table
@@ -14,6 +10,5 @@
 ; error:   of u half a unit of 2^-16 a pixel and one if v wraps, of v none; errors of
 ;          C and r: see reciprocal_lines
 ; cost:    bench row persp_every16
-;==============================================================================
         routine span_reciprocal_16,a0
         reciprocal_pieces 4

@@ -69,7 +69,6 @@ chain_3 macro
         addx.l  d5,d2
         endm
 
-;==============================================================================
 ; step_swap_1 - one interpolant by add and swap
 ;
 ; in:      d0  uint32  value, 16.16, ii:ff
@@ -78,109 +77,54 @@ chain_3 macro
 ; out:     d0  uint32  value after the steps
 ; trashes: d6-d7
 ; formats: 16.16; the integer is taken to d6's low word
-; error:   none
-; cost:    bench row step_swap_1
-;==============================================================================
         routine step_swap_1
         steps   swap_1
 
-;==============================================================================
 ; step_swap_2 - two interpolants by add and swap
 ;
-; in:      d0  uint32  value, 16.16, ii:ff
-;          d1  uint32  value, 16.16, ii:ff
-;          d3  uint32  step, 16.16, ii:ff
+; like:    step_swap_1
+; in:      d1  uint32  value, 16.16, ii:ff
 ;          d4  uint32  step, 16.16, ii:ff
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-;          d1  uint32  value after the steps
-; trashes: d6-d7
-; formats: 16.16; the integer is taken to d6's low word
-; error:   none
-; cost:    bench row step_swap_2
-;==============================================================================
+; out:     d1  uint32  value after the steps
         routine step_swap_2
         steps   swap_2
 
-;==============================================================================
 ; step_swap_3 - three interpolants by add and swap
 ;
-; in:      d0  uint32  value, 16.16, ii:ff
-;          d1  uint32  value, 16.16, ii:ff
-;          d2  uint32  value, 16.16, ii:ff
-;          d3  uint32  step, 16.16, ii:ff
-;          d4  uint32  step, 16.16, ii:ff
+; like:    step_swap_2
+; in:      d2  uint32  value, 16.16, ii:ff
 ;          d5  uint32  step, 16.16, ii:ff
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-;          d1  uint32  value after the steps
-;          d2  uint32  value after the steps
-; trashes: d6-d7
-; formats: 16.16; the integer is taken to d6's low word
-; error:   none
-; cost:    bench row step_swap_3
-;==============================================================================
+; out:     d2  uint32  value after the steps
         routine step_swap_3
         steps   swap_3
 
-;==============================================================================
 ; step_addx_1 - one interpolant by add and addx
 ;
-; in:      d0  uint32  value, swapped, ff:ii
-;          d3  uint32  step, swapped, ff:ii
-;          d6  uint32  0
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-; trashes: d7
+; like:    step_chain_1
+; in:      d6  uint32  0
 ; formats: integer in the low word, positive and below 32,768
 ; error:   none
-; cost:    bench row step_addx_1
-;==============================================================================
         routine step_addx_1
         steps   addx_1
 
-;==============================================================================
 ; step_addx_2 - two interpolants by add and addx
 ;
-; in:      d0  uint32  value, swapped, ff:ii
-;          d1  uint32  value, swapped, ff:ii
-;          d3  uint32  step, swapped, ff:ii
+; like:    step_addx_1
+; in:      d1  uint32  value, swapped, ff:ii
 ;          d4  uint32  step, swapped, ff:ii
-;          d6  uint32  0
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-;          d1  uint32  value after the steps
-; trashes: d7
-; formats: integer in the low word, positive and below 32,768
-; error:   none
-; cost:    bench row step_addx_2
-;==============================================================================
+; out:     d1  uint32  value after the steps
         routine step_addx_2
         steps   addx_2
 
-;==============================================================================
 ; step_addx_3 - three interpolants by add and addx
 ;
-; in:      d0  uint32  value, swapped, ff:ii
-;          d1  uint32  value, swapped, ff:ii
-;          d2  uint32  value, swapped, ff:ii
-;          d3  uint32  step, swapped, ff:ii
-;          d4  uint32  step, swapped, ff:ii
+; like:    step_addx_2
+; in:      d2  uint32  value, swapped, ff:ii
 ;          d5  uint32  step, swapped, ff:ii
-;          d6  uint32  0
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-;          d1  uint32  value after the steps
-;          d2  uint32  value after the steps
-; trashes: d7
-; formats: integer in the low word, positive and below 32,768
-; error:   none
-; cost:    bench row step_addx_3
-;==============================================================================
+; out:     d2  uint32  value after the steps
         routine step_addx_3
         steps   addx_3
 
-;==============================================================================
 ; step_chain_1 - one interpolant by a chain of addx
 ;
 ; in:      d0  uint32  value, swapped, ff:ii
@@ -192,53 +136,30 @@ chain_3 macro
 ;          next register of the circle: d0 and again
 ; error:   none, but the last register's carry comes one step late; X is clear
 ;          at the start
-; cost:    bench row step_chain_1
-;==============================================================================
         routine step_chain_1
         move    #0,ccr
         steps   chain_1
 
-;==============================================================================
 ; step_chain_2 - two interpolants by a chain of addx
 ;
-; in:      d0  uint32  value, swapped, ff:ii
-;          d1  uint32  value, swapped, ff:ii
-;          d3  uint32  step, swapped, ff:ii
+; like:    step_chain_1
+; in:      d1  uint32  value, swapped, ff:ii
 ;          d4  uint32  step, swapped, ff:ii
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-;          d1  uint32  value after the steps
-; trashes: d7
+; out:     d1  uint32  value after the steps
 ; formats: as addx; the upper word's fraction belongs to the integer of the
 ;          next register of the circle: d0, d1 and again
-; error:   none, but the last register's carry comes one step late; X is clear
-;          at the start
-; cost:    bench row step_chain_2
-;==============================================================================
         routine step_chain_2
         move    #0,ccr
         steps   chain_2
 
-;==============================================================================
 ; step_chain_3 - three interpolants by a chain of addx
 ;
-; in:      d0  uint32  value, swapped, ff:ii
-;          d1  uint32  value, swapped, ff:ii
-;          d2  uint32  value, swapped, ff:ii
-;          d3  uint32  step, swapped, ff:ii
-;          d4  uint32  step, swapped, ff:ii
+; like:    step_chain_2
+; in:      d2  uint32  value, swapped, ff:ii
 ;          d5  uint32  step, swapped, ff:ii
-;          d7  int32   rounds of 16 steps, less one
-; out:     d0  uint32  value after the steps
-;          d1  uint32  value after the steps
-;          d2  uint32  value after the steps
-; trashes: d7
+; out:     d2  uint32  value after the steps
 ; formats: as addx; the upper word's fraction belongs to the integer of the
 ;          next register of the circle: d0, d1, d2 and again
-; error:   none, but the last register's carry comes one step late; X is clear
-;          at the start
-; cost:    bench row step_chain_3
-;==============================================================================
         routine step_chain_3
         move    #0,ccr
         steps   chain_3

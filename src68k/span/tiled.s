@@ -1,20 +1,12 @@
-        include "routine.i"
-        include "layout.i"
-        include "chain.i"
         include "span.i"
 
-;==============================================================================
 ; span_tiled - draws a scanline table from a 256x256 map in tiles of 8x8
 ;
-; in:      a0  span_plan*  the table, the frame, the map, the steps
-; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map
-; writes:  the pixels of the lines, nothing else
+; like:    span_affine_swap
 ; formats: u, v 16.16, both wrap at 256; 8-bit texels and pixels; the map at a
 ;          multiple of 65,536, texel (u, v) at 2048 (u/8) + 8 v + u%8
 ; error:   pixel n shows texel (floor(u + n dudx), floor((v2 + n dv2) / 32768)),
 ;          where v2 = floor(v / 2), dv2 = floor(dvdx / 2)
-; cost:    bench row tiled
-;==============================================================================
 
 ; The circular carry chain of span_affine_addx, its integers where the index has
 ; them (T: column of tiles, U: texel in its tile; one letter a bit):
@@ -23,16 +15,6 @@
 ; Ones in a step's inner gaps (A's eight, B's last three) pass a carry on; after
 ; each step all gaps are cleared, and so are overflows into them. A's v is one step
 ; ahead, so that its carry is ready when B needs it.
-
-pixel   macro
-        move.w  d0,d4
-        or.w    d1,d4                   ; mm, TTTTTVVVVVVVVUUU
-        addx.l  d2,d0
-        addx.l  d3,d1
-        and.l   d6,d1
-        and.l   d5,d0
-        draw
-        endm
 
 ; Packs u (\1 = uu:UU) and v (\2 = VVvv) into B (\1) and A (\2), by their masks d5
 ; and d6. Uses d4's lower word.
@@ -76,6 +58,12 @@ pack_tiled macro
         add.l   a4,d1
         jmp     (a2)
 .pixels rept    8
-        pixel
+        move.w  d0,d4
+        or.w    d1,d4                   ; mm, TTTTTVVVVVVVVUUU
+        addx.l  d2,d0
+        addx.l  d3,d1
+        and.l   d6,d1
+        and.l   d5,d0
+        draw
         endr
         span_close (sp)

@@ -3,7 +3,6 @@
 ; the checker.
 
         include "routine.i"
-        include "layout.i"
 
 WELL                    equ     0
 TRASHES_D2              equ     1

@@ -3,7 +3,7 @@
 _LVOBeginIO             equ     -30     ; of a device
 io_Device               equ     20
 KEY_FIELDS              equ     30
-LEFT                    equ     $4f
+CURSOR_LEFT             equ     $4f
 SPACE                   equ     $40
 ESCAPE                  equ     $45
 
@@ -41,4 +41,4 @@ key_field:
         cnop    0,4
 next_key        dc.l    key_table
 ; Cursor left, which the demo does not know; of escape the end alone.
-key_table       dc.b    LEFT,SPACE,ESCAPE|IECODE_UP,SPACE,ESCAPE,0
+key_table       dc.b    CURSOR_LEFT,SPACE,ESCAPE|IECODE_UP,SPACE,ESCAPE,0

@@ -1,6 +1,5 @@
 """The contract parser, tested with broken blocks and with the real tree."""
 
-import json
 import re
 
 import pytest
@@ -9,7 +8,6 @@ from tmap.base import paths
 from tmap.base.errors import UserError
 from tmap.build import contracts
 
-BAR = ";" + "=" * 78
 FIELDS = {
     "in": "d0  int32  a\n;          a1  const struct plan*  the plan,\n;                  all of it",
     "out": "d0:d1  wide  product",
@@ -25,7 +23,7 @@ FIELDS = {
 def source(code="        routine scale,d0,a1\n        rts\n", title="scale - scales a plan", **changes):
     """A file with one routine; a field given as None is left out."""
     fields = {name: text for name, text in (FIELDS | changes).items() if text is not None}
-    block = [BAR, f"; {title}", ";", *(f"; {name + ':':<9}{text}" for name, text in fields.items()), BAR]
+    block = [f"; {title}", ";", *(f"; {name + ':':<9}{text}" for name, text in fields.items())]
     return "\n".join(['        include "routine.i"', "", *block, code])
 
 
@@ -35,7 +33,7 @@ def parse(tmp_path):
     def run(text):
         path = tmp_path / "scale.s"
         path.write_text(text)
-        return contracts.parse(path)
+        return contracts.complete(contracts.read(path))
     return run
 
 
@@ -51,7 +49,7 @@ def complaint(parse, text):
 
 def test_good_block(parse):
     contract, = parse(source())
-    assert (contract.name, contract.summary, contract.line) == ("scale", "scales a plan", 4)
+    assert (contract.name, contract.summary, contract.line) == ("scale", "scales a plan", 3)
     assert contract.inputs == (("d0", "int32", "a"),
                                ("a1", "const struct plan*", "the plan, all of it"))
     assert contract.outputs == (("d0:d1", "wide", "product"),)
@@ -60,7 +58,7 @@ def test_good_block(parse):
     assert contract.formats == "16.16 x = a / b"
     assert contract.error == "none: exact"
     assert contract.cost == "about 50 cycles"
-    assert contract.is_routine
+    assert contract.registers == ("d0", "a1")
 
 
 def test_nothing_in_nothing_trashed(parse):
@@ -78,6 +76,38 @@ def test_fields_may_be_left_out(parse):
     contract, = parse(source("        routine scale\n", **dict.fromkeys(FIELDS)))
     assert contract.inputs == contract.outputs == () and contract.trashes == {"d0", "d1", "a0", "a1"}
     assert contract.reads == contract.writes == contract.formats == contract.error == contract.cost == ""
+
+
+def test_like_another_routine(parse):
+    """Fields that a block does not give are the other routine's, except its cost."""
+    text = source("        routine grow,d0,a1\n", "grow - grows a plan",
+                  **dict.fromkeys(FIELDS) | {"error": "a unit"})
+    text = text.replace(";\n; error", ";\n; like:    scale\n; error") + source()
+    grow, scale = parse(text)
+    for field in set(contracts.INHERITED) - {"error"}:
+        assert getattr(grow, field) == getattr(scale, field) != ""
+    assert (grow.error, grow.cost) == ("a unit", "")
+    for wrong in ("shrink", "grow"):
+        assert f"no other routine {wrong}" in complaint(parse, text.replace("like:    scale",
+                                                                            f"like:    {wrong}"))
+    assert "field 'error' says nothing" in complaint(parse, text.replace("a unit", "none: exact"))
+    grow, _ = parse(text.replace("; error:   a unit",
+                                 "; in:      d0  int32  b\n; out:     a0  void*  c"))
+    assert grow.inputs == (("d0", "int32", "b"), scale.inputs[1])
+    assert grow.outputs == (*scale.outputs, ("a0", "void*", "c"))
+    assert "d0 says nothing" in complaint(parse, text.replace("error:   a unit", "in:      d0  int32  a"))
+
+
+def test_defaults_of_a_kernel(tmp_path):
+    """A kernel without error or cost has no error and the bench row of its name."""
+    path = tmp_path / "span" / "scale.s"
+    path.parent.mkdir()
+    path.write_text(source(error=None, cost=None).replace("scale", "span_scale"))
+    contract, = contracts.complete(contracts.read(path))
+    assert (contract.error, contract.cost) == ("none", "bench row scale")
+    path.write_text(path.read_text().replace("x = a / b\n", "x = a / b\n; error:   none\n"))
+    with pytest.raises(UserError, match="field 'error' says nothing"):
+        contracts.complete(contracts.read(path))
 
 
 @pytest.mark.parametrize("field", sorted(FIELDS.keys() - {"trashes"}))
@@ -102,7 +132,6 @@ def test_empty_field(parse, field):
     ({"trashes": "d0,d1"}, "trashes: 'd0,d1' is no register or range"),
     ({"colour": "blue"}, "unknown field 'colour'"),
     ({"cost": "none\n; cost:    none"}, "second field 'cost'"),
-    ({"cost": "none\n        moveq #0,d0"}, "this line ends no contract block"),
 ])
 def test_wrong_field(parse, changes, message):
     assert message in complaint(parse, source(**changes))
@@ -113,22 +142,19 @@ def test_wrong_order(parse):
     assert "order" in complaint(parse, text)
 
 
-def test_wrong_title(parse):
-    assert "name - summary" in complaint(parse, source(title="scale: scales a plan"))
-
-
-def test_unclosed_block(parse):
-    text = source()
-    assert "not closed" in complaint(parse, text[:text.rindex(BAR)] + "        rts\n")
+@pytest.mark.parametrize("wrong", ["; scale: scales a plan", "; Before:\n; scale - scales a plan"])
+def test_comments_that_are_no_block(parse, wrong):
+    assert complaint(parse, source().replace("; scale - scales a plan", wrong)) == \
+        "routine scale has no contract block"
 
 
 def test_registers_of_macro_and_block_differ(parse):
-    assert "scale takes a1, d0 from C" in complaint(parse, source("        routine scale,a1,d0\n"))
+    assert "scale: takes a1, d0 from C" in complaint(parse, source("        routine scale,a1,d0\n"))
 
 
 def test_assembly_only_routine(parse):
     """Arguments that C cannot pass: the macro then names no register at all."""
-    assert parse(source("        routine scale\n        rts\n"))[0].is_routine
+    assert parse(source("        routine scale\n        rts\n"))[0].registers == ()
 
 
 @pytest.mark.parametrize("code, name", [
@@ -153,7 +179,7 @@ def test_routine_without_block(parse, code, name):
 ])
 def test_no_block_needed(parse, code):
     contract, = parse(source(code))
-    assert not contract.is_routine
+    assert contract.registers is None
 
 
 def test_block_without_routine(parse):
@@ -170,10 +196,6 @@ def test_files_written(tmp_path):
         (tree / room).mkdir(parents=True)
         (tree / room / "scale.s").write_text(source().replace("scale", f"{room}_scale"))
     contracts.main(str(tree), str(out))
-    rows = json.loads((out / "contracts.json").read_text())
-    assert [row["name"] for row in rows] == ["amiga_scale", "span_scale"]
-    assert rows[0]["trashes"] == ["a1", "d0", "d1", "d2"]
-    assert rows[0]["inputs"][0] == {"register": "d0", "type": "int32", "meaning": "a"}
     table = (out / "kernel_table.s").read_text()
     assert "span_scale" in table and "amiga_scale" not in table and "dc.l    0,0" in table
 

@@ -1,40 +1,49 @@
 """Reads the contract block above each assembly routine and checks the tree against it.
 
-    ;==============================================================================
     ; name - summary
     ;
+    ; like:    another routine, whose fields count where this block has none, and whose entries
+    ;          of in and out count if this block has none of the register
     ; in:      d0  int32  meaning
     ; out:     d0  fix16  meaning
     ; trashes: d0-d2/a1, everything, or - for nothing
     ; reads: writes: formats: error: cost:    free text
-    ;==============================================================================
 
-Fields are in this order. A longer one continues on indented lines; an empty one is left out.
-Without ``trashes`` a routine may change the registers that C allows, TRASHED.
-A routine begins with the ``routine`` macro or with an exported label of a code section. Other
-labels that a documented routine runs into are entries of that routine. The entry ``start`` of a
-command may be documented under the command's name.
+The block is a comment of its own, which begins with that title. Fields are in this order. A longer
+one continues on indented lines; an empty one is left out. Without ``trashes`` a routine may change
+the registers that C allows, TRASHED. Without ``error`` a kernel has none. Without ``reads`` or
+``writes`` a routine reads what its pointers to const point to or writes what its others do.
+``cost`` is no other routine's: without it, it is the bench row of a kernel's own name, which has
+no "span_".
+A routine begins with the macro ``routine`` or ``pass``, whose last argument is the count, or with
+an exported label of a code section. Other labels that a documented routine runs into are entries
+of that routine. The entry ``start`` of a command may be documented under the command's name.
 
-``python -m tmap.build.contracts SRC OUT`` writes OUT/contracts.json and
-OUT/kernel_table.s: names and addresses of all kernels, for the program bench.
+``python -m tmap.build.contracts SRC OUT`` writes OUT/kernel_table.s: names and addresses of all
+kernels, for the program bench.
 """
 
-import json
+import itertools
 import re
 import sys
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
 from tmap.base.errors import UserError
 
-FIELDS = ("in", "out", "trashes", "reads", "writes", "formats", "error", "cost")
+FIELDS = ("like", "in", "out", "trashes", "reads", "writes", "formats", "error", "cost")
+#: Attributes that another routine's block gives to one that is like it.
+INHERITED = ("inputs", "outputs", "trashes", "reads", "writes", "formats", "error")
+#: Attributes of Contract with other names than their fields.
+ATTRIBUTES = {"in": "inputs", "out": "outputs"}
 TRASHED = "d0-d1/a0-a1"
+#: The registers of a pass, and the last one's argument, which no block gives.
+PASS, COUNT = ("a0", "a1", "a2", "d0"), ("d0", "int32", "count")
 REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
 #: Folders whose routines are kernels: called one by one by the program bench.
 KERNELS = ("math", "mesh", "polygon", "edge", "span", "n64", "glide", "screen")
 
-BAR = re.compile(r";={20,}\s*$")
 TITLE = re.compile(r"; (\w+) - (\S.*)$")
 FIELD = re.compile(r"; (\w+):\s*(.*)$")
 UNCOMMENTED = re.compile(r"""(?:[^;'"]|'[^']*'|"[^"]*"|['"])*""")
@@ -59,7 +68,11 @@ class Argument(NamedTuple):
 
 @dataclass(frozen=True)
 class Contract:
-    """One routine's block; the text of a missing field is ""."""
+    """One routine's block; the text of a missing field is "".
+
+    ``missing``: attributes that the block does not give. ``registers``: those to which the
+    ``routine`` macro moves C's arguments, None if the routine is not entered through it.
+    """
 
     name: str
     file: str
@@ -73,7 +86,9 @@ class Contract:
     formats: str
     error: str
     cost: str
-    is_routine: bool = False  # entered through the macro, so callable from C too
+    like: str = ""
+    missing: frozenset[str] = frozenset()
+    registers: tuple[str, ...] | None = None
 
 
 class Statement(NamedTuple):
@@ -144,20 +159,15 @@ def parse_arguments(lines: list[str]) -> tuple[Argument, ...]:
 
 
 def parse_block(file: str, first: int, lines: list[str]) -> Contract:
-    """Returns the contract in the ``lines`` between two bars; ``first``: the first one's number."""
+    """Returns the contract in the ``lines`` of a comment; ``first``: the first one's number."""
 
     def fail(number: int, text: str):
         raise UserError(f"{file}:{number}: {text}")
 
-    title = TITLE.match(lines[0]) if lines else None
-    if title is None:
-        fail(first, 'a contract block begins with "; name - summary"')
-    name, summary = title[1], [title[2]]
+    name, *summary = TITLE.match(lines[0]).groups()
     fields: dict[str, tuple[int, list[str]]] = {}
     current = summary
     for number, line in enumerate(lines[1:], first + 1):
-        if not line.startswith(";"):
-            fail(number, f"{name}: this line ends no contract block: a bar is missing")
         match = FIELD.match(line)
         if match:
             if match[1] not in FIELDS:
@@ -188,17 +198,18 @@ def parse_block(file: str, first: int, lines: list[str]) -> Contract:
     return Contract(
         name, file, first, text(summary), read("in", parse_arguments),
         read("out", parse_arguments), read("trashes", lambda c: expand(text(c) or TRASHED)),
-        *(read(field, text) for field in FIELDS[3:]))
+        *(read(field, text) for field in FIELDS[4:]), like=read("like", text),
+        missing=frozenset(ATTRIBUTES.get(field, field) for field in FIELDS if field not in fields))
 
 
 def find_blocks(file: str, lines: list[str]) -> dict[str, Contract]:
     """Returns the contract blocks of a source file, by name."""
     blocks: dict[str, Contract] = {}
-    bars = [number for number, line in enumerate(lines, 1) if BAR.match(line)]
-    for first, last in zip(bars[::2], bars[1::2] + [None]):
-        if last is None:
-            raise UserError(f"{file}:{first}: the contract block is not closed by a bar")
-        block = parse_block(file, first + 1, lines[first:last - 1])
+    for first, (before, line) in enumerate(zip(["", *lines], lines)):
+        if before.startswith(";") or not TITLE.match(line):
+            continue
+        comment = itertools.takewhile(lambda each: each.startswith(";"), lines[first:])
+        block = parse_block(file, first + 1, list(comment))
         if block.name in blocks:
             raise UserError(f"{file}:{block.line}: second contract block of {block.name}")
         blocks[block.name] = block
@@ -229,8 +240,9 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
     in_code, runs_on = True, False      # vasm starts in a code section
     for statement, following in zip(file_statements, file_statements[1:] + [None]):
         number, label, operation, operands = statement
-        if operation == "routine":
-            entries.append(Entry(number, operands[0], tuple(operands[1:]), True, False))
+        if operation in ("routine", "pass"):
+            registers = PASS if operation == "pass" else tuple(operands[1:])
+            entries.append(Entry(number, operands[0], registers, True, False))
             in_code = runs_on = True
             continue
         if operation == "section":
@@ -250,9 +262,9 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
     return entries
 
 
-def parse(path: Path | str) -> list[Contract]:
-    """Returns the contracts of a source file, in its order. Raises UserError if one is wrong,
-    a routine has none, or one has no routine."""
+def read(path: Path | str) -> list[Contract]:
+    """Returns the contracts of a source file, in its order, as they are written. Raises UserError
+    if one is wrong, a routine has none, or one has no routine."""
     file = str(path)
     lines = Path(path).read_text(encoding="utf-8").splitlines()
     blocks = find_blocks(file, lines)
@@ -265,9 +277,10 @@ def parse(path: Path | str) -> list[Contract]:
         if name in blocks and name not in described:
             is_documented = True
             described.add(name)
-            if entry.registers is not None:
-                check_registers(file, entry, blocks[name])
-                blocks[name] = replace(blocks[name], is_routine=True)
+            given = blocks[name].inputs
+            if entry.registers == PASS and not blocks[name].like and len(given) == len(PASS) - 1:
+                given += (Argument(*COUNT),)
+            blocks[name] = replace(blocks[name], inputs=given, registers=entry.registers)
         elif not (is_documented and entry.is_reached):
             is_documented = False
             if entry.is_exported:
@@ -278,27 +291,72 @@ def parse(path: Path | str) -> list[Contract]:
     return list(blocks.values())
 
 
-def check_registers(file: str, entry: Entry, block: Contract) -> None:
+def complete(contracts: list[Contract]) -> list[Contract]:
+    """Returns the contracts with the fields that they take from others and with the defaults, which
+    no block may repeat, and checks them."""
+    named = {c.name: c for c in contracts}
+    done: dict[str, Contract] = {}
+
+    def completed(c: Contract, above: tuple[str, ...] = ()) -> Contract:
+        if c.name in done:
+            return done[c.name]
+        given: dict[str, object] = {}
+        if is_kernel(c):
+            given = {"error": "none", "cost": f"bench row {c.name.removeprefix('span_')}"}
+        if c.like:
+            if c.like not in named or c.like in (*above, c.name):
+                fail(c, f"like: no other routine {c.like}")
+            base = completed(named[c.like], (*above, c.name))
+            given |= {field: getattr(base, field) for field in INHERITED}
+            c = replace(c, inputs=merged(c, c.inputs, base.inputs),
+                        outputs=merged(c, c.outputs, base.outputs))
+        for field in given.keys() - c.missing:
+            if getattr(c, field) == given[field]:
+                fail(c, f"field {field!r} says nothing: leave it out")
+        done[c.name] = replace(c, **{field: given[field] for field in given.keys() & c.missing})
+        check_registers(done[c.name])
+        return done[c.name]
+
+    return [completed(c) for c in contracts]
+
+
+def fail(block: Contract, text: str):
+    """Raises a UserError about a block."""
+    raise UserError(f"{block.file}:{block.line}: {block.name}: {text}")
+
+
+def merged(block: Contract, own: tuple[Argument, ...],
+           base: tuple[Argument, ...]) -> tuple[Argument, ...]:
+    """Returns another routine's entries of ``in`` or ``out``, with the block's own among them."""
+    for argument in set(own) & set(base):
+        fail(block, f"{argument.register} says nothing: leave it out")
+    return tuple(({a.register: a for a in base} | {a.register: a for a in own}).values())
+
+
+def check_registers(block: Contract) -> None:
     """Checks that C's arguments go to the registers that the block lists, in its order.
 
     A routine whose block lists arguments but whose macro has no registers is for assembly only.
     """
     stated = tuple(r for argument in block.inputs for r in argument.register.split(":"))
-    if entry.registers and entry.registers != stated:
-        raise UserError(f"{file}:{entry.line}: {entry.name} takes {', '.join(entry.registers)} "
-                        f"from C, its block says in: {', '.join(stated) or '-'}")
+    if block.registers and block.registers != stated:
+        fail(block, f"takes {', '.join(block.registers)} from C, its block says in: "
+                    f"{', '.join(stated) or '-'}")
+
+
+def is_kernel(block: Contract) -> bool:
+    """Returns true if the program bench calls the routine."""
+    return block.registers is not None and Path(block.file).parent.name in KERNELS
 
 
 def all_contracts(root: Path | str) -> list[Contract]:
     """Returns the contracts of all source files under ``root``, by file name."""
-    return [c for path in sorted(Path(root).rglob("*.s")) for c in parse(path)]
+    return complete([c for path in sorted(Path(root).rglob("*.s")) for c in read(path)])
 
 
-def kernels(root: Path | str, contracts: list[Contract] | None = None) -> list[Contract]:
-    """Returns the contracts of the kernels under ``root``, which the program bench calls.
-    ``contracts``: those of the whole tree, if they have been read."""
-    return [c for c in contracts or all_contracts(root)
-            if c.is_routine and Path(c.file).relative_to(root).parts[0] in KERNELS]
+def kernels(root: Path | str) -> list[Contract]:
+    """Returns the contracts of the kernels under ``root``, which the program bench calls."""
+    return [c for c in all_contracts(root) if is_kernel(c)]
 
 
 def kernel_table(contracts: list[Contract]) -> str:
@@ -313,20 +371,10 @@ def kernel_table(contracts: list[Contract]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def as_json(contracts: list[Contract]) -> str:
-    """Returns all contracts as a JSON list of objects, registers as sorted lists."""
-    rows = [asdict(c) | {"trashes": sorted(c.trashes),
-                         "inputs": [a._asdict() for a in c.inputs],
-                         "outputs": [a._asdict() for a in c.outputs]} for c in contracts]
-    return json.dumps(rows, indent=1) + "\n"
-
-
 def main(source: str, out: str) -> None:
-    """Checks the tree ``source`` and writes both files into ``out``."""
+    """Checks the tree ``source`` and writes the table into ``out``."""
     Path(out).mkdir(parents=True, exist_ok=True)
-    contracts = all_contracts(source)
-    (Path(out) / "contracts.json").write_text(as_json(contracts))
-    (Path(out) / "kernel_table.s").write_text(kernel_table(kernels(source, contracts)))
+    (Path(out) / "kernel_table.s").write_text(kernel_table(kernels(source)))
 
 
 if __name__ == "__main__":
