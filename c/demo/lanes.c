@@ -113,7 +113,8 @@ static int32 poorest(const struct player *player)
 }
 
 /* Draws pictures in turn until the previous frame is shown, but none that might make this frame
-   late. Draws at least one if there is nothing to convert. */
+   late: conversion begins when the previous frame is shown, or after drawing. Draws at least one
+   if there is nothing to convert. */
 static void draw_fairly(struct player *player)
 {
     const uint32 hidden = 1u << player->screen->hidden;
@@ -136,6 +137,7 @@ static void draw_fairly(struct player *player)
 
         if ((drawn || converting)
             && (!screen_waits(player->screen)
+                || converting + more > TURNS_BUDGET - FRAME_TICKS
                 || age + lane->dearest + converting + more > TURNS_BUDGET))
             break;
         converting += more;
