@@ -29,28 +29,15 @@ def source(code="        routine scale,d0,a1\n        rts\n", title="scale - sca
     return "\n".join(['        include "routine.i"', "", *block, code])
 
 
-@pytest.fixture
-def parse(tmp_path):
+def parse(text, tmp_path):
     """Parses a text as a source file."""
-    def run(text):
-        path = tmp_path / "scale.s"
-        path.write_text(text)
-        return contracts.parse(path)
-    return run
+    path = tmp_path / "scale.s"
+    path.write_text(text)
+    return contracts.parse(path)
 
 
-def complaint(parse, text):
-    """The error for a text, which must name the file and one of its lines."""
-    with pytest.raises(UserError) as caught:
-        parse(text)
-    place, message = str(caught.value).split(": ", 1)
-    file, number = place.rsplit(":", 1)
-    assert file.endswith("scale.s") and 1 <= int(number) <= len(text.splitlines())
-    return message
-
-
-def test_good_block(parse):
-    contract, = parse(source())
+def test_good_block(tmp_path):
+    contract, = parse(source(), tmp_path)
     assert (contract.name, contract.summary, contract.line) == ("scale", "scales a plan", 4)
     assert contract.inputs == (("d0", "int32", "a"),
                                ("a1", "const struct plan*", "the plan, all of it"))
@@ -63,82 +50,60 @@ def test_good_block(parse):
     assert contract.is_routine
 
 
-def test_nothing_in_nothing_trashed(parse):
-    contract, = parse(source("        routine scale\n", **{"in": None, "out": None, "trashes": "-"}))
-    assert contract.inputs == contract.outputs == ()
-    assert contract.trashes == set()
-
-
-def test_everything_trashed(parse):
-    contract, = parse(source(trashes="everything"))
-    assert len(contract.trashes) == 15 and "a7" not in contract.trashes
-
-
-def test_fields_may_be_left_out(parse):
-    contract, = parse(source("        routine scale\n", **dict.fromkeys(FIELDS)))
+def test_fields_may_be_left_out(tmp_path):
+    contract, = parse(source("        routine scale\n", **dict.fromkeys(FIELDS)), tmp_path)
     assert contract.inputs == contract.outputs == () and contract.trashes == {"d0", "d1", "a0", "a1"}
     assert contract.reads == contract.writes == contract.formats == contract.error == contract.cost == ""
 
 
-@pytest.mark.parametrize("field", sorted(FIELDS.keys() - {"trashes"}))
-def test_a_field_that_says_nothing(parse, field):
-    assert f"field {field!r} says nothing" in complaint(parse, source(**{field: "-"}))
+def test_nothing_or_everything_trashed(tmp_path):
+    nothing, everything = (parse(source(trashes=text), tmp_path)[0].trashes
+                           for text in ("-", "everything"))
+    assert nothing == set() and len(everything) == 15 and "a7" not in everything
 
 
-@pytest.mark.parametrize("field", FIELDS)
-def test_empty_field(parse, field):
-    assert f"field {field!r} is empty" in complaint(parse, source(**{field: ""}))
-
-
-@pytest.mark.parametrize("changes, message", [
-    ({"in": "d8  int32  a"}, "in: 'd8' is no register"),
-    ({"in": "a7  int32  a"}, "in: 'a7' is no register"),
-    ({"out": "d0:e1  int32  a"}, "out: 'd0:e1' is no register"),
-    ({"out": "d0:d1:d2  wide  a"}, "out: 'd0:d1:d2' is no register"),
-    ({"in": "d0  int32"}, "in: d0 needs a C type and a meaning"),
-    ({"in": "d0 int32 a"}, "in: 'd0 int32 a' is no register"),
-    ({"trashes": "d0-a1"}, "trashes: 'd0-a1' is no register or range"),
-    ({"trashes": "d2-d0"}, "trashes: 'd2-d0' is no register or range"),
-    ({"trashes": "d0,d1"}, "trashes: 'd0,d1' is no register or range"),
-    ({"colour": "blue"}, "unknown field 'colour'"),
-    ({"cost": "none\n; cost:    none"}, "second field 'cost'"),
-    ({"cost": "none\n        moveq #0,d0"}, "this line ends no contract block"),
+@pytest.mark.parametrize("text, message", [
+    *((source(**{field: "-"}), f"field {field!r} says nothing")
+      for field in sorted(FIELDS.keys() - {"trashes"})),
+    *((source(**{field: ""}), f"field {field!r} is empty") for field in FIELDS),
+    *((source(**changes), message) for changes, message in (
+        ({"in": "d8  int32  a"}, "in: 'd8' is no register"),
+        ({"in": "a7  int32  a"}, "in: 'a7' is no register"),
+        ({"out": "d0:e1  int32  a"}, "out: 'd0:e1' is no register"),
+        ({"out": "d0:d1:d2  wide  a"}, "out: 'd0:d1:d2' is no register"),
+        ({"in": "d0  int32"}, "in: d0 needs a C type and a meaning"),
+        ({"in": "d0 int32 a"}, "in: 'd0 int32 a' is no register"),
+        ({"trashes": "d0-a1"}, "trashes: 'd0-a1' is no register or range"),
+        ({"trashes": "d2-d0"}, "trashes: 'd2-d0' is no register or range"),
+        ({"trashes": "d0,d1"}, "trashes: 'd0,d1' is no register or range"),
+        ({"colour": "blue"}, "unknown field 'colour'"),
+        ({"cost": "none\n; cost:    none"}, "second field 'cost'"),
+        ({"cost": "none\n        moveq #0,d0"}, "this line ends no contract block"),
+        ({"title": "scale: scales a plan"}, "name - summary"))),
+    (source(cost=None).replace("; reads:", "; cost:    none\n; reads:"), "order"),
+    (source()[:source().rindex(BAR)] + "        rts\n", "not closed"),
+    (source("        routine scale,a1,d0\n"), "scale takes a1, d0 from C"),
+    (source("grow:   rts\n"), "no routine scale"),
+    (source("") + source(), "second contract block"),
+    *((source(code), "routine shrink has no contract block") for code in (
+        "        routine scale,d0,a1\n        rts\n        routine shrink,d0 ; comment\n",
+        "        xdef grow,shrink\nscale:  rts\nshrink  moveq #0,d0\n",
+        "        xdef shrink\nscale:\n        bra.s .on\n.on     jmp (a0)\nshrink:\n        rts\n",
+        "        routine shrink\n")),
 ])
-def test_wrong_field(parse, changes, message):
-    assert message in complaint(parse, source(**changes))
+def test_wrong_blocks(tmp_path, text, message):
+    """The error names the file and one of its lines."""
+    with pytest.raises(UserError) as caught:
+        parse(text, tmp_path)
+    place, said = str(caught.value).split(": ", 1)
+    file, number = place.rsplit(":", 1)
+    assert file.endswith("scale.s") and 1 <= int(number) <= len(text.splitlines())
+    assert message in said
 
 
-def test_wrong_order(parse):
-    text = source(cost=None).replace("; reads:", "; cost:    none\n; reads:")
-    assert "order" in complaint(parse, text)
-
-
-def test_wrong_title(parse):
-    assert "name - summary" in complaint(parse, source(title="scale: scales a plan"))
-
-
-def test_unclosed_block(parse):
-    text = source()
-    assert "not closed" in complaint(parse, text[:text.rindex(BAR)] + "        rts\n")
-
-
-def test_registers_of_macro_and_block_differ(parse):
-    assert "scale takes a1, d0 from C" in complaint(parse, source("        routine scale,a1,d0\n"))
-
-
-def test_assembly_only_routine(parse):
+def test_assembly_only_routine(tmp_path):
     """Arguments that C cannot pass: the macro then names no register at all."""
-    assert parse(source("        routine scale\n        rts\n"))[0].is_routine
-
-
-@pytest.mark.parametrize("code, name", [
-    ("        routine scale,d0,a1\n        rts\n        routine shrink,d0 ; comment\n", "shrink"),
-    ("        xdef grow,shrink\nscale:  rts\nshrink  moveq #0,d0\n", "shrink"),
-    ("        xdef shrink\nscale:\n        bra.s .on\n.on     jmp (a0)\nshrink:\n        rts\n", "shrink"),
-    ("        routine shrink\n", "shrink"),
-])
-def test_routine_without_block(parse, code, name):
-    assert complaint(parse, source(code)) == f"routine {name} has no contract block"
+    assert parse(source("        routine scale\n        rts\n"), tmp_path)[0].is_routine
 
 
 @pytest.mark.parametrize("code", [
@@ -151,17 +116,9 @@ def test_routine_without_block(parse, code, name):
     "shrink  macro\n        xdef shrink\nshrink: rts\n        endm\nscale:  rts\n",
     "        xdef shrink\nscale:  rts   ; shrink:\n*shrink:\n",
 ])
-def test_no_block_needed(parse, code):
-    contract, = parse(source(code))
+def test_no_block_needed(tmp_path, code):
+    contract, = parse(source(code), tmp_path)
     assert not contract.is_routine
-
-
-def test_block_without_routine(parse):
-    assert "no routine scale" in complaint(parse, source("grow:   rts\n"))
-
-
-def test_two_blocks_of_one_routine(parse):
-    assert "second contract block" in complaint(parse, source("") + source())
 
 
 def test_files_written(tmp_path):
