@@ -7,15 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from tests.helpers import guest_program
+from tests.helpers import citizen, guest_program
 from tests.screen import copper_lists
 from tmap.base import maps, planar
-from tmap.base.paths import ROOT
 from tmap.build import layout
 from tmap.guest import emulator
 
-GUEST = ROOT / "tests" / "guest"
-MODES = ("STATE", "SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY")
+MODES = ("SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY")
 FRAMES = 3
 BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
 TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and positions of the beam: the area for pictures
@@ -67,7 +65,7 @@ ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1
 def programs(tmp_path_factory):
     """A folder with the guest, linked as the Makefile does."""
     folder = tmp_path_factory.mktemp("programs")
-    guest_program.build(folder, GUEST / "display.c", GUEST / "events.s")
+    guest_program.build(folder, *citizen.DISPLAY)
     return folder
 
 
@@ -85,20 +83,16 @@ def palette():
 
 
 @pytest.fixture(scope="module")
-def ended(programs, pixels, palette, tmp_path_factory):
-    """All commands in one boot, with the machine's state before and after each: {command: (Result,
-    state before, state after)}."""
-    files = {"palette": palette.tobytes()} | {
+def ended(programs, pixels, palette, tmp_path_factory) -> dict[str, citizen.Ended]:
+    """All commands in one boot."""
+    files = {"palette": palette.tobytes(), "display": programs / "display"} | {
         name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in pixels.items()}
-    commands = [command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()] + [*ENDINGS]
-    # Once at first: the system frees all it can, and allocates what it needs on first use.
-    line = [command("SHORT"), command("AGAIN"), command("STATE")]
-    for each in commands:
-        line += [each, command("STATE")]
-    results = emulator.run_many(line, files, MACHINE, tmp_path_factory.mktemp("run"),
-                                programs=programs, apart=True)
-    return {each: (results[2 * n + 3], results[2 * n + 2].output, results[2 * n + 4].output)
-            for n, each in enumerate(commands)}
+    # Two at first: the system frees all it can, and allocates what it needs on first use.
+    commands = [command("AGAIN"), *(command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()),
+                *ENDINGS]
+    found = citizen.run([(0, each) for each in commands], files, MACHINE,
+                        tmp_path_factory.mktemp("run"), command("SHORT"))
+    return dict(zip(commands[1:], found[1:]))
 
 
 @dataclass
@@ -121,7 +115,7 @@ class Dump:
 
 def dumps(ended, name: str) -> list[Dump]:
     """The dumps of all frames of a form."""
-    result = ended[command("SHOW", f"{SHOWN[name].arguments} {name}")][0]
+    result = ended[command("SHOW", f"{SHOWN[name].arguments} {name}")]
     assert result.code == 0, result.output
     lines = [[int(n) for n in line.split()] for line in result.output.splitlines()]
     return [Dump((result.directory / f"{name}.{k}").read_bytes(), line[0], line[1],
@@ -242,41 +236,41 @@ def test_status_lines(ended):
 
 def test_machine_is_as_before(ended):
     """Memory, interrupts, DMA, view, vector and the beam's last line."""
-    for each, (_, before, after) in ended.items():
-        assert len(before.split()) == 7 and after == before, each
+    for each, found in ended.items():
+        assert not found.lost(), (each, found.lost())
 
 
 def test_return_codes(ended):
     for each, code in ENDINGS.items():
-        assert ended[each][0].code == code, (each, ended[each][0].output)
+        assert ended[each].code == code, (each, ended[each].output)
 
 
 def test_keys(ended):
     """Only pressed keys are returned, in order, 15 at most; mouse buttons are not keys. Ctrl-C is a
     signal."""
-    words = ended[command("KEYS", "0 32 32")][0].output.split()
+    words = ended[command("KEYS", "0 32 32")].output.split()
     assert [int(word) for word in words] == [0, 0x1000, 0x45, 0x33, *range(13)]
 
 
 def test_lists_are_shown_in_their_fields(ended):
     """A posted list waits for its field; one whose field is over is shown in the next."""
-    assert ended[command("POST", "0 32 32")][0].output == "1 0 1 11\n"
+    assert ended[command("POST", "0 32 32")].output == "1 0 1 11\n"
 
 
 def test_screens_one_after_the_other(ended):
     """The second screen fits in the first one's memory, the third does not."""
-    assert ended[command("AGAIN", "1 160 64")][0].output.split()[-1] == "10"
+    assert ended[command("AGAIN", "1 160 64")].output.split()[-1] == "10"
 
 
 def test_refusals(ended):
     planes = 16 * 320 * 256 // 8
     said = re.fullmatch(r"screen: not enough memory for planes and copper lists: (\d+) bytes of chip "
                         r"RAM; the largest free piece has (\d+)\n",
-                        ended[command("SHORT")][0].output)
+                        ended[command("SHORT")].output)
     assert planes < int(said[1]) < planes + 10_000 and int(said[2]) < 100_000
-    assert ended[command("REFUSED", "0 324 256")][0].output == \
+    assert ended[command("REFUSED", "0 324 256")].output == \
         "screen: the frame's width is not 8 to 320 in steps of 8\n"
-    assert ended[command("REFUSED", "0 320 257")][0].output == \
+    assert ended[command("REFUSED", "0 320 257")].output == \
         "screen: the frame's height is not 1 to 256\n"
 
 
