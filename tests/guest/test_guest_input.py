@@ -6,7 +6,8 @@ All bad files are read in one boot: scene files s0, s1, ..., plans p0, p1, ...
 
 import numpy as np
 
-from tests.compiler.scene_bad_files import bad_scenes, example, large_with
+from tests.compiler.scene_bad_files import bad_scenes, large_with
+from tests.compiler.scene_examples import example
 from tests.guest.plan_bad_files import bad_plans, good_plan
 from tmap.guest import emulator, guest_frames, kernels
 from tmap.model import model
