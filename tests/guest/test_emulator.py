@@ -1,7 +1,6 @@
 """How programs end on the emulated machine: crashes, hangs, and the state afterwards."""
 
 import re
-import shutil
 
 import pytest
 
