@@ -29,13 +29,11 @@ GOALS = {("affine_addx", "a1200-fast", 256): 17.0, ("affine_addx", "a1200-mixed"
 
 @pytest.fixture(scope="module")
 def found() -> dict:
-    """Every row on every machine, measured now."""
     return bench.bench(list(bench.CONDITIONS))
 
 
 @pytest.fixture(scope="module")
 def baseline() -> dict:
-    """The committed figures."""
     return json.loads(BASELINE.read_text())
 
 

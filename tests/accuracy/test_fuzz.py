@@ -150,7 +150,6 @@ def test_shrinking_ends_at_the_simplest() -> None:
     (["--count", "x"], "fuzz: argument --count: invalid int value: 'x'"),
     (["--machine", "z80"], "fuzz: argument --machine: invalid choice: 'z80'")])
 def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
-    """One line, status 2."""
     assert main(["fuzz", *arguments]) == 2
     assert complaint in capsys.readouterr().err
 

@@ -24,7 +24,6 @@ def dump(path, changes=(), size=(HEIGHT, WIDTH)):
 
 @pytest.fixture
 def two(tmp_path):
-    """Two equal dumps."""
     return dump(tmp_path / "a" / "frame_000.chunky"), dump(tmp_path / "b" / "frame_000.chunky")
 
 

@@ -48,7 +48,6 @@ def build(folder: Path, header: str = HEADER, names=("part/things.h",), others: 
 
 @pytest.fixture(scope="module")
 def built(tmp_path_factory):
-    """A directory with HEADER built."""
     folder = tmp_path_factory.mktemp("layout")
     assert build(folder, others="struct elsewhere { int x; }; enum { FAR = 1 };\n") == 0
     return folder
@@ -56,7 +55,6 @@ def built(tmp_path_factory):
 
 @pytest.fixture
 def made(built, monkeypatch):
-    """The layout of HEADER."""
     monkeypatch.setattr(paths, "LAYOUT", built / "out" / "layout.json")
     return layout.load()
 

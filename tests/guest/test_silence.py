@@ -71,7 +71,6 @@ def test_a_stuck_process_ends_by_the_clock(script: str) -> None:
 
 
 def test_a_sign_of_life_begins_anew() -> None:
-    """Time used before a sign of life does not count."""
     with shell(BUSY) as process:
         counted = Silence(process.pid, 0.3)
         for _ in range(5):

@@ -66,7 +66,6 @@ def test_every_page_can_be_found() -> None:
 
 
 def test_tables_replace_what_was_there() -> None:
-    """Only the text between the markers is replaced."""
     made = pages.with_tables({"a": table("one"), "b": "text"}, {"one": "| b |"})
     assert made == {"a": f"before\n{pages.BEGIN.format('one')}\n| b |\n{pages.END}\nbehind\n", "b": "text"}
 

@@ -10,7 +10,6 @@ from tmap.report import readme
 
 
 def test_picture_is_the_default_scenes() -> None:
-    """The frame shown is the one that is drawn."""
     compiled = scene.compile_scene(SCENES / "default.toml", 1)
     shown = np.asarray(Image.open(readme.PICTURE).convert("RGB"))
     assert np.array_equal(shown, compiled.palette[model.render(compiled, 0)]), (

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tmap.__main__ import main
 from tmap.accuracy.errors import Errors
 from tmap.base.errors import UserError
 from tmap.base.paths import ACCURACY_BASELINE, BASELINE, ROOT
@@ -210,7 +211,6 @@ def test_browser_notices_faults(tmp_path) -> None:
 
 
 def test_frontier_is_what_nothing_beats() -> None:
-    """Compared with every pair of rows."""
     rows = json.loads(ACCURACY_BASELINE.read_text())["rows"]
     for machine in ("a1200", "a1200-fast"):
         for name, best in pictures.frontiers(rows, machine).items():
@@ -246,8 +246,7 @@ def test_bad_input_is_one_line(out, scenes, words) -> None:
     assert "\n" not in str(told.value)
 
 
-def test_bad_machine_is_one_line() -> None:
-    """Status 2."""
-    done = subprocess.run([ROOT / "scripts" / "tmap", "report", "--machine", "a500"],
-                          capture_output=True, text=True)
-    assert done.returncode == 2 and done.stderr.count("\n") == 1 and "--machine" in done.stderr
+def test_bad_machine_is_one_line(capsys) -> None:
+    assert main(["report", "--machine", "a500"]) == 2
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1 and "--machine" in error

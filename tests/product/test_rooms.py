@@ -18,7 +18,6 @@ FILES = 25  # in a folder, without __init__.py
 
 
 def python(top: Path) -> list[Path]:
-    """All Python files below a folder."""
     return sorted(top.rglob("*.py"))
 
 
@@ -69,7 +68,6 @@ def test_rooms_use_those_above(tree: str) -> None:
 
 @pytest.mark.parametrize("tree", GRAPHS)
 def test_no_file_uses_itself_through_others(tree: str) -> None:
-    """The graph of files has no circle."""
     found = circle(GRAPHS[tree][2])
     assert not found, ", ".join(str(file.relative_to(ROOT)) for file in found)
 

@@ -235,7 +235,6 @@ def test_status_lines(ended):
 
 
 def test_machine_is_as_before(ended):
-    """Memory, interrupts, DMA, view, vector and the beam's last line."""
     for each, found in ended.items():
         assert not found.lost(), (each, found.lost())
 
