@@ -35,16 +35,14 @@ RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
 KEPT = RACE, EDGES, PERSPECTIVE, POSTER, MIRROR
 BUSY = "display 8 0 320 256"  # tests/guest/display.c
 KEY_FIELDS = 30  # of KEYS: cursor left, space, escape released, space, escape, one each so many
-PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
-PANE = re.compile(r"pane (\d+) pictures (\d+) ticks (\d+) used (\d+)")
-FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) excluded (\d+) lines (\d+)")
+NUMBER = re.compile(r"\b(\w+) (\d+)")
 
 
 class Played:
     """A part of the demo, as logged with LOG."""
 
-    def __init__(self, line: re.Match):
-        self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
+    def __init__(self, frames: int, fields: int, step: int, **_):
+        self.frames, self.fields, self.step = frames, fields, step
         self.panes = []  # pictures, ticks, used
         self.each = []  # step from 1, fields, work, excluded, lines
 
@@ -53,14 +51,12 @@ def read(output: str) -> dict[int, Played]:
     """Parses the demo's output into parts."""
     parts = {}
     for line in output.splitlines():
-        if match := PART.fullmatch(line):
-            part = parts[int(match[1])] = Played(match)
-        elif match := PANE.fullmatch(line):
-            part.panes.append([int(n) for n in match.groups()[1:]])
-        elif match := FRAME.fullmatch(line):
-            part.each.append([int(n) for n in match.groups()[1:]])
+        found = [(name, int(value)) for name, value in NUMBER.findall(line)]
+        kind, numbers = found[0][0], [value for _, value in found]
+        if kind == "part":
+            part = parts[numbers[0]] = Played(**dict(found[1:5]))
         else:
-            pytest.fail(f"demo: {line!r} is no line of its log")
+            {"pane": part.panes, "frame": part.each}[kind].append(numbers[1:])
     return parts
 
 
