@@ -1,6 +1,5 @@
 """``tmap run`` from end to end: the emulated machine's frames, and errors."""
 
-import itertools
 import json
 import subprocess
 
@@ -18,7 +17,6 @@ from tmap.guest import emulator
 from tmap.guest.emulator import CYCLES_PER_TICK
 from tmap.model import model
 from tmap.run import run
-from tmap.scene_file.scene_file import SETTINGS
 
 SMALL = """\
 title = "A wall and a sign"
@@ -124,6 +122,11 @@ def test_run_json(folder, out):
         assert totals[key] == sum(frame[key] for frame in frames)
     assert totals["cycles_per_pixel"] == round(totals["cycles"] / totals["pixels"], 3)
     assert sum(totals["spans"].values()) == totals["pixels"]
+    lowering = about["lowering"]
+    assert list(lowering) == ["red", "wall"] and lowering["wall"]["asked"] == {
+        "mapper": "affine", "edges": "subpixel", "gradients": "plane", "start": "subtexel",
+        "clip": "scissor", "perspective": "none", "tolerance": 0}
+    assert totals["pixels"] == sum(sum(each["spans"].values()) for each in lowering.values())
 
 
 def test_pixel_counts_are_the_models(counted):
@@ -190,42 +193,6 @@ def test_default_scene_through_the_script(tmp_path):
     assert dumps(out) == [model.render(scene, number).tobytes() for number in range(2)]
     assert names(out) == ["animation.gif", "frame_000.chunky", "frame_000.png", "frame_001.chunky",
                           "frame_001.png", "frame_notes.png", "mine.txt", "run.json"]
-
-
-def every_setting() -> str:
-    """One frame for each combination of settings: a triangle larger than the frame, with a small
-    map that repeats, and a flat one."""
-    text = SMALL[:SMALL.index("[textures]")] + """[textures]
-wall = {image = "wall.png", width = 32, height = 16}
-[materials]
-"""
-    objects, choices = "", {kind: SETTINGS[kind] for kind in SETTINGS
-                            if kind not in ("mapper", "perspective")}
-    for number, names in enumerate(itertools.product(*choices.values())):
-        settings = ", ".join(f'{kind} = "{name}"' for kind, name in zip(choices, names))
-        text += f'm{number} = {{texture = "wall", {settings}}}\n'
-        text += f'f{number} = {{colour = "#ff0000", {settings}}}\n'
-        for kind, radius, map_radius in (("m", 47.3, 700), ("f", 9.7, 0)):
-            objects += (f'[[objects]]\nmaterial = "{kind}{number}"\nsides = 3\nradius = {radius}\n'
-                        f"map_radius = {map_radius}\nangle = {7 * number}\ncentre = [33.4, 25.7]\n"
-                        f"first = {number}\nlast = {number}\n")
-    return text.replace("frames = 3", f"frames = {number + 1}") + objects
-
-
-def test_every_setting_is_the_models(folder):
-    """Each combination is drawn as the model does, and some pictures differ."""
-    (folder / "settings.toml").write_text(every_setting())
-    out = folder / "out" / "settings"
-    assert main(["run", str(folder / "settings.toml"), "-o", str(out)]) == 0
-    scene = compile_scene(folder / "settings.toml")
-    expected = [model.render(scene, number).tobytes() for number in range(scene.frames)]
-    assert scene.frames == 36 and dumps(out) == expected
-    lowering = json.loads((out / "run.json").read_text())["lowering"]
-    assert len(lowering) == 72 and lowering["m0"]["asked"] == {
-        "mapper": "affine", "edges": "integer", "gradients": "scanline", "start": "truncated",
-        "clip": "scissor", "perspective": "none", "tolerance": 0}
-    pixels = sum(sum(each["spans"].values()) for each in lowering.values())
-    assert pixels == json.loads((out / "run.json").read_text())["totals"]["pixels"]
 
 
 def test_frames_of_16_bits(folder):

@@ -173,23 +173,17 @@ def test_sets_take_turns(ended, name):
 
 
 @pytest.mark.parametrize("name", SHOWN)
-def test_all_colours(ended, palette, name):
-    """All 256 colours of 24 bits; for HAM8 the colour with which lines begin."""
+def test_colours_and_time_of_the_list(ended, palette, name):
+    """All 256 colours of 24 bits; for HAM8 the colour with which lines begin. The list is through
+    before the picture begins, even if it is started as late as allowed."""
     for dump in dumps(ended, name):
-        found = dump.regions[0].palette
+        above, below, *_ = dump.regions
         if SHOWN[name].colours:
-            assert (found[0] == 2).all()
+            assert (above.palette[0] == 2).all()
         else:
-            assert (found == palette[:, 1:]).all()
-
-
-@pytest.mark.parametrize("name", SHOWN)
-def test_list_is_through_before_the_picture_begins(ended, name):
-    """Even if the list is started as late as allowed."""
-    for dump in dumps(ended, name):
-        lines = dump.regions[0].moves * copper_lists.MOVE / copper_lists.LINE
-        assert LAST_START + 1 + lines < TOP
-        assert dump.regions[1].line == BOTTOM
+            assert (above.palette == palette[:, 1:]).all()
+        lines = above.moves * copper_lists.MOVE / copper_lists.LINE
+        assert LAST_START + 1 + lines < TOP and below.line == BOTTOM
 
 
 def test_half_frames_show_colours(ended, pixels):
@@ -251,13 +245,10 @@ def test_keys(ended):
     assert [int(word) for word in words] == [0, 0x1000, 0x45, 0x33, *range(13)]
 
 
-def test_lists_are_shown_in_their_fields(ended):
-    """A posted list waits for its field; one whose field is over is shown in the next."""
+def test_lists_and_screens(ended):
+    """A posted list waits for its field; one whose field is over is shown in the next. A second
+    screen fits in the first one's memory, a third does not."""
     assert ended[command("POST", "0 32 32")].output == "1 0 1 11\n"
-
-
-def test_screens_one_after_the_other(ended):
-    """The second screen fits in the first one's memory, the third does not."""
     assert ended[command("AGAIN", "1 160 64")].output.split()[-1] == "10"
 
 
@@ -267,10 +258,9 @@ def test_refusals(ended):
                         r"RAM; the largest free piece has (\d+)\n",
                         ended[command("SHORT")].output)
     assert planes < int(said[1]) < planes + 10_000 and int(said[2]) < 100_000
-    assert ended[command("REFUSED", "0 324 256")].output == \
-        "screen: the frame's width is not 8 to 320 in steps of 8\n"
-    assert ended[command("REFUSED", "0 320 257")].output == \
-        "screen: the frame's height is not 1 to 256\n"
+    for size, words in (("324 256", "width is not 8 to 320 in steps of 8"),
+                        ("320 257", "height is not 1 to 256")):
+        assert ended[command("REFUSED", f"0 {size}")].output == f"screen: the frame's {words}\n"
 
 
 def test_machine_without_aga(programs, tmp_path, monkeypatch):
