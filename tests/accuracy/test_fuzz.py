@@ -15,11 +15,9 @@ from tmap.__main__ import main
 from tmap.base import paths
 from tmap.base.errors import UserError
 from tmap.base.silence import Silence
-from tmap.build import layout
 from tmap.corpus import hard_cases
 from tmap.fuzz import fuzz, polygons as fuzz_polygons, shrink
-from tmap.guest import emulator, guest_frames
-from tmap.run import run
+from tmap.guest import guest_frames
 from tmap.scene_file import scene_file
 from tmap.setup import edges
 
@@ -33,17 +31,6 @@ def test_a_fixed_slice_holds() -> None:
     assert found.polygons == COUNT and found.drawn > COUNT / 2 and found.refused > COUNT / 100
     assert found.judged > COUNT / 3 and found.coverage_errors["exact"] == 0
     assert set(found.worst) == set(scene_file.MAPPERS[1])
-
-
-def test_digests_are_those_of_the_dumps(tmp_path) -> None:
-    """The guest's digest is that of the frame it dumps when run without DIGEST."""
-    scene = fuzz_polygons.scene(SEED, 0, [fuzz_polygons.polygon(SEED, k) for k in range(5)])
-    commands = ["render it.scene", "render it.scene DIGEST it.digest"]
-    done = emulator.run_many(commands, {"it.scene": scene_file.write(scene)}, fuzz.MACHINE, tmp_path)
-    volume = done[0].directory
-    digests = np.fromfile(volume / "it.digest", layout.load().struct("frame_digest").dtype)
-    for number, (frame, digest) in enumerate(zip(run.load_dumps(volume, scene), digests, strict=True)):
-        assert guest_frames.is_models(frame, digest) and digest["ticks"] > 0, f"seed {SEED}, polygon {number}"
 
 
 def test_digests_tell_frames_apart() -> None:
