@@ -52,17 +52,13 @@ def test_digests_tell_frames_apart() -> None:
     assert len({guest_frames.digest_of(frame) for frame in moved}) == len(moved)
 
 
-def wrong_ceil(edge, line: int) -> int:
-    """Leaves out a pixel whose centre is on the edge."""
-    return (edge.at(line) >> 16) + 1
-
-
 def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
-    """The model itself is made wrong here: the first difference is reduced, printed with all
-    details, and kept. Each round of reduction takes one boot, as drawing the polygons does."""
+    """The model leaves out pixels whose centre is on the edge: the first difference is
+    reduced, printed with all details, and kept. Each round of reduction takes one boot, as drawing
+    the polygons does."""
     boots, draw = [], guest_frames.draw
     monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
-    monkeypatch.setattr(edges.Edge, "column", wrong_ceil)
+    monkeypatch.setattr(edges.Edge, "column", lambda edge, line: (edge.at(line) >> 16) + 1)
     monkeypatch.setattr(shrink, "ROUNDS", 3)
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
     monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(

@@ -55,7 +55,8 @@ def test_value_is_what_interpolated_shares_give() -> None:
             if sum(shares) <= 0:
                 continue
             for key, curve in zip((2, 3), curves):
-                assert curve.at(x, y) == sum(s * v[key] for s, v in zip(shares, three)) / sum(shares)
+                exact = sum(s * v[key] for s, v in zip(shares, three)) / sum(shares)
+                assert curve.at(x, y) == exact
                 seen += 1
         nearness = {Fraction(curves[0].terms(*p[:2])[1]) * p[4] for p in three}
         assert len(nearness) == 1 and nearness.pop() > 0 and perspective.in_front(three)

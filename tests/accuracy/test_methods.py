@@ -37,9 +37,9 @@ def test_frames_and_errors(found, name: str) -> None:
 
 
 def test_each_method_is_as_exact_as_it_says(found) -> None:
-    """Affine methods are off by tens of texels, pieces by their chord errors, division at each pixel
-    by 1/16 texel (lines by tables are raised by the 1/32 that they may fall short by) and 1/128 at
-    most; what is more exact takes longer."""
+    """Affine methods are off by tens of texels, pieces by their chord errors, division at each
+    pixel by 1/16 texel (lines by tables are raised by the 1/32 that they may fall short by) and
+    1/128 at most; what is more exact takes longer."""
     errors = {name: m.errors.worst for name, m in found.items()}
     assert min(errors[n] for n in errors if n.startswith(("2", "3", "affine"))) > 20
     assert errors["every 16 pixels"] > 2 * errors["every 8 pixels"] > 4 * errors["1: each pixel"]

@@ -18,8 +18,8 @@ def noise(width: int, height: int) -> np.ndarray:
 
 
 def sums(picture: np.ndarray, taps: np.ndarray, wrap: bool) -> np.ndarray:
-    """Each texel of half the columns: the sum of taps over the texels around it. Beyond the ends the
-    map is repeated, or its border is. One column stays."""
+    """Each texel of half the columns: the sum of taps over the texels around it. Beyond the ends
+    the map is repeated, or its border is. One column stays."""
     width = picture.shape[1]
     if width == 1:
         return picture

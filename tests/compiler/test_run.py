@@ -196,7 +196,7 @@ def test_default_scene_through_the_script(tmp_path):
 
 
 def test_frames_of_16_bits(folder):
-    """An empty scene: background, dump, pictures and run.json."""
+    """An empty scene, in which one colour is right: background, dump, pictures and run.json."""
     text = SMALL.replace("frames = 3", "frames = 2\nformat = \"rgb565\"").replace(
         'wall.texture = "wall"', 'wall = {texture = "wall", mapper = "columns"}')
     (folder / "wide.toml").write_text(text.replace("centre = [", "centre = [500, 500]\nmove = ["))
@@ -320,10 +320,3 @@ def test_dumps_that_do_not_match_the_plan(folder, tmp_path):
                 (tmp_path / f"frame_{number:03}.chunky").write_bytes(frame.tobytes())
         with pytest.raises(UserError, match=message):
             run.load_dumps(tmp_path, scene)
-
-
-def test_one_colour_where_nothing_is_to_be_seen(folder, tmp_path):
-    (folder / "far.toml").write_text(SMALL.replace("centre = [", "centre = [500, 500]\nmove = ["))
-    scene = compile_scene(folder / "far.toml", 1)
-    (tmp_path / "frame_000.chunky").write_bytes(bytes([scene.background]) * 64 * 48)
-    assert len(run.load_dumps(tmp_path, scene)) == 1

@@ -72,8 +72,8 @@ def files(tmp_path_factory) -> dict[str, bytes | Path]:
     for _ in range(3):
         questions.add("HASH")
     huge = scene(1024, 1024, format="rgba8888")
-    return {name: PROGRAMS / name for name in ("render", "bench", "measure", "vectors")} | scenes_alone(
-        folder, three=scene(), huge=huge) | {
+    programs = {name: PROGRAMS / name for name in ("render", "bench", "measure", "vectors")}
+    return programs | scenes_alone(folder, three=scene(), huge=huge) | {
         "good": scene_file.write(scene()), "long": scene_file.write(scene(frames=200)),
         "refused": scene_file.write(refused()), "broken": b"TMAPTMAP",
         "large": scene_file.write(huge), "wide": scene_file.write(scene(640, 400, 9)),

@@ -1,4 +1,4 @@
-"""Runs programs by tests/guest/citizen.s, which prints the machine's state before and after each."""
+"""Runs programs by tests/guest/citizen.s, which prints the machine's state before and after."""
 
 from dataclasses import dataclass
 from pathlib import Path

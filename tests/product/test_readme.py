@@ -1,4 +1,4 @@
-"""The pictures of the pages are what the tree draws; tests/accuracy/test_methods.py has one more."""
+"""The pages' pictures are what the tree draws; tests/accuracy/test_methods.py has one more."""
 
 import numpy as np
 from PIL import Image

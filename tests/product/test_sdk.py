@@ -253,8 +253,8 @@ def test_headers_compile_alone(kit, tmp_path, compiler):
     for path in sorted(include.rglob("*.h")):
         source = tmp_path / "header.c"
         source.write_text(f'#include "{path.relative_to(include)}"\n')
-        call = [compiler, *COMPILERS[compiler], f"-I{include}", f"{output}{tmp_path / 'out.s'}", source]
-        done = subprocess.run(call, capture_output=True, text=True)
+        done = subprocess.run([compiler, *COMPILERS[compiler], f"-I{include}", source,
+                               f"{output}{tmp_path / 'out.s'}"], capture_output=True, text=True)
         assert done.returncode == 0, f"{path}: {done.stdout}{done.stderr}"
 
 

@@ -88,8 +88,8 @@ def ended(programs, pixels, palette, tmp_path_factory) -> dict[str, citizen.Ende
     files = {"palette": palette.tobytes(), "display": programs / "display"} | {
         name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in pixels.items()}
     # Two at first: the system frees all it can, and allocates what it needs on first use.
-    commands = [command("AGAIN"), *(command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()),
-                *ENDINGS]
+    shows = [command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()]
+    commands = [command("AGAIN"), *shows, *ENDINGS]
     found = citizen.run([(0, each) for each in commands], files, MACHINE,
                         tmp_path_factory.mktemp("run"), command("SHORT"))
     return dict(zip(commands[1:], found[1:]))
