@@ -15,7 +15,7 @@ LONGEST = """polygon/polygons accuracy/bench kernels/kernels guest/guest_input
     glide/scenes accuracy/fuzz screen/show n64/vectors mesh/meshes n64/scenes compiler/run
     mesh/hard_meshes product/scene_program accuracy/accuracy polygon/mappers product/disk
     screen/demo accuracy/showcase polygon/hosts n64/modes glide/adds accuracy/bounds
-    polygon/borders product/pages product/readme accuracy/properties accuracy/methods
+    polygon/borders product/pages accuracy/properties accuracy/methods
     kernels/kernel_checker product/report glide/modes accuracy/polys n64/decode glide/downloads
     n64/model n64/core guest/emulator guest/ntsc polygon/still_steps guest/citizen""".split()
 RANKS = {name: rank for rank, name in enumerate(LONGEST)}
