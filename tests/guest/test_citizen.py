@@ -85,6 +85,8 @@ def files(tmp_path_factory) -> dict[str, bytes | Path]:
 #: How, command line, return code, beginning of the last line of output, files that must not exist.
 ENDINGS = [
     (0, "render good", 0, "frame 2 ticks"),
+    (0, "render good COUNT", 0, ""),
+    (0, "render good FORM c CHIP", 0, "frame 2 ticks"),
     (0, "render refused", 5, "render: not all could be drawn: a vertex is out of range"),
     (0, "render", 10, USAGE),
     (0, "render good FORM mmx", 10, "render: FORM: not one of addx, swap, c"),

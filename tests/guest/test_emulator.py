@@ -33,8 +33,8 @@ def trouble(name: str) -> str:
 
 
 KERNEL = "bench kernels out"
-#: The last one twice: each has an open file in the table's first slot.
-ENDED = [*map(trouble, CRASHES), trouble("quiet_loop"), KERNEL]
+#: quiet_loop twice: each has an open file in the table's first slot. The last is loaded once.
+ENDED = [*map(trouble, CRASHES), trouble("quiet_loop"), KERNEL, "many trouble 90"]
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +50,8 @@ def ended(programs, tmp_path_factory) -> dict[str, Ended]:
     """Every crash in one boot, by command."""
     by_zero = Case("mul_div", registers={"d0": 1, "d1": 1, "a0": 0})
     files = {"trouble": programs / "trouble", "bench": PROGRAMS / "bench",
-             "kernels": kernels.plan([by_zero])}
+             "kernels": kernels.plan([by_zero]), "90.run": "".join(
+                 f"{TROUBLES.index(name)}\n" for name in ("quiet_illegal", "quiet_loop")).encode()}
     return dict(zip(ENDED, citizen.run([(0, line) for line in ENDED], files, "a1200",
                                        tmp_path_factory.mktemp("run"), "bench")))
 
@@ -80,6 +81,8 @@ def test_everything_is_given_back(ended):
     """However a program ended; a file that was open leaves the table's first slot free."""
     for command, found in ended.items():
         assert not found.lost(), (command, found.lost())
+    codes = [emulator.read(found.directory / f"{number}.code").strip() for number in (90, 91)]
+    assert codes == ["20", "20"]
     for name in ("quiet_illegal", "quiet_loop"):
         assert ended[trouble(name)].output.startswith("1\n"), name
 
