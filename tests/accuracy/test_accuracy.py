@@ -71,22 +71,6 @@ def test_every_combination_has_a_row(medium: list[dict]) -> None:
         medium, model.Settings("integer", "polygon", "truncated"))["texel_error_rms"] / 100
 
 
-def test_gouraud_keeps_the_range_of_its_vertices() -> None:
-    """No pixel has a shade outside the vertices' range, in any set."""
-    settings, pixels = model.Settings("subpixel", "plane", "subtexel", mapper="gouraud"), 0
-    for name in polygon_sets.SHAPES:
-        for vertices in polygon_sets.polygons(name):
-            polygon = model.set_up(model.adapt(vertices, settings, 256), polygon_sets.WIDTH,
-                                   polygon_sets.HEIGHT, True, settings)
-            shades = [v[4] >> 16 for v in vertices]
-            for line in polygon.lines if polygon else []:
-                if line.right > line.left:
-                    found = model.coordinates(line)[0] >> 16
-                    assert min(shades) <= found.min() and found.max() <= max(shades), name
-                    pixels += len(found)
-    assert pixels > 1000 * polygon_sets.COUNT
-
-
 def test_errors_are_the_exact_ones() -> None:
     """Lines with known errors: half a texel in u at each pixel; then three quarters, with no wrong
     texel; then a quarter across a border, with every texel wrong."""

@@ -15,7 +15,7 @@ from tmap.ideal import bounds
 from tmap.model import model
 from tmap.model.model import Settings
 from tmap.scene_file import textures
-from tmap.setup import edges as model_edges, polygon as model_polygon, spans, texturing
+from tmap.setup import polygon as model_polygon, spans
 
 WIDTH, HEIGHT = 320, 256
 ALL = [Settings(edges, gradients, start) for edges, gradients, start in itertools.product(
@@ -57,43 +57,6 @@ def test_every_mapper_keeps_its_bound(mapper: str) -> None:
         assert not found.complaint, (settings, found.complaint)
         ratios.append(found.texel_ratio)
     assert 0.9 < max(ratios) <= bounds.FLOAT, ratios
-
-
-def cut(bits: int):
-    """Returns a quotient that keeps only ``bits`` fraction bits of a 32.32 gradient."""
-    def quotient(n: int, d: int) -> int:
-        return (n << 32) // d >> 32 - bits << 32 - bits
-    return quotient
-
-
-#: Defects: (module or class, name, replacement).
-WRONG = {
-    "ceil off by one": (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1 + (y & 1)),
-    "a pixel centre belongs to its left edge's outside":
-        (model_edges.Edge, "column", lambda e, y: (e.at(y) >> 16) + 1),
-    "wrong fill rule": (model_edges.Edge, "column", lambda e, y: e.at(y) + 0x8000 >> 16),
-    "missing prestep": (model_edges.Edge, "at",
-                        lambda e, y: e.upper[0] + (y - e.top) * e.slope),
-    "drift of an edge": (model_edges.Edge, "slope", property(lambda e: (
-        (e.lower[0] - e.upper[0] << 8) // max(e.lower[1] - e.upper[1], 1) << 8))),
-    "truncated gradient": (texturing, "quotient", cut(8)),
-    "drift of a span": (texturing, "step", lambda g, spare: g >> 24 << 8),
-    "missing sub-texel start": (texturing, "on_plane", lambda t, column, line: (
-        t.u + (column - t.i) * t.dudx + (line - t.j) * t.dudy + (t.dudx >> 1),
-        t.v + (column - t.i) * t.dvdx + (line - t.j) * t.dvdy + (t.dvdx >> 1))),
-}
-
-
-@pytest.mark.parametrize("wrong", WRONG)
-def test_a_wrong_renderer_is_caught(wrong: str, monkeypatch) -> None:
-    """Each defect exceeds a bound on ordinary triangles, under the usual settings."""
-    where, name, replacement = WRONG[wrong]
-    snapped = [[(x + 0x8000 & ~0xFFFF, y + 0x8000 & ~0xFFFF, *rest) for x, y, *rest in p]
-               for p in triangles(10)]
-    polygons = triangles(20) + snapped
-    assert not worst(Settings(), polygons).complaint
-    monkeypatch.setattr(where, name, replacement)
-    assert worst(Settings(), polygons).complaint
 
 
 def carried(right):

@@ -15,11 +15,9 @@ from tmap.__main__ import main
 from tmap.base import paths
 from tmap.base.errors import UserError
 from tmap.base.silence import Silence
-from tmap.build import layout
 from tmap.corpus import hard_cases
 from tmap.fuzz import fuzz, polygons as fuzz_polygons, shrink
-from tmap.guest import emulator, guest_frames
-from tmap.run import run
+from tmap.guest import guest_frames
 from tmap.scene_file import scene_file
 from tmap.setup import edges
 
@@ -34,17 +32,6 @@ def test_a_fixed_slice_holds() -> None:
     assert n["polygons"] == COUNT and n["drawn"] > COUNT / 2 and n["refused"] > COUNT / 100
     assert n["judged"] > COUNT / 3 and found.coverage_errors["exact"] == 0
     assert set(found.worst) == set(scene_file.MAPPERS[1])
-
-
-def test_digests_are_those_of_the_dumps(tmp_path) -> None:
-    """The guest's digest is that of the frame it dumps when run without DIGEST."""
-    scene = fuzz_polygons.scene(SEED, 0, [fuzz_polygons.polygon(SEED, k) for k in range(5)])
-    commands = ["render it.scene", "render it.scene DIGEST it.digest"]
-    done = emulator.run_many(commands, {"it.scene": scene_file.write(scene)}, fuzz.MACHINE, tmp_path)
-    volume = done[0].directory
-    digests = np.fromfile(volume / "it.digest", layout.load().struct("frame_digest").dtype)
-    for number, (frame, digest) in enumerate(zip(run.load_dumps(volume, scene), digests, strict=True)):
-        assert guest_frames.is_models(frame, digest) and digest["ticks"] > 0, f"seed {SEED}, polygon {number}"
 
 
 def test_digests_tell_frames_apart() -> None:
@@ -66,17 +53,13 @@ def test_digests_tell_frames_apart() -> None:
     assert len({guest_frames.digest_of(frame) for frame in moved}) == len(moved)
 
 
-def wrong_ceil(edge, line: int) -> int:
-    """Leaves out a pixel whose centre is on the edge."""
-    return (edge.at(line) >> 16) + 1
-
-
 def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> None:
-    """The model itself is made wrong here: the first difference is reduced, printed with all
-    details, and kept. Each round of reduction takes one boot, as drawing the polygons does."""
+    """The model leaves out pixels whose centre is on the edge: the first difference is
+    reduced, printed with all details, and kept. Each round of reduction takes one boot, as drawing
+    the polygons does."""
     boots, draw = [], guest_frames.draw
     monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
-    monkeypatch.setattr(edges.Edge, "column", wrong_ceil)
+    monkeypatch.setattr(edges.Edge, "column", lambda edge, line: (edge.at(line) >> 16) + 1)
     monkeypatch.setattr(shrink, "ROUNDS", 3)
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
     monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(
@@ -151,7 +134,6 @@ def test_shrinking_ends_at_the_simplest() -> None:
     (["--count", "x"], "fuzz: argument --count: invalid int value: 'x'"),
     (["--machine", "z80"], "fuzz: argument --machine: invalid choice: 'z80'")])
 def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
-    """One line, status 2."""
     assert main(["fuzz", *arguments]) == 2
     assert complaint in capsys.readouterr().err
 

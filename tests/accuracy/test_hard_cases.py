@@ -13,7 +13,6 @@ from dataclasses import replace
 from itertools import groupby
 from math import ceil
 
-import numpy as np
 import pytest
 from PIL import Image
 
@@ -23,8 +22,7 @@ from tmap.build import layout
 from tmap.corpus import hard_cases, hard_meshes, hard_planes
 from tmap.corpus.hard_case import FAR
 from tmap.corpus.hard_cases import HEIGHT, WIDTH, Case
-from tmap.ideal import bounds_perspective, ideal, perspective
-from tmap.model import model
+from tmap.ideal import ideal
 from tmap.scene_file import scene_file
 
 CASES = hard_cases.cases()
@@ -81,50 +79,6 @@ def test_page_shows_every_case(tmp_path, monkeypatch) -> None:
     assert "1 exceed a bound" in hard_report.page(rows, "")
 
 
-def check_borders(case: Case, part, settings: model.Settings, wrong: list[tuple]) -> int:
-    """Asserts that each wrong pixel (y, x, expected, found) is as near to a texel's border as its
-    bound; returns their number."""
-    vertices = model.adapt(part, settings, 256)
-    polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
-    t = polygon.texturing if polygon else None
-    three = [vertices[k] for k in ideal.corners(vertices)]
-    if polygon and polygon.perspective:
-        made = perspective.curves(vertices)
-        allowed = {(key, y): bound for key, y, *_, bound
-                   in bounds_perspective.line_errors(vertices, polygon)}
-    for y, x, expected, found in wrong:
-        near = []
-        for k, key in ((2, "u"), (3, "v")):
-            if t:
-                curve = ideal.Plane([p[:2] for p in three], [p[k] for p in three])
-                bound = curve.bound(x, y, t, t.cuts[k - 2])
-            else:
-                curve, bound = made[k - 2], allowed[key, y]
-            u = curve.at(x << 16, y << 16) / 65536
-            near.append(abs(u - round(u)) <= bound)
-        assert any(near), (f"{case.name}: pixel ({x}, {y}): expected {expected}, found "
-                           f"{found}, and no texel's border is as near as the bound")
-    return len(wrong)
-
-
-def test_pictures_differ_at_texel_borders_alone() -> None:
-    """The drawn picture has the ideal's outline. It shows another texel only where the exact u or v
-    is as near to a texel's border as its bound."""
-    shown, different = 0, 0
-    for case in CASES[::3]:
-        exact, ours = hard_report.both(case)
-        settings = hard_report.shown(case)
-        if exact is None or settings.mapper != "affine":
-            continue
-        assert np.array_equal(exact < 0, ours < 0), case.name
-        shown += np.count_nonzero(exact >= 0)
-        for part in model.parts(case.vertices, settings):
-            inside = ideal.coverage(part, WIDTH, HEIGHT) > 0
-            wrong = np.argwhere((exact != ours) & inside).tolist()
-            different += check_borders(case, part, settings, [(y, x, exact[y, x], ours[y, x]) for y, x in wrong])
-    assert shown > 100_000 and different > 0
-
-
 def test_names_say_which_case_it_is() -> None:
     """Names are unique and in snake_case; each case has one sentence."""
     names = [case.name for case in CASES]
@@ -134,19 +88,11 @@ def test_names_say_which_case_it_is() -> None:
         assert re.fullmatch(r"[A-Z0-9](?:[^.\n]|\.\d)*\.", case.sentence), case.sentence
 
 
-def test_every_family_is_there() -> None:
-    """Each kind of outline, texture and depth has a family, and together they cover every
+def test_families() -> None:
+    """Each kind of outline, texture and depth has some cases, and together they cover every
     mapper."""
     families = {family.__name__: len(list(family())) for family in hard_cases.FAMILIES}
-    assert families.keys() == {
-        "slivers", "needles", "without_area", "repeated_vertices", "inside_one_pixel",
-        "collinear_vertices", "on_centres", "level_edges", "between_lines", "slopes", "sizes",
-        "off_screen", "at_the_border", "vertex_counts", "windings", "nearly_concave", "long_edges",
-        "far_outside", "on_texel_borders", "gradients", "mirrored", "seams", "repeats",
-        "up_to_the_last_texel", "shades", "long_spans", "map_sizes", "uneven", "hardly_even",
-        "horizons", "near_planes", "ratios", "grazing", "hardly_deep", "constant_depths", "one_apart",
-        "deep_slivers", "deep_sizes", "far_textures", "constant_texels", "vanishing", "in_space"}
-    assert min(families.values()) >= 5
+    assert len(families) == len(hard_cases.FAMILIES) > 40 and min(families.values()) >= 5, families
     assert {m for case in CASES for m in case.mappers} == set(scene_file.MAPPERS[1])
 
 

@@ -1,50 +1,66 @@
-"""The turning face by the note's three methods: their errors, drawn on the machine."""
+"""The turning face by the note's three methods: their errors, drawn on the machine, and their
+picture."""
 
-from dataclasses import replace
+import json
 
 import numpy as np
+import pytest
 from PIL import Image
 
 from tmap.accuracy import methods
 from tmap.ideal import bounds
 from tmap.model import model
 from tmap.model.mesh import polygons_at
+from tmap.report import readme
 
 
-def test_each_method_is_as_exact_as_it_says(monkeypatch, tmp_path) -> None:
-    """The frames are the model's. Affine methods are off by tens of texels, pieces by their chord
-    errors and the derived bounds, division at each pixel by 1/16 texel (lines by tables are raised
-    by the 1/32 that they may fall short by) and 1/128 at most."""
-    whole = methods.scene_of
+@pytest.fixture(scope="module")
+def found() -> dict[str, methods.Method]:
+    return {m.name: m for m in methods.measure("a1200-fast")}
 
-    def short(settings):
-        scene = whole(settings)
-        return replace(scene, frames=methods.SHOWN + 1)
 
-    monkeypatch.setattr(methods, "scene_of", short)
-    found = {m.name: m for m in methods.measure("a1200-fast")}
-    for name, settings in methods.METHODS.items():
-        scene = short(settings)
-        expected = scene.palette[np.stack([model.render(scene, k) for k in range(scene.frames)])]
-        assert np.array_equal(found[name].frames, expected), name
+@pytest.mark.parametrize("name", methods.METHODS)
+def test_frames_and_errors(found, name: str) -> None:
+    """The frames are the model's. Errors are within the derived bounds."""
+    settings = methods.METHODS[name]
+    scene, total = methods.scene_of(settings), bounds.Verdict()
+    expected = scene.palette[np.stack([model.render(scene, k) for k in range(scene.frames)])]
+    assert np.array_equal(found[name].frames, expected)
+    if settings.perspective == "none":
+        return
+    for number in range(scene.frames):
+        for which, vertices in polygons_at(scene, number):
+            polygon = model.prepare_polygon(scene, which, vertices)
+            total.merge(bounds.judge_set_up(model.adapt(vertices, settings, 256), polygon, settings,
+                                            scene.width, scene.height, (256, 256)))
+    assert not total.complaint and found[name].errors.worst <= total.texel_error + 2**-24
+
+
+def test_each_method_is_as_exact_as_it_says(found) -> None:
+    """Affine methods are off by tens of texels, pieces by their chord errors, division at each
+    pixel by 1/16 texel (lines by tables are raised by the 1/32 that they may fall short by) and
+    1/128 at most; what is more exact takes longer."""
     errors = {name: m.errors.worst for name, m in found.items()}
     assert min(errors[n] for n in errors if n.startswith(("2", "3", "affine"))) > 20
     assert errors["every 16 pixels"] > 2 * errors["every 8 pixels"] > 4 * errors["1: each pixel"]
     assert errors["1: each pixel"] < 1 / 16 and errors["each pixel, fine"] < 1 / 128
-    for name, settings in methods.METHODS.items():
-        scene, total = short(settings), bounds.Verdict()
-        for number in range(scene.frames if settings.perspective != "none" else 0):
-            for which, vertices in polygons_at(scene, number):
-                polygon = model.prepare_polygon(scene, which, vertices)
-                total.merge(bounds.judge_set_up(model.adapt(vertices, settings, 256), polygon, settings,
-                                                scene.width, scene.height, (256, 256)))
-        assert not total.complaint, name
-        assert settings.perspective == "none" or errors[name] <= total.texel_error + 2**-24, name
     for ladder in (("every 16 pixels", "every 8 pixels"), ("1: each pixel", "each pixel, fine")):
         cycles = [found[n].cycles for n in ("affine, from the plane", *ladder)]
         assert cycles == sorted(cycles)
-    methods.write_picture(list(found.values()), tmp_path / "methods.png")
-    methods.write_animation(list(found.values()), tmp_path / "methods.gif")
-    assert len(methods.table(list(found.values()), "a1200").splitlines()) == 2 + len(found)
+
+
+def test_pictures(found, tmp_path) -> None:
+    """The page's picture shows the current frames; so do the cycles and errors in it as text."""
+    made = list(found.values())
+    methods.write_picture(made, tmp_path / "methods.png")
+    methods.write_animation(made, tmp_path / "methods.gif")
+    assert len(methods.table(made, "a1200").splitlines()) == 2 + len(found)
     with Image.open(tmp_path / "methods.gif") as moving:
-        assert (moving.size, moving.n_frames) == ((960, 288), 2 * (methods.SHOWN + 1) - 2)
+        assert (moving.size, moving.n_frames) == ((960, 288), 2 * len(made[0].frames) - 2)
+    with Image.open(readme.METHODS) as picture:
+        shown = json.loads(picture.text["Description"])
+    again = "the README's picture of methods is not today's: scripts/tmap readme"
+    for name, figures in methods.described(made).items():
+        assert shown[name].pop("cycles") == pytest.approx(figures.pop("cycles"), rel=0.001), again
+        assert shown.pop(name) == figures, again
+    assert not shown

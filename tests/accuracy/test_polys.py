@@ -25,7 +25,6 @@ def test_every_filler_is_counted(rows) -> None:
 
 
 def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:
-    """One wrong pixel is enough."""
     right = polys.frames
 
     def wrong(row: str, count: int) -> list[np.ndarray]:
@@ -41,7 +40,6 @@ def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:
 
 @pytest.mark.parametrize("name", ["flat", "gouraud"])
 def test_fewer_cycles_than_the_pentium(rows, name: str) -> None:
-    """Measured in clock cycles."""
     assert rows[name]["kilocycles_per_polygon"] < rows[name]["pentium_kilocycles"]
 
 

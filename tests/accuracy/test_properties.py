@@ -6,14 +6,12 @@ import random
 import numpy as np
 import pytest
 
-from tests.helpers import properties, property_cases
+from tests.helpers import guest_runs, properties, property_cases
+from tests.helpers.guest_runs import Asked
 from tests.helpers.property_cases import HEIGHT, WIDTH
-from tests.helpers.arrays import first_wrong
 from tmap.corpus import random_meshes
-from tmap.guest import guest_frames
 from tmap.ideal import ideal
 from tmap.model import model
-from tmap.run import run
 from tmap.scene_file import scene_file
 from tmap.scene_file.scene_file import ONE
 
@@ -97,17 +95,14 @@ def add(scene: scene_file.Scene, material: scene_file.Material, vertices) -> Non
 
 
 def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
-    """The 68020 draws every frame as the model does, byte for byte."""
+    """The 68020 draws every frame as the model does, byte for byte, and refuses none."""
     __tracebackhide__ = True
-    assert len(about) == scene.frames
-    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast")
-    for number, (what, digest) in enumerate(zip(about, digests, strict=True)):
-        right = model.render(scene, number)
-        assert not digest["result"], f"{what}: it is refused, by result {digest['result']}"
-        if not guest_frames.is_models(right, digest):
-            found = run.render(scene, "a1200-fast", "addx").frames[number]
-            raise AssertionError(f"{what}: {(found != right).sum()} pixels are not the model's; "
-                                 + first_wrong(right, found))
+    asked = Asked(scene, counted=False)
+    drawn, = guest_runs.draw([asked])
+    expected = [model.render(scene, number) for number in range(scene.frames)]
+    wrong = guest_runs.wrong_frame(asked, drawn, expected)
+    frames = "\n".join(f"frame {number}: {what}" for number, what in enumerate(about))
+    assert not wrong and len(about) == scene.frames, f"{wrong}; of\n{frames}"
 
 
 def test_meshes_are_the_models() -> None:

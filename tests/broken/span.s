@@ -4,20 +4,7 @@
 
         include "routine.i"
 
-WELL                    equ     0
-TRASHES_D2              equ     1
-WRITES_PAST             equ     2
-WRITES_BEFORE           equ     3
-SKIPS_LAST              equ     4
-TEXEL_BESIDE            equ     5
-LEAVES_STACK            equ     6
-CHANGES_MAP             equ     7
-CHANGES_LINES           equ     8
-CHANGES_GUARD           equ     9
-HANGS                   equ     10
-ILLEGAL                 equ     11
-
-; \1: name, \2: number of the fault
+; \1: name, which says what is wrong
 span    macro
         routine \1,a0
         movem.l d2-d7/a2-a6,-(sp)
@@ -35,13 +22,13 @@ span    macro
         swap    d2
         move.w  scanline_start0(a1),d2  ; UUuu
         move.l  scanline_start2(a1),d3  ; VVvv
-        ifeq    \2-WRITES_BEFORE
+        ifc     \1,span_writes_before
         not.b   -1(a3)
         endc
-        ifeq    \2-TEXEL_BESIDE
+        ifc     \1,span_texel_beside
         add.l   #$10000,d2
         endc
-        ifeq    \2-SKIPS_LAST
+        ifc     \1,span_skips_last
         subq.w  #1,d6
         beq     .next
         endc
@@ -58,47 +45,47 @@ span    macro
         add.l   span_plan_dvdx(a0),d3
         subq.w  #1,d6
         bne     .pixel
-        ifeq    \2-WRITES_PAST
+        ifc     \1,span_writes_past
         not.b   (a3)
         endc
-.next   ifeq    \2-CHANGES_LINES
+.next   ifc     \1,span_changes_lines
         addq.l  #1,scanline_start2(a1)
         endc
         lea     scanline_sizeof(a1),a1
         adda.l  span_plan_pitch(a0),a6
         subq.l  #1,d7
         bne     .line
-        ifeq    \2-CHANGES_MAP
+        ifc     \1,span_changes_map
         not.b   1234(a2)
         endc
-        ifeq    \2-CHANGES_GUARD
+        ifc     \1,span_changes_guard
         not.b   span_plan_sizeof+7(a0)
         endc
-        ifeq    \2-HANGS
+        ifc     \1,span_hangs
 .hang   bra.s   .hang
         endc
         movem.l (sp)+,d2-d7/a2-a6
-        ifeq    \2-TRASHES_D2
+        ifc     \1,span_trashes_d2
         moveq   #2,d2
         endc
-        ifeq    \2-LEAVES_STACK
+        ifc     \1,span_leaves_stack
         move.l  (sp)+,(sp)              ; returns from one longword higher
         endc
-        ifeq    \2-ILLEGAL
+        ifc     \1,span_illegal
         illegal
         endc
         rts
         endm
 
-        span    span_well,WELL
-        span    span_trashes_d2,TRASHES_D2
-        span    span_writes_past,WRITES_PAST
-        span    span_writes_before,WRITES_BEFORE
-        span    span_skips_last,SKIPS_LAST
-        span    span_texel_beside,TEXEL_BESIDE
-        span    span_leaves_stack,LEAVES_STACK
-        span    span_changes_map,CHANGES_MAP
-        span    span_changes_lines,CHANGES_LINES
-        span    span_changes_guard,CHANGES_GUARD
-        span    span_hangs,HANGS
-        span    span_illegal,ILLEGAL
+        span    span_well
+        span    span_trashes_d2
+        span    span_writes_past
+        span    span_writes_before
+        span    span_skips_last
+        span    span_texel_beside
+        span    span_leaves_stack
+        span    span_changes_map
+        span    span_changes_lines
+        span    span_changes_guard
+        span    span_hangs
+        span    span_illegal

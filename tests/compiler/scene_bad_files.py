@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from tests.helpers.wrong_fields import M32, SHAPES, Row, WrongFields, changed, lengths
+from tests.compiler.scene_examples import example
+from tests.helpers.wrong_fields import M32, Row, WrongFields, changed, lengths
 from tests.glide.bad_files import wrong_pipes
 from tests.helpers import mesh_cases
 from tests.mesh.mesh_bad_files import wrong_meshes
@@ -14,23 +15,6 @@ from tmap.scene_file.textures import LAYOUTS, ON_PLANE
 
 W_MIN, W_MAX = 1 << 8, 1 << 30  # 1/256 and 16,384, in 16.16
 NOT_USABLE = ": not a usable scene file: "
-
-
-def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -> Scene:
-    """A scene of random numbers: two objects, or three overlapping ones from 20 corners on."""
-    random = np.random.default_rng(seed)
-    objects = [Object(0, 0, 3, 0, 3, 0), Object(1, 2, 4, 2, 2, 1)]
-    if corners >= 20:
-        objects += [Object(1, 3, corners - 3, 0, 3, 0)]
-    return Scene(
-        width=side, height=side, frames=3, background=7,
-        palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
-        textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))
-                  for _ in range(textures)],
-        materials=[Material(colour=255), Material("affine", texture=textures - 1) if textures
-                   else Material()], objects=objects,
-        vertices=random.integers(-2**31, 2**31, (corners, 6)),
-        poses=random.integers(-2**31, 2**31, (4, 6)))
 
 
 def large_with(perspective: str) -> Scene:
@@ -138,50 +122,47 @@ def wrong_mappers() -> list[Row]:
     return rows
 
 
-def bad_scenes() -> list[tuple[bytes, str]]:
-    """Returns files and the expected error of each."""
+def wrong_tables() -> list[Row]:
+    """Headers, and entries that do not fit each other, of scenes with plain materials."""
+    rows: list[Row] = []
     small = example(1)
     small.textures = [Texture(np.zeros((8, 16), np.uint8))]
-    data, textured = scene_file.write(example(0)), scene_file.write(small)
-    header = SHAPES.struct("scene_header")
+    plain, textured = WrongFields(example(0), rows), WrongFields(small, rows)
+    for name in ("magic", "version", "size", "checksum"):
+        plain.header(name, 0, M32)
+    for name in ("width", "height", "frames"):
+        plain.header(name, 0, 1025, M32, 2**31 - 1)
+    plain.header("width", 6)
+    plain.header("background", 256, M32)
+    plain.header("format", 4, M32)
+    plain.header("palette_at", 0, 78, len(plain.data), M32 - 3)
+    for name in scene_file.TABLES:
+        wrong = textured if "texture" in name else plain
+        wrong.header(name, 65537, 2**28, M32, said=f"{name} or {name}_at")
+        wrong.header(f"{name}_at", 0, 78, len(textured.data), M32 - 3, said=f"{name} or {name}_at")
+    textured.header("textures", 0, said="material.texture")
+    plain.header("materials", 1, said="object.material")
+    plain.header("vertices", 5, said="object.vertices")
+    plain.header("poses", 3, said="object.poses")
+    textured.entry("materials", 0, "texture", 0, -2, 2**31 - 1)
+    plain.entry("materials", 0, "colour", 256, M32)
+    for name, values, said in (
+            ("material", (2, M32), ""), ("vertices", (2, 65, 7, M32), ""),
+            ("vertex", (4, 6, M32, M32 - 1), "object.vertices"),
+            ("pose", (2, 4, M32), "object.poses"), ("poses", (0, 5, M32), ""),
+            ("first_frame", (3, M32), ""), ("planar", (16, M32), "")):
+        plain.entry("objects", 0, name, *values, said=said)
+    return rows
+
+
+def bad_scenes() -> list[tuple[bytes, str]]:
+    """Returns files and the expected error of each."""
+    data = scene_file.write(example(0))
     cases = [(b"", ": is empty"), (data + b"\0", NOT_USABLE + "size")]
     cases += [(data[:length], NOT_USABLE + "size") for length in lengths("scene_header", data)]
-
-    def header_field(name, *values, said=None):
-        at, source = header.fields[name]["offset"], textured if "texture" in name else data
-        cases.extend((changed(source, at, value, "scene_header", "width"),
-                      NOT_USABLE + (said or name)) for value in values)
-
-    for name in ("magic", "version", "size", "checksum"):
-        header_field(name, 0, M32)
-    for name in ("width", "height", "frames"):
-        header_field(name, 0, 1025, M32, 2**31 - 1)
-    header_field("width", 6)
-    header_field("background", 256, M32)
-    header_field("format", 4, M32)
-    header_field("palette_at", 0, 78, len(data), M32 - 3)
-    for name in scene_file.TABLES:
-        header_field(name, 65537, 2**28, M32, said=f"{name} or {name}_at")
-        header_field(f"{name}_at", 0, 78, len(textured), M32 - 3, said=f"{name} or {name}_at")
-    header_field("textures", 0, said="material.texture")
-    header_field("materials", 1, said="object.material")
-    header_field("vertices", 5, said="object.vertices")
-    header_field("poses", 3, said="object.poses")
-
-    for table, name, values in (
-            ("materials", "texture", (0, -2, 2**31 - 1)), ("materials", "colour", (256, M32)),
-            ("objects", "material", (2, M32)), ("objects", "vertices", (2, 65, 7, M32)),
-            ("objects", "vertex", (4, 6, M32, M32 - 1)), ("objects", "pose", (2, 4, M32)),
-            ("objects", "poses", (0, 5, M32)), ("objects", "first_frame", (3, M32)),
-            ("objects", "planar", (16, M32))):
-        entry, source = f"scene_{table[:-1]}", textured if name == "texture" else data
-        at = header.unpack(source)[f"{table}_at"] + SHAPES.struct(entry).fields[name]["offset"]
-        said = {"vertex": "vertices", "pose": "poses"}.get(name, name)
-        cases += [(changed(source, at, value, "scene_header", "width"),
-                   f"{NOT_USABLE}{table[:-1]}.{said}") for value in values]
     cases += [(changed(source, at, value, "scene_header", "width"), NOT_USABLE + said)
-              for source, at, value, said in wrong_mappers() + wrong_meshes() + wrong_primitives()
-              + wrong_pipes()]
+              for source, at, value, said in (wrong_tables() + wrong_mappers() + wrong_meshes()
+                                              + wrong_primitives() + wrong_pipes())]
     many = mesh_cases.boxes(1)
     many.points = np.zeros((4096, 3), np.int64)
     many.meshes[0].points, many.meshes[1].point, many.textures = 4096, 0, many.textures[:0]

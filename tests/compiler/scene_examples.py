@@ -14,16 +14,19 @@ def vertices(random, count: int) -> np.ndarray:
     return rows
 
 
-def example(seed: int = 1, textures: int = 1) -> Scene:
-    """A small scene of random numbers, with every table in use."""
+def example(textures: int = 1, side: int = 8, corners: int = 6, seed: int = 1) -> Scene:
+    """A scene of random numbers, with every table of plain mappers in use: two objects, or three
+    overlapping ones from 20 corners on."""
     random = np.random.default_rng(seed)
+    objects = [Object(0, 0, 3, 0, 3, 0), Object(1, 2, 4, 2, 2, 1)]
+    if corners >= 20:
+        objects += [Object(1, 3, corners - 3, 0, 3, 0)]
     return Scene(
-        width=8, height=5, frames=3, background=7,
+        width=side, height=side, frames=3, background=7,
         palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
         textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))
                   for _ in range(textures)],
         materials=[Material(colour=255), Material("affine", texture=textures - 1) if textures
                    else Material("gouraud", "exact", "plane", "truncated")],
-        objects=[Object(0, 0, 3, 0, 3, 0), Object(1, 2, 4, 2, 2, 1)],
-        vertices=vertices(random, 6),
+        objects=objects, vertices=vertices(random, corners),
         poses=random.integers(-2**31, 2**31, (4, 6)))

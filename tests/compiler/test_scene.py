@@ -97,11 +97,6 @@ def test_content(folder):
     assert made.palette[right].tolist() == [200, 220, 240]
 
 
-def test_same_bytes_every_time(folder):
-    """The output depends on neither chance nor the order of a set."""
-    assert scene_file.write(make(folder)) == scene_file.write(make(folder))
-
-
 def test_picture_is_upright_and_not_mirrored(folder):
     """Up on the screen is a smaller t, right on the screen a larger s."""
     corners = scene_file.vertices_at(made := make(folder), made.objects[1], 0)

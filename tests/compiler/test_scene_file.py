@@ -6,36 +6,27 @@ import zlib
 import numpy as np
 import pytest
 
-from tests.compiler.scene_examples import example
+from tests.compiler.scene_examples import LIGHT, example
 from tmap.base import maps
+from tmap.base.errors import UserError
 from tmap.base.pixel_formats import FORMATS
 from tmap.build import layout
 from tmap.scene_file import meshes, scene_file, units
-from tmap.scene_file.scene_file import Material, Texture
+from tmap.scene_file.scene_file import Material, Object, Texture
 
 
-def test_columns_of_16_bits():
-    """Texels are big-endian, in columns."""
-    texels = np.random.default_rng(1).integers(0, 65536, (16, 32)).astype(np.uint16)
-    scene = dataclasses.replace(
-        example(), format="rgb565", background=65535, textures=[Texture(texels, "columns")],
-        materials=[Material(colour=65535), Material("columns", texture=0)])
-    data = scene_file.write(scene)
-    # u 0 to 3 of the first row, then of the second: columns are 4 texels wide.
-    assert data[-1024:-1008] == texels[:2, :4].astype(">u2").tobytes()
-
-
-@pytest.mark.parametrize("name", ["rgb565", "rgba5551", "rgba8888"])
-def test_wide_pages(name):
-    """Texels are big-endian in the file."""
-    pixel = FORMATS[name]
+@pytest.mark.parametrize("name, mapper", [("rgb565", "columns"), ("rgb565", "affine"),
+                                          ("rgba5551", "affine"), ("rgba8888", "affine")])
+def test_wide_texels(name, mapper):
+    """Texels are big-endian in the file: rows of a page, or columns 4 texels wide."""
+    pixel, layout_of = FORMATS[name], "page" if mapper == "affine" else mapper
     most = 256**pixel.bytes - 1
     texels = np.random.default_rng(1).integers(0, most + 1, (16, 32), dtype=pixel.dtype)
-    scene = dataclasses.replace(
-        example(), format=name, background=most, textures=[Texture(texels)],
-        materials=[Material(colour=most), Material("affine", texture=0)])
-    data = scene_file.write(scene)
-    assert data.endswith(texels.astype(pixel.dtype.newbyteorder(">")).tobytes())
+    data = scene_file.write(dataclasses.replace(
+        example(), format=name, background=most, textures=[Texture(texels, layout_of)],
+        materials=[Material(colour=most), Material(mapper, texture=0)]))
+    in_order = texels if layout_of == "page" else texels.reshape(16, 8, 4).swapaxes(0, 1)
+    assert data.endswith(in_order.astype(pixel.dtype.newbyteorder(">")).tobytes())
 
 
 def test_formats_are_the_headers():
@@ -65,20 +56,10 @@ def test_names_are_the_headers():
     assert [constants[f"UNIT_{name.upper()}"] for name in units.PRIMITIVES] == [0, 1, 2, 3]
 
 
-def test_orders_are_the_headers():
-    """Texel (u, v) is where the formulas in c/texture/map.h put it."""
-    array = np.arange(65536).reshape(256, 256)
-    tiled, columns = maps.to_tiled(array), maps.to_columns(array[:32])
-    for u, v in ((0, 0), (7, 0), (8, 0), (255, 31), (100, 17), (13, 5)):
-        assert tiled[2048 * (u // 8) + 8 * v + u % 8] == 256 * v + u
-        assert columns[4 * 32 * (u // 4) + 4 * v + u % 4] == 256 * v + u
-
-
 def test_565():
-    """All numbers in both directions, some computed by hand."""
-    numbers = np.arange(65536, dtype=np.uint16)
-    assert (maps.to_rgb565(maps.from_rgb565(numbers)) == numbers).all()
-    assert maps.from_rgb565(numbers[[0, 65535, 0xf800, 0x07e0, 0x8410]]).tolist() == [
+    """Some numbers computed by hand; tests/compiler/test_convert.py has all of them."""
+    numbers = np.array([0, 65535, 0xf800, 0x07e0, 0x8410], np.uint16)
+    assert maps.from_rgb565(numbers).tolist() == [
         [0, 0, 0], [255, 255, 255], [255, 0, 0], [0, 255, 0], [132, 130, 132]]
 
 
@@ -105,3 +86,54 @@ def test_vertices_at_rounds_every_product_down():
         (1 + 0 + 7, -1 - 1 + 9, s, t, 8, 9)]
     assert scene_file.vertices_at(scene, scene.objects[1], 0) == []  # not there yet
     assert scene_file.vertices_at(scene, scene.objects[0], 3) == []  # gone
+
+
+@pytest.mark.parametrize("change, message", [
+    ({"width": 7}, "scene: width"),
+    ({"frames": 0}, "scene: frames"),
+    ({"background": -1}, "scene: background"),
+    ({"materials": [Material("affine", texture=1), Material()]}, r"scene: materials\[0\].texture"),
+    ({"materials": [Material("cubic"), Material()]},
+     r"scene: materials\[0\].mapper: 'cubic' is not one of flat, gouraud"),
+    ({"materials": [Material(), Material("affine", gradients="polygon", texture=0)]},
+     r"objects\[1\].vertices: 4, but gradients 'polygon' are for triangles"),
+    ({"materials": [Material(), Material("gouraud")], "vertices": np.full((6, 6), 256 << 16)},
+     r"objects\[1\]: shade: 16777216 is not from 0 to 16777215"),
+    ({"textures": [Texture(np.zeros((9, 7), np.uint8), "linear")], "vertices": np.full((6, 6), -1),
+      "materials": [Material(), Material("arbitrary", texture=0)]},
+     r"objects\[1\]: s: -1 is not from 0 to 16777216"),
+    ({"textures": [Texture(np.zeros((8, 4), np.uint8), "linear")],
+      "vertices": np.full((6, 6), 256 << 16),
+      "materials": [Material(), Material("arbitrary", texture=0)]},
+     r"objects\[1\]: texel of s: 524288 is not from 0 to 262144"),
+    ({"textures": [Texture(np.zeros((8, 8), np.uint16), "columns")]}, r"textures\[0\].texel_bytes"),
+    ({"format": "rgb565", "textures": [Texture(np.zeros((256, 256), np.uint16), "tiled")]},
+     r"textures\[0\].layout: 'tiled' is not for these pixels"),
+    ({"format": "rgba8888", "textures": [Texture(np.zeros((8, 8), np.uint32), "columns")]},
+     r"textures\[0\].layout: 'columns' is not for these pixels"),
+    ({"format": "rgba8888", "textures": [Texture(np.zeros((8, 8), np.uint32))],
+      "materials": [Material(), Material("affine", perspective="fine", texture=0)]},
+     r"materials\[1\].perspective: 'fine' is for pixels of one byte"),
+    ({"format": "rgba5551", "textures": [], "materials": [Material("gouraud"), Material()]},
+     r"materials\[0\].mapper: 'gouraud' is not for pixels of 2 bytes"),
+    ({"materials": [Material("lit", texture=0, light=0), Material()]},
+     r"materials\[0\].light: its layout is page, not light"),
+    ({"materials": [Material("lit", texture=0), Material()]},
+     r"materials\[0\].light: -1 is not from 0 to 0"),
+    ({"materials": [Material("lit_gouraud", gradients="scanline", texture=0), Material()]},
+     r"materials\[0\].mapper: 'lit_gouraud' needs gradients 'plane' and start 'subtexel'"),
+    ({"materials": [Material("dithered", start="truncated", texture=0), Material()]},
+     r"materials\[0\].mapper: 'dithered' needs gradients 'plane' and start 'subtexel'"),
+    ({"materials": [Material("dithered", perspective="pixel", texture=0), Material()]},
+     r"materials\[0\].perspective: 'pixel' needs mapper 'affine'"),
+    ({"textures": [Texture(np.zeros((256, 256), np.uint8)), LIGHT],
+      "materials": [Material(), Material("lit_gouraud", texture=0, light=1)],
+      "vertices": np.full((6, 6), -1)}, r"objects\[1\]: shade: -1 is not from 0 to 16777215"),
+    ({"objects": [Object(0, 0, 3, 0, 5, 0)]}, r"scene: objects\[0\].pose"),
+    ({"vertices": np.full((6, 6), 2**31)}, "vertex.x does not fit 32 bits"),
+    ({"poses": np.full((4, 6), -2**31 - 1)}, "scene_pose.xx does not fit 32 bits"),
+])
+def test_bad_scenes_are_not_written(change, message):
+    """Scenes in which one field cannot be: it is named, and no file is written."""
+    with pytest.raises(UserError, match=message):
+        scene_file.write(dataclasses.replace(example(), **change))

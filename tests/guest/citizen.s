@@ -16,7 +16,7 @@
         xref    program_unload
         xref    program_run
         xref    dos_base
-        xref    _text_add
+        xref    state
         xref    _text_number
         xref    _text_print
 
@@ -24,9 +24,6 @@ _LVOPutMsg              equ     -366
 _LVOUnLock              equ     -90
 _LVOLock                equ     -84
 _LVOCreateNewProc       equ     -498
-IDNestCnt               equ     294     ; followed by TDNestCnt
-AFB_68030               equ     2
-tc_SigAlloc             equ     18
 ACCESS_READ             equ     -2
 ib_FirstScreen          equ     60
 sc_FirstWindow          equ     4
@@ -78,7 +75,7 @@ KEYS                    equ     -5
         lvo     CurrentDir
         move.l  d0,home
 .stay
-        bsr     state
+        jsr     state
         move.l  program,d0
         jsr     program_load
         move.l  d0,d7
@@ -104,9 +101,10 @@ KEYS                    equ     -5
         move.l  d0,d6
 .ended  move.l  d7,d0
         jsr     program_unload
-        bsr     state
-        move.l  d6,d0
-        bsr     number
+        jsr     state
+        move.l  d6,-(sp)
+        jsr     _text_number
+        addq.l  #4,sp
         jsr     _text_print
         movea.l dos_base,a6
         cmpi.l  #IN_DRAWER,d5
@@ -172,84 +170,6 @@ field:  subq.l  #1,fields
 ring:   movea.l task,a1
         move.l  #SIGBREAKF_CTRL_C,d0
         jmp     _LVOSignal(a6)
-
-; A line: free chip and fast memory, INTENA, DMACON, the level 6 vector, the task's trap code,
-; nesting of Disable and Forbid, signals allocated, Ctrl-C pending, CIA-B's timers free, CACR.
-state:  movea.l sys_base,a6
-        move.l  #$7ffffff0,d0           ; fails, and so flushes unused memory
-        moveq   #0,d1
-        lvo     AllocMem
-        moveq   #MEMF_CHIP,d1
-        lvo     AvailMem
-        bsr     number
-        moveq   #MEMF_FAST,d1
-        movea.l sys_base,a6
-        lvo     AvailMem
-        bsr     number
-        moveq   #0,d0
-        move.w  custom+intenar,d0
-        bsr     number
-        moveq   #0,d0
-        move.w  custom+dmaconr,d0
-        and.w   #$7ff,d0                ; not the blitter's zero flag
-        bsr     number
-        move.l  $78.w,d0
-        bsr     number
-        move.l  tc_TrapCode(a4),d0
-        bsr     number
-        movea.l sys_base,a6
-        moveq   #0,d0
-        move.w  IDNestCnt(a6),d0
-        bsr     number
-        move.l  tc_SigAlloc(a4),d0
-        bsr     number
-        movea.l sys_base,a6
-        moveq   #0,d0
-        moveq   #0,d1
-        lvo     SetSignal
-        and.l   #SIGBREAKF_CTRL_C,d0
-        bsr     number
-        movea.l sys_base,a6
-        lea     ciab_name,a1
-        lvo     OpenResource
-        movea.l d0,a6
-        moveq   #ICRB_TA,d2
-        bsr.s   timer
-        moveq   #ICRB_TB,d2
-        bsr.s   timer
-        movea.l sys_base,a6
-        moveq   #0,d0
-        btst    #AFB_68030,AttnFlags+1(a6)
-        beq.s   .no_cache
-        lea     .read_cacr(pc),a5
-        lvo     Supervisor
-.no_cache
-        bsr.s   number
-        jmp     _text_print
-.read_cacr
-        mc68030
-        movec   cacr,d0
-        and.l   #$3313,d0               ; the enable bits, without the clear bits
-        mc68020
-        rte
-
-; The owner of timer d2 of the CIA a6: 0 if it is free.
-timer:  lea     server,a1
-        move.l  d2,d0
-        lvo     AddICRVector
-        move.l  d0,d3
-        bne.s   .taken
-        lea     server,a1
-        move.l  d2,d0
-        lvo     RemICRVector
-.taken  move.l  d3,d0
-
-number: move.l  d0,-(sp)
-        jsr     _text_number
-        pea     blank
-        jsr     _text_add
-        addq.l  #8,sp
-        rts
 
 ; d7 = the program. d0 = 2 if it opened a window that stayed and a key then closed, 1 if the window
 ; cannot be closed, else 0.
@@ -362,7 +282,6 @@ key     dc.l    0                       ; struct InputEvent: Ctrl-\, the end of 
         dc.w    $0d,8
         dc.l    0,0,0
 template        dc.b    'LOG/A,HOW/A/N,DRAWER/A,PROGRAM/A,ARGUMENTS/F',0
-ciab_name       dc.b    'ciab.resource',0
 input_name      dc.b    'input.device',0
 intuition_name  dc.b    'intuition.library',0
 blank           dc.b    ' ',0

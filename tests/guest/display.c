@@ -8,18 +8,15 @@
 #include "system/system.h"
 #include "system/text.h"
 
-/* tests/guest/events.s */
-void state(uint32 *found);
-uint32 field_lines(void);
+uint32 field_lines(void);               /* tests/guest/state.s; the others: events.s */
 void send_event(uint32 class, uint32 code, uint32 qualifier);
 uint32 break_signal(void);
 void spin(void);
 void illegal(void);
 
-enum mode { STATE, SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY };
+enum mode { SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY };
 enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
-#define STATES 7
 #define DUMPED 7
 #define FRAMES 3
 #define SPINS 400               /* some 230 fields */
@@ -217,14 +214,6 @@ int main(void)
     frame.height = *(const int32 *)args[HEIGHT];
     frame.pixel_bytes = format == PIXEL_CHUNKY ? 1 : format == PIXEL_RGBA8888 ? 4 : 2;
     frame.pitch = frame.width * frame.pixel_bytes;
-    if (mode == STATE) {
-        uint32 found[STATES];
-
-        state(found);
-        found[6] = field_lines();
-        print_numbers(found, STATES);
-        return RETURN_OK;
-    }
     if (mode == SHORT)
         take_chip();
     if (!screen_open(&screen, frame.width, frame.height, format))

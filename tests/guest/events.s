@@ -5,55 +5,6 @@
 
 io_Length               equ     36
 IND_WRITEEVENT          equ     11
-VECTOR_LEVEL_3          equ     $6c
-
-        routine state,a0                ; free memory, free chip RAM, INTENA, DMACON, view, vector
-        movem.l a2/a6,-(sp)
-        movea.l a0,a2
-        movea.l sys_base,a6
-        moveq   #0,d1
-        lvo     AvailMem
-        move.l  d0,(a2)+
-        moveq   #MEMF_CHIP,d1
-        lvo     AvailMem
-        move.l  d0,(a2)+
-        moveq   #0,d0
-        move.w  custom+intenar,d0
-        move.l  d0,(a2)+
-        moveq   #0,d0
-        move.w  custom+dmaconr,d0
-        and.w   #$07ff,d0               ; without the blitter's state
-        move.l  d0,(a2)+
-        lea     .graphics(pc),a1
-        moveq   #0,d0
-        lvo     OpenLibrary
-        movea.l d0,a1
-        move.l  gb_ActiView(a1),(a2)+
-        lvo     CloseLibrary
-        move.l  VECTOR_LEVEL_3.w,(a2)+
-        movem.l (sp)+,a2/a6
-        rts
-.graphics
-        dc.b    'graphics.library',0
-        even
-
-        routine field_lines             ; d0 = the beam's highest line in some fields
-        movem.l d2/d3,-(sp)
-        moveq   #0,d0
-        moveq   #0,d2
-        moveq   #4-1,d1
-.read   move.l  custom+vposr,d3
-        lsr.l   #8,d3
-        and.w   #$1ff,d3
-        cmp.w   d0,d3
-        bls.s   .lower
-        move.w  d3,d0
-.lower  exg     d2,d3
-        cmp.w   d3,d2
-        bhs.s   .read
-        dbra    d1,.read
-        movem.l (sp)+,d2/d3
-        rts
 
         routine spin                    ; a few milliseconds in the cache, without data
         move.w  #20000-1,d0

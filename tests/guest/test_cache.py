@@ -34,30 +34,24 @@ def test_second_time_is_from_the_cache(tmp_path) -> None:
     assert measure.taken == 3
 
 
-def truncated(folder, name) -> None:
-    """Cuts a file to half its length."""
-    content = (folder / name).read_bytes()
-    (folder / name).write_bytes(content[:len(content) // 2])
+def rewritten(name: str, change):
+    """Damage that changes a file's bytes."""
+    return lambda folder: (folder / name).write_bytes(change((folder / name).read_bytes()))
 
 
-def other_figure(folder) -> None:
-    """Changes a number in valid JSON."""
-    text = (folder / cache.ENTRY).read_text()
-    (folder / cache.ENTRY).write_text(text.replace("16.9", "1.69"))
+OTHER_KIND = json.dumps({"digest": cache.of_result(1), "files": [], "result": 1}).encode()
 
 
 @pytest.mark.parametrize("damage", [
-    lambda folder: truncated(folder, cache.ENTRY),
-    lambda folder: truncated(folder, "part/picture.png"),
+    rewritten(cache.ENTRY, lambda data: data[:len(data) // 2]),
+    rewritten("part/picture.png", lambda data: data[:len(data) // 2]),
     lambda folder: (folder / cache.ENTRY).unlink(),
     lambda folder: (folder / "part/picture.png").unlink(),
-    lambda folder: (folder / cache.ENTRY).write_text(""),
-    lambda folder: (folder / cache.ENTRY).write_text("[]"),
-    lambda folder: (folder / cache.ENTRY).write_bytes(b"\xff\xfe"), other_figure,
-    lambda folder: (folder / cache.ENTRY).write_text(json.dumps(
-        {"digest": cache.of_result(1), "files": [], "result": 1}))],
+    *(rewritten(cache.ENTRY, lambda data, new=new: new)
+      for new in (b"", b"[]", b"\xff\xfe", OTHER_KIND)),
+    rewritten(cache.ENTRY, lambda data: data.replace(b"16.9", b"1.69"))],
     ids=["half an entry", "half a file", "no entry", "no file", "empty", "a list", "no text",
-         "another figure", "files of another kind"])
+         "files of another kind", "another figure"])
 def test_damaged_entries_are_measured_again(damage, tmp_path) -> None:
     """Whatever is wrong with an entry, a complete one replaces it."""
     measure = Measurement()

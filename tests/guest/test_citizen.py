@@ -10,8 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.helpers import guest_program
-from tmap.base.paths import GUEST, PROGRAMS
+from tests.helpers import citizen
+from tests.helpers.citizen import AT_ONCE, DOUBLE_CLICK, IN_RAM, OLD_KICKSTART, Ended
+from tmap.base.paths import PROGRAMS
 from tmap.guest import emulator, kernels
 from tmap.guest.kernels import Case
 from tmap.product import program_layout, program_parts, scene_program
@@ -23,10 +24,6 @@ from tmap.vectors import vector_file
 SOME = {"chip_memory": "1024", "fast_memory": "2048"}
 MACHINES = {"some": SOME, "cached": SOME | emulator.MACHINES["a1200-030"] | SOME,
             "a600": {"amiga_model": "A600", "chip_memory": "2048"}}
-#: The numbers in a line of citizen.s.
-STATE = ("chip RAM", "fast RAM", "INTENA", "DMACON", "level 6 vector", "trap code",
-         "Disable and Forbid", "signals allocated", "Ctrl-C pending", "timer A", "timer B", "CACR")
-AT_ONCE, DOUBLE_CLICK, IN_RAM, OLD_KICKSTART = range(-1, -5, -1)
 BREAK = "***Break"
 USAGE = "render: usage: render SCENE [FORM addx|swap|c]"
 
@@ -75,52 +72,21 @@ def files(tmp_path_factory) -> dict[str, bytes | Path]:
     for _ in range(3):
         questions.add("HASH")
     huge = scene(1024, 1024, format="rgba8888")
-    return {name: PROGRAMS / name for name in ("render", "bench", "measure", "vectors", "many")} | scenes_alone(
-        folder, three=scene(), huge=huge) | {
+    programs = {name: PROGRAMS / name for name in ("render", "bench", "measure", "vectors")}
+    return programs | scenes_alone(folder, three=scene(), huge=huge) | {
         "good": scene_file.write(scene()), "long": scene_file.write(scene(frames=200)),
         "refused": scene_file.write(refused()), "broken": b"TMAPTMAP",
         "large": scene_file.write(huge), "wide": scene_file.write(scene(640, 400, 9)),
         "calls": kernels.plan([Case("nothing")] * 3), "crash": kernels.plan([by_zero]),
         "figures": kernels.plan([Case("nothing", repeats=9)]), "asked": questions.file(),
-        "90.run": b"good\nnone\n", "91.run": b"none\nnone\n",
-        "citizen": guest_program.build(folder, GUEST / "citizen.s")}
-
-
-class Ended:
-    """The result of a program: its output, its return code, and the state before and after."""
-
-    def __init__(self, result: emulator.Result, number: int):
-        before, after, code = result.output.splitlines()
-        self.before, self.after = ([int(value) for value in line.split()]
-                                   for line in (before, after))
-        self.code = int(code)
-        self.said = emulator.read(result.directory / f"its.{number}").splitlines()
-
-    def lost(self, but: tuple[str, ...] = ()) -> list[str]:
-        """The parts of the state that have changed."""
-        assert len(self.before) == len(self.after) == len(STATE)
-        return [f"{name} {a} -> {b}" for name, a, b in zip(STATE, self.before, self.after)
-                if a != b and name not in but]
-
-
-def run(commands: list[tuple], files: dict, machine: str, folder: Path) -> list[Ended]:
-    """Runs (how, command line, ...) in one boot. An additional program is run first, as the first
-    one opens what stays open."""
-    lines = []
-    for number, (how, line, *_) in enumerate([(0, "render none"), *commands]):
-        drawer, home = ("RAM:", "SYS:") if how == IN_RAM else ("SYS:", "")
-        lines.append(f"citizen {home}its.{number} {how} {drawer} {home}{line}")
-    (folder / "programs").mkdir()
-    shutil.copy(files["citizen"], folder / "programs/citizen")
-    volume = {name: data for name, data in files.items() if name not in ("citizen", "many")}
-    results = emulator.run_many(lines, volume, machine, folder / "run",
-                                programs=folder / "programs", apart=True)
-    return [Ended(result, number) for number, result in enumerate(results)][1:]
+        "90.run": b"good\nnone\n", "91.run": b"none\nnone\n"}
 
 
 #: How, command line, return code, beginning of the last line of output, files that must not exist.
 ENDINGS = [
     (0, "render good", 0, "frame 2 ticks"),
+    (0, "render good COUNT", 0, ""),
+    (0, "render good FORM c CHIP", 0, "frame 2 ticks"),
     (0, "render refused", 5, "render: not all could be drawn: a vertex is out of range"),
     (0, "render", 10, USAGE),
     (0, "render good FORM mmx", 10, "render: FORM: not one of addx, swap, c"),
@@ -159,27 +125,33 @@ ENDINGS = [
     (OLD_KICKSTART, "render good", 20, "needs Kickstart 2.0 or later"),
     (OLD_KICKSTART, "three", 20, "needs Kickstart 2.0 or later"),
 ]
+CLICKED = [(DOUBLE_CLICK, line) for line in ("render", "bench", "three")]
 #: A full volume: a file that did not fit must not exist.
 FULL = [(IN_RAM, "render SYS:wide"), (IN_RAM, "render frame_008.chunky")]
 
 
-def test_endings(files, tmp_path):
+@pytest.fixture(scope="module")
+def ended(files, tmp_path_factory) -> list[Ended]:
+    """ENDINGS, CLICKED and FULL in one boot; the volume in memory comes last."""
+    return citizen.run(ENDINGS + CLICKED + FULL, files, "some", tmp_path_factory.mktemp("some"))
+
+
+def test_endings(ended):
     """Checks return code and last line, and that everything is given back."""
     wrong = []
-    for ending, found in zip(ENDINGS, run(ENDINGS, files, "some", tmp_path), strict=True):
-        how, line, code, words, *absent = ending
+    for (how, line, code, words, *absent), found in zip(ENDINGS, ended):
         last = found.said[-1] if found.said else None
         good = (found.code == code and not found.lost()
                 and (last is None if words is None else (last or "").startswith(words)))
-        if not good or any((tmp_path / "run/volume" / name).exists() for name in absent):
+        if not good or any((found.directory / name).exists() for name in absent):
             wrong.append(f"{line} ({how}): wanted {code}, {words!r}, without {absent}; got "
                          f"{found.code}, {last!r}, lost: {found.lost()}")
     assert not wrong, "\n".join(wrong)
 
 
-def test_full_volume(files, tmp_path):
+def test_full_volume(ended):
     """A file that did not fit is deleted, and a line says so."""
-    full, left = run(FULL, files, "some", tmp_path)
+    *_, full, left = ended
     last = int(full.said[-2].split()[1]) + 1  # the frame after the last written one
     assert (full.code, full.said[-1]) == (10, f"frame_{last:03}.chunky: cannot be written")
     assert not full.lost(("chip RAM", "fast RAM"))  # the volume is in memory
@@ -187,16 +159,15 @@ def test_full_volume(files, tmp_path):
 
 
 def test_data_cache_is_as_before(files, tmp_path):
-    for found in run([(0, "render good DCACHE"), (AT_ONCE, "render good DCACHE")], files, "cached",
-                     tmp_path):
+    for found in citizen.run([(0, "render good DCACHE"), (AT_ONCE, "render good DCACHE")], files,
+                             "cached", tmp_path):
         assert not found.lost() and found.said[0].startswith("frame 0 ticks"), found.said
 
 
-def test_double_click(files, tmp_path):
+def test_double_click(ended):
     """The line that a shell would show is in a window that stays open until it is closed; files of
     the drawer are found. AmigaDOS's console keeps some memory."""
-    shown, again, none = run([(DOUBLE_CLICK, line) for line in ("render", "bench", "three")], files,
-                             "some", tmp_path)
+    shown, again, none = ended[len(ENDINGS):-len(FULL)]
     assert (shown.code, again.code, none.code) == (2, 2, 0)
     assert not again.lost(("fast RAM",)) and not none.lost(("fast RAM",))
 
@@ -206,7 +177,8 @@ def test_processor_that_is_too_small(files, tmp_path):
     programs = tmp_path / "programs"
     programs.mkdir()
     for line in lines:
-        shutil.copy(files[line.split()[0]], programs)
+        name = line.split()[0]
+        shutil.copy(files.get(name, PROGRAMS / name), programs)
     results = emulator.run_many(list(lines), {}, "a600", tmp_path / "run", programs=programs,
                                 apart=True)
     for line, result in zip(lines, results):

@@ -61,15 +61,9 @@ def test_good_block(parse):
     assert contract.registers == ("d0", "a1")
 
 
-def test_nothing_in_nothing_trashed(parse):
-    contract, = parse(source("        routine scale\n", **{"in": None, "out": None, "trashes": "-"}))
-    assert contract.inputs == contract.outputs == ()
-    assert contract.trashes == set()
-
-
-def test_everything_trashed(parse):
-    contract, = parse(source(trashes="everything"))
-    assert len(contract.trashes) == 15 and "a7" not in contract.trashes
+def test_nothing_or_everything_trashed(parse):
+    nothing, everything = (parse(source(trashes=text))[0].trashes for text in ("-", "everything"))
+    assert nothing == set() and len(everything) == 15 and "a7" not in everything
 
 
 def test_fields_may_be_left_out(parse):
@@ -110,61 +104,41 @@ def test_defaults_of_a_kernel(tmp_path):
         contracts.complete(contracts.read(path))
 
 
-@pytest.mark.parametrize("field", sorted(FIELDS.keys() - {"trashes"}))
-def test_a_field_that_says_nothing(parse, field):
-    assert f"field {field!r} says nothing" in complaint(parse, source(**{field: "-"}))
-
-
-@pytest.mark.parametrize("field", FIELDS)
-def test_empty_field(parse, field):
-    assert f"field {field!r} is empty" in complaint(parse, source(**{field: ""}))
-
-
-@pytest.mark.parametrize("changes, message", [
-    ({"in": "d8  int32  a"}, "in: 'd8' is no register"),
-    ({"in": "a7  int32  a"}, "in: 'a7' is no register"),
-    ({"out": "d0:e1  int32  a"}, "out: 'd0:e1' is no register"),
-    ({"out": "d0:d1:d2  wide  a"}, "out: 'd0:d1:d2' is no register"),
-    ({"in": "d0  int32"}, "in: d0 needs a C type and a meaning"),
-    ({"in": "d0 int32 a"}, "in: 'd0 int32 a' is no register"),
-    ({"trashes": "d0-a1"}, "trashes: 'd0-a1' is no register or range"),
-    ({"trashes": "d2-d0"}, "trashes: 'd2-d0' is no register or range"),
-    ({"trashes": "d0,d1"}, "trashes: 'd0,d1' is no register or range"),
-    ({"colour": "blue"}, "unknown field 'colour'"),
-    ({"cost": "none\n; cost:    none"}, "second field 'cost'"),
+@pytest.mark.parametrize("text, message", [
+    *((source(**{field: "-"}), f"field {field!r} says nothing")
+      for field in sorted(FIELDS.keys() - {"trashes"})),
+    *((source(**{field: ""}), f"field {field!r} is empty") for field in FIELDS),
+    *((source(**changes), message) for changes, message in (
+        ({"in": "d8  int32  a"}, "in: 'd8' is no register"),
+        ({"in": "a7  int32  a"}, "in: 'a7' is no register"),
+        ({"out": "d0:e1  int32  a"}, "out: 'd0:e1' is no register"),
+        ({"out": "d0:d1:d2  wide  a"}, "out: 'd0:d1:d2' is no register"),
+        ({"in": "d0  int32"}, "in: d0 needs a C type and a meaning"),
+        ({"in": "d0 int32 a"}, "in: 'd0 int32 a' is no register"),
+        ({"trashes": "d0-a1"}, "trashes: 'd0-a1' is no register or range"),
+        ({"trashes": "d2-d0"}, "trashes: 'd2-d0' is no register or range"),
+        ({"trashes": "d0,d1"}, "trashes: 'd0,d1' is no register or range"),
+        ({"colour": "blue"}, "unknown field 'colour'"),
+        ({"cost": "none\n; cost:    none"}, "second field 'cost'"),
+        ({"title": "scale: scales a plan"}, "routine scale has no contract block"),
+        ({"title": "Before:\n; scale - scales a plan"}, "routine scale has no contract block"))),
+    (source(cost=None).replace("; reads:", "; cost:    none\n; reads:"), "order"),
+    (source("        routine scale,a1,d0\n"), "scale: takes a1, d0 from C"),
+    (source("grow:   rts\n"), "no routine scale"),
+    (source("") + source(), "second contract block"),
+    *((source(code), "routine shrink has no contract block") for code in (
+        "        routine scale,d0,a1\n        rts\n        routine shrink,d0 ; comment\n",
+        "        xdef grow,shrink\nscale:  rts\nshrink  moveq #0,d0\n",
+        "        xdef shrink\nscale:\n        bra.s .on\n.on     jmp (a0)\nshrink:\n        rts\n",
+        "        routine shrink\n")),
 ])
-def test_wrong_field(parse, changes, message):
-    assert message in complaint(parse, source(**changes))
-
-
-def test_wrong_order(parse):
-    text = source(cost=None).replace("; reads:", "; cost:    none\n; reads:")
-    assert "order" in complaint(parse, text)
-
-
-@pytest.mark.parametrize("wrong", ["; scale: scales a plan", "; Before:\n; scale - scales a plan"])
-def test_comments_that_are_no_block(parse, wrong):
-    assert complaint(parse, source().replace("; scale - scales a plan", wrong)) == \
-        "routine scale has no contract block"
-
-
-def test_registers_of_macro_and_block_differ(parse):
-    assert "scale: takes a1, d0 from C" in complaint(parse, source("        routine scale,a1,d0\n"))
+def test_wrong_blocks(parse, text, message):
+    assert message in complaint(parse, text)
 
 
 def test_assembly_only_routine(parse):
     """Arguments that C cannot pass: the macro then names no register at all."""
     assert parse(source("        routine scale\n        rts\n"))[0].registers == ()
-
-
-@pytest.mark.parametrize("code, name", [
-    ("        routine scale,d0,a1\n        rts\n        routine shrink,d0 ; comment\n", "shrink"),
-    ("        xdef grow,shrink\nscale:  rts\nshrink  moveq #0,d0\n", "shrink"),
-    ("        xdef shrink\nscale:\n        bra.s .on\n.on     jmp (a0)\nshrink:\n        rts\n", "shrink"),
-    ("        routine shrink\n", "shrink"),
-])
-def test_routine_without_block(parse, code, name):
-    assert complaint(parse, source(code)) == f"routine {name} has no contract block"
 
 
 @pytest.mark.parametrize("code", [
@@ -180,14 +154,6 @@ def test_routine_without_block(parse, code, name):
 def test_no_block_needed(parse, code):
     contract, = parse(source(code))
     assert contract.registers is None
-
-
-def test_block_without_routine(parse):
-    assert "no routine scale" in complaint(parse, source("grow:   rts\n"))
-
-
-def test_two_blocks_of_one_routine(parse):
-    assert "second contract block" in complaint(parse, source("") + source())
 
 
 def test_files_written(tmp_path):

@@ -6,7 +6,8 @@ All bad files are read in one boot: scene files s0, s1, ..., plans p0, p1, ...
 
 import numpy as np
 
-from tests.compiler.scene_bad_files import bad_scenes, example, large_with
+from tests.compiler.scene_bad_files import bad_scenes, large_with
+from tests.compiler.scene_examples import example
 from tests.guest.plan_bad_files import bad_plans, good_plan
 from tmap.guest import emulator, guest_frames, kernels
 from tmap.model import model
@@ -52,9 +53,8 @@ def test_bad_input_is_refused(tmp_path):
         said[f"bench p{number} out"] = f"p{number}{line}" if line[0] == ":" else line
     usage = "render: usage: render SCENE"
     said |= {"render none": "none: cannot be opened", "render S": "S: cannot be opened",
-             "render": usage, "render good FORM": usage, "render good FRAMES": usage,
+             "render good FORM": usage, "render good FRAMES": usage,
              "render good FRAMES many": usage, "render good DIGEST": usage, "render good and more": usage,
-             "render good FORM mmx": "render: FORM: not one of addx, swap, c",
              "render good FORM ADDX": "render: FORM: not one of",
              "render good FRAMES 0": "render: FRAMES: not between 1 and the scene's frames",
              "render good FRAMES 4": "render: FRAMES: not between",

@@ -8,7 +8,7 @@ import shutil
 import numpy as np
 import pytest
 
-from tests.helpers import guest_program
+from tests.helpers import citizen, guest_program
 from tmap.base.paths import BASELINE, GUEST, PROGRAMS, ROOT
 from tmap.bench import bench, owner, scenes
 from tmap.build import layout
@@ -49,7 +49,7 @@ CALL = """\
         bsr.w   wait_{place}
         jsr     quiet_leave
 """
-STATE, SHOW = "display 0 0 96 60", "display 1 0 96 60 noise"  # tests/guest/display.c
+SHOW = "citizen SYS:shown 0 SYS: display 0 0 96 60 noise"  # tests/guest/display.c
 
 
 @pytest.fixture(scope="module")
@@ -85,23 +85,23 @@ def waits() -> str:
 def booted(committed, tmp_path_factory) -> list[emulator.Result]:
     """All commands in one boot, with chip RAM alone."""
     folder = tmp_path_factory.mktemp("ntsc")
-    guest = GUEST
-    guest_program.build(folder, guest / "display.c", guest / "events.s")
     (folder / "waits.s").write_text(waits())
     guest_program.build(folder, folder / "waits.s")
+    guest_program.build(folder, GUEST / "citizen.s", GUEST / "state.s")
     for name in ("render", "measure", "demo"):
         shutil.copy(PROGRAMS / name, folder)
     noise = np.random.default_rng(11).integers(0, 256, 3 * 96 * 60, np.uint8)
     files = {"it.scene": write(scenes.shown(SCENE)[0]), "plan": plan(committed),
+             "display": guest_program.build(folder, *citizen.DISPLAY),
              "palette": noise[:1024].tobytes(), "noise": noise.tobytes(),
              "parts": (demo.SOURCE / demo.SCRIPT).read_bytes(),
              "race.scene": write(compile_scene(demo.SOURCE / "race.toml"))}
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(emulator.MACHINES, "ntsc", NTSC)
         done = emulator.run_many(
-            ["render it.scene FORM addx DIGEST digests", "measure table PLAN plan", STATE, SHOW, STATE,
-             f'demo "" PART 1 FRAMES {FRAMES} LOG', "waits"], files, "ntsc", folder / "run", programs=folder,
-            patience=60)
+            ["render it.scene FORM addx DIGEST digests", "measure table PLAN plan", SHOW,
+             f'demo "" PART 1 FRAMES {FRAMES} LOG', "waits"], files, "ntsc", folder / "run",
+            programs=folder, patience=60)
     assert [result.code for result in done[:-1]] == [0] * (len(done) - 1), done
     return done
 
@@ -137,13 +137,14 @@ def test_measure_shows_what_is_committed(booted, committed):
 
 def test_display_is_pals_while_it_is_ours(booted):
     """312 lines, enough for 256 and two status lines; 262 before and afterwards."""
-    before, shown, after = ([line.split()[6] for line in result.output.splitlines()]
-                            for result in booted[2:5])
-    assert before == after and int(before[0]) in FIELD["NTSC"]
-    assert len(shown) == 3 and all(int(line) in FIELD["PAL"] for line in shown)
+    before, after, code = (int(line.split()[-1]) for line in booted[2].output.splitlines())
+    said = emulator.read(booted[2].directory / "shown").splitlines()
+    shown = [int(line.split()[6]) for line in said]
+    assert code == 0 and before == after and before in FIELD["NTSC"]
+    assert len(shown) == 3 and all(line in FIELD["PAL"] for line in shown)
 
 
 def test_demo_comes_in_time(booted):
     """Counted in PAL fields, for which the demo has its budget."""
-    fields = re.findall(r"^frame \d+ step 1 fields (\d+)", booted[5].output, re.M)
-    assert fields == [str(FIELDS)] * FRAMES, booted[5].output
+    fields = re.findall(r"^frame \d+ step 1 fields (\d+)", booted[3].output, re.M)
+    assert fields == [str(FIELDS)] * FRAMES, booted[3].output

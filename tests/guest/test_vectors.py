@@ -41,15 +41,16 @@ def test_the_command_counts_and_tells_by_its_status(tmp_path, capsys) -> None:
         "0 right, 0 wrong", "  line 2: pix 0 0 1 0 0 0: expected ff0100ab, found ff000000"]
 
 
+PLAIN_KIND, DEEP_KIND = "without perspective", "with perspective"
+
+
 @pytest.mark.parametrize(("engine", "kinds", "wrong", "passes"), [
     (N64Lines, {"exact": 1000}, {}, True),
     (N64Lines, {"exact": 1000}, {"exact": 1}, False),
-    (GlideLines, {"without perspective": 500}, {"without perspective": 1}, True),
-    (GlideLines, {"without perspective": 999}, {"without perspective": 2}, False),
-    (GlideLines, {"without perspective": 500, "with perspective": 600}, {"with perspective": 3},
-     True),
-    (GlideLines, {"without perspective": 500, "with perspective": 600}, {"with perspective": 4},
-     False),
+    (GlideLines, {PLAIN_KIND: 500}, {PLAIN_KIND: 1}, True),
+    (GlideLines, {PLAIN_KIND: 999}, {PLAIN_KIND: 2}, False),
+    (GlideLines, {PLAIN_KIND: 500, DEEP_KIND: 600}, {DEEP_KIND: 3}, True),
+    (GlideLines, {PLAIN_KIND: 500, DEEP_KIND: 600}, {DEEP_KIND: 4}, False),
 ])
 def test_how_many_may_be_wrong(engine, kinds: dict, wrong: dict, passes: bool) -> None:
     """Each kind of question has its own rule."""

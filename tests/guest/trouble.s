@@ -92,37 +92,13 @@ say     pea     words
         addq.l  #4,sp
         jmp     _text_print
 
-        routine state                   ; free memory, interrupts, DMA, level 6 vector
-        movea.l sys_base,a6
-        moveq   #0,d1
-        lvo     AvailMem
-        bsr.s   number
-        moveq   #0,d0
-        move.w  custom+intenar,d0
-        bsr.s   number
-        moveq   #0,d0
-        move.w  custom+dmaconr,d0
-        bsr.s   number
-        move.l  $78.w,d0
-        bsr.s   number
-        jsr     _text_print
-        moveq   #0,d0
-        rts
-number  move.l  d0,-(sp)
-        jsr     _text_number
-        pea     blank
-        jsr     _text_add
-        addq.l  #8,sp
-        rts
-
         section .data.trouble,data
         cnop    0,4
 away    dc.w    $a000,$a000
 table   dc.l    illegal_one,zero_divide,odd_jump,privileged,trap_five,line_f,jump_away
-        dc.l    quiet_illegal,quiet_loop,loud_loop,reboot,state
+        dc.l    quiet_illegal,quiet_loop,loud_loop,reboot
 template dc.b   'N/A/N',0
 words   dc.b    'this far',0
 kept    dc.b    'kept',0
-blank   dc.b    ' ',0
         section .bss.trouble,bss
 items   ds.l    1

@@ -27,7 +27,6 @@ FIGURES = re.compile(r"(.{16})(.{7})(.{7})(.{6})  (\d+) colour clocks, (\d+) cal
 
 @pytest.fixture(scope="module")
 def files() -> dict[str, bytes]:
-    """The files on the disk."""
     return disk.contents()
 
 

@@ -1,13 +1,18 @@
-"""The pages for readers: tables are generated, and what the pages name exists."""
+"""The pages for readers: tables are generated, what the pages name exists, and pictures are what
+the tree draws; tests/accuracy/test_methods.py has one more picture."""
 
 import importlib
 import re
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from tmap.__main__ import parser
 from tmap.base.errors import UserError
-from tmap.base.paths import ROOT
+from tmap.base.paths import ROOT, SCENES
+from tmap.compiler.scene import compile_scene
+from tmap.model import model
 from tmap.report import pages, readme, readme_numbers
 
 TEXTS = pages.read()
@@ -66,7 +71,6 @@ def test_every_page_can_be_found() -> None:
 
 
 def test_tables_replace_what_was_there() -> None:
-    """Only the text between the markers is replaced."""
     made = pages.with_tables({"a": table("one"), "b": "text"}, {"one": "| b |"})
     assert made == {"a": f"before\n{pages.BEGIN.format('one')}\n| b |\n{pages.END}\nbehind\n", "b": "text"}
 
@@ -96,3 +100,23 @@ def test_what_is_not_there_is_found(tmp_path) -> None:
     assert pages.typed_tables("| a |\n" + table("one")) == ["| a |"]
     assert pages.commands("`make run`, they make programs\n\n    MACHINE=a1200 make bench\n    "
                           "scripts/tmap diff a b") == ({"run", "bench"}, {"diff"})
+
+
+def test_picture_is_the_default_scenes() -> None:
+    compiled = compile_scene(SCENES / "default.toml", 1)
+    shown = np.asarray(Image.open(readme.PICTURE).convert("RGB"))
+    assert np.array_equal(shown, compiled.palette[model.render(compiled, 0)]), (
+        "the README's picture is not the default scene's first frame: scripts/tmap readme")
+
+
+def test_animation_is_the_knots() -> None:
+    """The animation is every other frame of the scene, with fewer colours."""
+    compiled = compile_scene(SCENES / "environment.toml")
+    colours, entries = readme.fewer_colours(compiled.palette, model.render(compiled, 0))
+    with Image.open(readme.ANIMATION) as shown:
+        assert shown.n_frames == compiled.frames // 2
+        for k in range(shown.n_frames):
+            shown.seek(k)
+            assert np.array_equal(np.asarray(shown.convert("RGB")),
+                                  colours[entries[model.render(compiled, 2 * k)]]), (
+                f"frame {k} of the README's animation is not the knot's: scripts/tmap readme")

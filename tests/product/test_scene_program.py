@@ -90,74 +90,49 @@ def folder(tmp_path_factory):
     return made
 
 
-def make(path, out, capsys) -> dict:
-    """Runs the command; returns its program.json."""
-    assert main(["scene-program", str(path), "-o", str(out)]) == 0, capsys.readouterr().err
-    return json.loads((out / "program.json").read_text())
+#: Of each program: routines that it has, of some one at least, and routines that it has not.
+INSIDE = {
+    "triangle": (({"span_affine_addx"}, {"span_fill"}, {"edge_addx"}),
+                 {"span_affine_row", "span_lit", "span_tiled", "span_gouraud", "edge_addx_exact",
+                  "perspective_lines", "mesh_transform", "mesh_draw"}),
+    "mesh": (({"mesh_transform"}, {"mesh_faces"}),
+             {"span_lit", "span_tiled", "span_generated", "logarithm_lines"}),
+    "flat": (({"span_fill"}, {"edge_flat"}), {"edge_addx", "texturing_plane", "mesh_transform"}),
+    # The parts of their engine that the scene needs: no levels, divides or combiner.
+    "units": (({"span_affine_16", "span_affine_16_wrap"}, {"n64_threepoint_16"}, {"n64_weights"},
+               {"n64_command"}),
+              {"n64_divide", "n64_lod", "n64_combiner", "n64_lerp", "n64_convert",
+               "n64_draw_pixel", "span_affine_addx"})}
 
 
-def routines(out, name: str) -> set[str]:
-    """The names in a program's map."""
-    return {line.split()[1] for line in (out / f"{name}.map").read_text().splitlines()}
-
-
-def check(about: dict, out, name: str) -> None:
-    """Compares a program's times with the full renderer's, and its table with its file.
+@pytest.mark.parametrize("name", INSIDE)
+def test_program_of_a_scene(folder, tmp_path, capsys, name: str):
+    """It is as fast as the full renderer, its table is that of its file, and it contains only what
+    it needs.
 
     The command itself refuses a program whose frames are not the full renderer's, byte for byte;
     ``test_wrong_frame_is_refused`` tests that.
     """
-    ticks = about["ticks"]
+    path = (SCENES if name == "triangle" else folder) / f"{name}.toml"
+    assert main(["scene-program", str(path), "-o", str(tmp_path)]) == 0, capsys.readouterr().err
+    about = json.loads((tmp_path / "program.json").read_text())
+    ticks, sizes = about["ticks"], about["bytes"]
     apart = [own - full for own, full in zip(ticks["own"], ticks["full"], strict=True)]
     assert max(apart) <= scene_program.LONGER, (
         f"{name}: ticks beside the full renderer's by {apart}; "
         f"scripts/tmap scene-program {name}.toml")
-    size = (out / name).stat().st_size
-    assert about["bytes"]["file"] == size
-    assert about["bytes"]["code"] + about["bytes"]["scene"] + about["bytes"]["maps"] == size
+    assert sizes["file"] == (tmp_path / name).stat().st_size
+    assert sizes["code"] + sizes["scene"] + sizes["maps"] == sizes["file"]
     assert about["full_bytes"]["code"] == (PROGRAMS / "render").stat().st_size
     if name in MOST and about["compiler"].startswith("gcc"):
-        assert about["bytes"]["without_maps"] <= MOST[name], (
-            f"{name}: {about['bytes']['without_maps']} bytes without its maps")
-
-
-def test_textured_triangle(tmp_path, capsys):
-    about = make(SCENES / "triangle.toml", tmp_path, capsys)
-    check(about, tmp_path, "triangle")
-    inside = routines(tmp_path, "triangle")
-    assert {"span_affine_addx", "span_fill", "edge_addx"} <= inside or "draw.c" in inside
-    assert not inside & {"span_affine_row", "span_lit", "span_tiled", "span_gouraud",
-                         "edge_addx_exact", "perspective_lines", "mesh_transform", "mesh_draw"}
-
-
-def test_mesh_in_perspective(folder, tmp_path, capsys):
-    about = make(folder / "mesh.toml", tmp_path, capsys)
-    check(about, tmp_path, "mesh")
-    inside = routines(tmp_path, "mesh")
-    assert {"mesh_transform", "mesh_faces"} <= inside
-    assert not inside & {"span_lit", "span_tiled", "span_generated", "logarithm_lines"}
-
-
-def test_flat_polygon(folder, tmp_path, capsys):
-    about = make(folder / "flat.toml", tmp_path, capsys)
-    check(about, tmp_path, "flat")
-    assert about["bytes"]["maps"] == 0
-    inside = routines(tmp_path, "flat")
-    assert {"span_fill", "edge_flat"} <= inside
-    assert not {name for name in inside if name.startswith("span_")} - {"span_fill"}
-    assert not inside & {"edge_addx", "texturing_plane", "mesh_transform"}
-
-
-def test_texture_units(folder, tmp_path, capsys):
-    """The program also has the parts of their engine that the scene needs: no levels, divides or
-    combiner."""
-    about = make(folder / "units.toml", tmp_path, capsys)
-    check(about, tmp_path, "units")
-    inside = routines(tmp_path, "units")
-    assert {"span_affine_16", "span_affine_16_wrap"} & inside
-    assert {"n64_threepoint_16", "n64_weights", "n64_command"} <= inside
-    assert not inside & {"n64_divide", "n64_lod", "n64_combiner", "n64_lerp", "n64_convert",
-                         "n64_draw_pixel", "span_affine_addx"}
+        assert sizes["without_maps"] <= MOST[name], (
+            f"{name}: {sizes['without_maps']} bytes without its maps")
+    lines = (tmp_path / f"{name}.map").read_text().splitlines()
+    inside, (needed, others) = {line.split()[1] for line in lines}, INSIDE[name]
+    assert all(some & inside for some in needed) and not inside & others
+    if name == "flat":
+        assert sizes["maps"] == 0
+        assert not {each for each in inside if each.startswith("span_")} - {"span_fill"}
 
 
 def test_wrong_frame_is_refused():
@@ -170,28 +145,20 @@ def test_wrong_frame_is_refused():
         scene_program.compare(full, scene_program.Run({}, []), "toy")
 
 
-@pytest.mark.parametrize("text, wanted", [
-    (FLAT.replace("width = 64", "width = 63"), "width"),
-    (FLAT.replace('colour = "#ff0000"', 'color = "#ff0000"'), "materials.red"),
-    (None, "none.toml"),
+@pytest.mark.parametrize("name, text, wanted", [
+    ("bad", FLAT.replace("width = 64", "width = 63"), "width"),
+    ("bad", FLAT.replace('colour = "#ff0000"', 'color = "#ff0000"'), "materials.red"),
+    ("none", None, "none.toml"),
+    ("two words", FLAT, "two words.toml: its name is not from 1 to 30 letters"),
 ])
-def test_bad_input_is_one_line(folder, tmp_path, capsys, text, wanted):
-    path = tmp_path / ("bad.toml" if text else "none.toml")
+def test_bad_input_is_one_line(tmp_path, capsys, name, text, wanted):
+    path, out = tmp_path / f"{name}.toml", tmp_path / "out"
     if text:
         path.write_text(text)
-    out = tmp_path / "out"
     assert main(["scene-program", str(path), "-o", str(out)]) == 2
     message = capsys.readouterr().err
-    assert message.count("\n") == 1 and wanted in message
+    assert message.count("\n") == 1 and wanted in message, message
     assert not out.exists()
-
-
-def test_name_that_is_no_program(folder, tmp_path, capsys):
-    path = tmp_path / "two words.toml"
-    path.write_text(FLAT)
-    assert main(["scene-program", str(path), "-o", str(tmp_path / "out")]) == 2
-    message = capsys.readouterr().err
-    assert message.count("\n") == 1 and "two words" in message and "letters" in message
 
 
 def section(name: str, data: bytes, room: str = "amiga", **more) -> Section:

@@ -8,8 +8,9 @@ import shutil
 import numpy as np
 import pytest
 
-from tests.helpers import guest_program
-from tmap.base.paths import GUEST, PROGRAMS
+from tests.helpers import citizen, guest_program
+from tests.helpers.citizen import AT_ONCE, KEYS
+from tmap.base.paths import PROGRAMS
 from tmap.build import layout
 from tmap.guest import emulator
 from tmap.run import demo
@@ -32,19 +33,16 @@ DISPLAY = 2 * (200 * 40 + 20 * 10 + 2 * 530) / FIELD
 RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
 #: Parts with 25 frames a second once the governor has settled.
 KEPT = RACE, EDGES, PERSPECTIVE, POSTER, MIRROR
-BUSY = "display 9 0 320 256"  # tests/guest/display.c
-AT_ONCE, KEYS = -1, -5  # citizen.s: Ctrl-C; cursor left, space, escape released, space, escape,
-KEY_FIELDS = 30  # one key each so many fields
-PART = re.compile(r"part (\d+) frames (\d+) fields (\d+) late (\d+) step (\d+) .*")
-PANE = re.compile(r"pane (\d+) pictures (\d+) ticks (\d+) used (\d+)")
-FRAME = re.compile(r"frame (\d+) step (\d+) fields (\d+) work (\d+) excluded (\d+) lines (\d+)")
+BUSY = "display 8 0 320 256"  # tests/guest/display.c
+KEY_FIELDS = 30  # of KEYS: cursor left, space, escape released, space, escape, one each so many
+NUMBER = re.compile(r"\b(\w+) (\d+)")
 
 
 class Played:
     """A part of the demo, as logged with LOG."""
 
-    def __init__(self, line: re.Match):
-        self.number, self.frames, self.fields, self.late, self.step = map(int, line.groups())
+    def __init__(self, frames: int, fields: int, step: int, **_):
+        self.frames, self.fields, self.step = frames, fields, step
         self.panes = []  # pictures, ticks, used
         self.each = []  # step from 1, fields, work, excluded, lines
 
@@ -53,14 +51,12 @@ def read(output: str) -> dict[int, Played]:
     """Parses the demo's output into parts."""
     parts = {}
     for line in output.splitlines():
-        if match := PART.fullmatch(line):
-            part = parts[int(match[1])] = Played(match)
-        elif match := PANE.fullmatch(line):
-            part.panes.append([int(n) for n in match.groups()[1:]])
-        elif match := FRAME.fullmatch(line):
-            part.each.append([int(n) for n in match.groups()[1:]])
+        found = [(name, int(value)) for name, value in NUMBER.findall(line)]
+        kind, numbers = found[0][0], [value for _, value in found]
+        if kind == "part":
+            part = parts[numbers[0]] = Played(**dict(found[1:5]))
         else:
-            pytest.fail(f"demo: {line!r} is no line of its log")
+            {"pane": part.panes, "frame": part.each}[kind].append(numbers[1:])
     return parts
 
 
@@ -73,8 +69,8 @@ def data() -> dict[str, bytes]:
 def played(request, data, tmp_path_factory):
     """The machine; its parts; the ticks of the race's frames by render, one row a form; and the
     ticks of one piece of work, timed repeatedly, the first time with interrupts off."""
-    programs, guest = tmp_path_factory.mktemp("programs"), GUEST
-    guest_program.build(programs, guest / "display.c", guest / "events.s")
+    programs = tmp_path_factory.mktemp("programs")
+    guest_program.build(programs, *citizen.DISPLAY)
     for name in ("demo", "render"):
         shutil.copy(PROGRAMS / name, programs)
     done = emulator.run_many(
@@ -221,54 +217,33 @@ def test_governor_goes_up_where_there_is_room():
     assert 25 <= steps.index(0) < 50 and not any(steps[steps.index(0):])
 
 
+#: How, command line, return code. Part 8 lacks its scene.
+ENDINGS = [(0, "demo SYS: PART 7 FRAMES 2", 0), (0, "demo SYS: PART 5 FRAMES 2", 0),
+           (0, "demo SYS: PART 8", 5), (AT_ONCE, "demo SYS: PART 1", 5),
+           (0, "demo SYS: PART 9", 10), (0, "demo none", 10), (KEYS, "demo SYS:", 0)]
+
+
 @pytest.fixture(scope="module")
-def ended(data, tmp_path_factory) -> list[tuple]:
-    """Command lines, return codes, output, and the machine's state before and after."""
-    folder = tmp_path_factory.mktemp("ended")
+def ended(data, tmp_path_factory) -> list[citizen.Ended]:
     parts = data[demo.SCRIPT]
     broken = parts + parts[parts.rindex(b"\npart "):].replace(b"scene mirror.", b"scene nothing.")
-    files = data | {"demo": PROGRAMS / "demo"}
-    programs = folder / "programs"
-    programs.mkdir()
-    shutil.copy(guest_program.build(folder, GUEST / "citizen.s"),
-                programs / "citizen")
-    lines = [(0, "demo SYS: PART 6 FRAMES 2"), (0, "demo SYS: PART 7 FRAMES 2"),
-             (0, "demo SYS: PART 5 FRAMES 2"), (0, "demo SYS: PART 8"),
-             (AT_ONCE, "demo SYS: PART 1"), (0, "demo SYS: PART 9"), (0, "demo none"),
-             (KEYS, "demo SYS:")]
-    results = emulator.run_many(
-        [f"citizen SYS:its.{n} {how} SYS: {line}" for n, (how, line) in enumerate(lines)],
-        files | {"parts": broken}, "a1200-fast", folder / "run", programs=programs, apart=True,
-        patience=60)
-    found = []
-    for number, (result, (_, line)) in enumerate(zip(results, lines, strict=True)):
-        before, after, code = result.output.splitlines()
-        said = emulator.read(result.directory / f"its.{number}").splitlines()
-        found.append((line, int(code), said, before, after))
-    return found
+    return citizen.run(ENDINGS, data | {"demo": PROGRAMS / "demo", "parts": broken}, "a1200-fast",
+                       tmp_path_factory.mktemp("ended"), "demo SYS: PART 6 FRAMES 2")
 
 
 def test_endings(ended):
-    """Return codes and last lines; part 8 lacks its scene, and a line says so."""
-    codes = [(code, said[-1] if said else "") for _, code, said, *_ in ended]
-    assert [code for code, _ in codes] == [0, 0, 0, 5, 5, 10, 10, 0]
-    assert codes[3][1] == "SYS:nothing.scene: cannot be opened"
-    assert "***Break" in ended[4][2]
-    assert codes[5][1].startswith("demo: PART") and codes[6][1].startswith("none/parts: ")
+    """Return codes and last lines; the machine's state is as before."""
+    for (_, line, code), found in zip(ENDINGS, ended, strict=True):
+        assert found.code == code and not found.lost(), (line, found.said, found.lost())
+    missing, broken_off, no_part, no_parts = (found.said for found in ended[2:6])
+    assert missing[-1] == "SYS:nothing.scene: cannot be opened" and "***Break" in broken_off
+    assert no_part[-1].startswith("demo: PART") and no_parts[-1].startswith("none/parts: ")
 
 
 def test_keys(ended):
     """Space ends a part and the next one begins; escape ends the demo when it is pressed; other
     keys do nothing. Without keys the parts would take 8 and 10 seconds."""
-    *_, (_, _, said, *_) = ended
-    parts = read("\n".join(said))
-    assert list(parts) == [RACE, EDGES, PERSPECTIVE], said
+    parts = read("\n".join(ended[-1].said))
+    assert list(parts) == [RACE, EDGES, PERSPECTIVE], ended[-1].said
     for part in parts.values():
-        assert part.frames > 0 and part.fields <= 2 * KEY_FIELDS, said
-
-
-def test_all_is_given_back(ended):
-    """Memory, interrupts, DMA, vectors and signals are as before. The first program is left out, as
-    it opens what stays open."""
-    for line, _, _, before, after in ended[1:]:
-        assert before == after, f"{line}: {before} -> {after}"
+        assert part.frames > 0 and part.fields <= 2 * KEY_FIELDS, ended[-1].said
