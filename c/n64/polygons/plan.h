@@ -6,8 +6,6 @@
 #include "n64/polygons/lower.h"
 #include "n64/polygons/planes.h"
 
-typedef void n64_pass(const void *in, void *out, const void *constants, int32 count);
-
 /* The passes from coordinates to one tile's texels. */
 struct n64_sampling {
     n64_pass *relative;         /* 0: coordinates are relative to the tile already */
