@@ -1,23 +1,28 @@
 #include "drawing/page.h"
 
+#include "polygon/key.h"
 #include "system/system.h"
 
 enum { SIDE = MAP_PAGE_SIDE, HALF_LEAST = 16 };
+
+static void forget(struct page *page)
+{
+    page->from = page->end = 0;
+}
 
 void page_init(struct page *page)
 {
     page->texels = 0;
     page->bytes = page->half = 0;
-    page_forget(page);
+    for (int32 i = 0; i < PAGE_KEY; i++)
+        page->key[i] = 0;
+    forget(page);
 }
 
-void page_forget(struct page *page)
+int32 page_has(struct page *page, const uint32 *key, int32 words, const struct page_rows *rows)
 {
-    page->from = page->end = 0;
-}
-
-int32 page_has(const struct page *page, const struct page_rows *rows)
-{
+    if (key_differs(page->key, key, words))
+        forget(page);
     return page->from < page->end && rows->first >= page->from && rows->last < page->end;
 }
 
@@ -37,7 +42,7 @@ int32 page_ready(struct page *page, int32 pixel_bytes, int32 memory,
                                || rows->last >= PAGE_MIDDLE + half))
         half *= 2;
     if (half != page->half || page->bytes < 2 * half * pitch) {
-        page_forget(page);
+        forget(page);
         page->half = half;
         page->bytes = mem_take(&page->texels, 2 * half * pitch, memory) ? 2 * half * pitch : 0;
     }

@@ -43,31 +43,16 @@ static uint32 pixel_of(const struct making *m, uint32 i, uint32 j, int32 pixel_b
 }
 
 /* Both axes repeat within the page. */
-static void make_row_16(uint16 *row, const struct making *m, uint32 v)
+static void make_texels(uint8 *row, const struct making *m, uint32 v, int32 pixel_bytes)
 {
-    const uint32 wide = 1u << m->bits;
+    const uint32 columns = m->level->columns;
 
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> m->bits;
-        uint16 pixel = i < m->level->columns ? (uint16)pixel_of(m, i, v, 2)
-            : row[u - (m->level->columns << m->bits)];
+    for (uint32 i = 0; i < columns; i++) {
+        const uint32 pixel = pixel_of(m, i, v, pixel_bytes);
 
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
-    }
-}
-
-static void make_row_32(uint32 *row, const struct making *m, uint32 v)
-{
-    const uint32 wide = 1u << m->bits;
-
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> m->bits;
-        uint32 pixel = i < m->level->columns ? pixel_of(m, i, v, 4)
-            : row[u - (m->level->columns << m->bits)];
-
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
+        for (uint32 texel = i; texel << m->bits < SIDE; texel += columns)
+            for (uint32 k = 0; k < 1u << m->bits; k++)
+                pixel_write(row, (int32)((texel << m->bits) + k), pixel_bytes, pixel);
     }
 }
 
@@ -95,10 +80,8 @@ static void make_row(void *context, int32 v, int32 from, int32 end)
 
         for (int32 k = 0; k < SIDE * bytes / 4; k++)
             row[k] = other[k];
-    } else if (bytes == 2) {
-        make_row_16((uint16 *)row, m, j);
     } else {
-        make_row_32(row, m, j);
+        make_texels((uint8 *)row, m, j, bytes);
     }
 }
 
@@ -114,26 +97,24 @@ static int32 find_page(struct glide_pipe *pipe, const struct showing *shown, int
                        const struct page_rows *rows)
 {
     const struct glide *glide = pipe->chain.units[0];
-    struct glide_page *page = &pipe->page;
-    uint32 key[GLIDE_PAGE_KEY];
+    struct page *page = &pipe->page;
+    uint32 key[4];
     struct making making;
 
     key[0] = (uint32)pixel_bytes;
     key[1] = glide->mode_generation;
     key[2] = glide->memory_generation;
     key[3] = glide->table_generation;
-    if (key_differs(page->key, key, GLIDE_PAGE_KEY))
-        page_forget(&page->page);
-    if (page_has(&page->page, rows))
+    if (page_has(page, key, 4, rows))
         return 1;
-    if (!page_ready(&page->page, pixel_bytes, pipe->memory, rows))
+    if (!page_ready(page, pixel_bytes, pipe->memory, rows))
         return 0;
-    making.page = &page->page;
+    making.page = page;
     making.glide = glide;
     making.lod = &shown->lod;
     making.level = &shown->level;
     making.bits = shown->bits;
-    page_grow(&page->page, rows, make_row, &making);
+    page_grow(page, rows, make_row, &making);
     return 1;
 }
 
@@ -176,7 +157,7 @@ static int32 draws_page(const struct setup *s, struct glide_pipe *pipe, const st
 {
     if (!find_page(pipe, shown, s->frame->pixel_bytes, rows))
         return 0;
-    page_material(plain, s->material, &pipe->page.page);
+    page_material(plain, s->material, &pipe->page);
     return 1;
 }
 

@@ -16,9 +16,7 @@ enum glide_result glide_pipe_init(struct glide_pipe *pipe, struct glide *const *
         for (int32 level = 0; level <= GLIDE_LEVEL_LAST; level++)
             pipe->levels[unit][level] = none;
     }
-    page_init(&pipe->page.page);
-    for (int32 i = 0; i < GLIDE_PAGE_KEY; i++)
-        pipe->page.key[i] = 0;
+    page_init(&pipe->page);
     return glide_chain_init(&pipe->chain, units, count);
 }
 

@@ -15,9 +15,6 @@ struct n64_needs {
 void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64 *n64,
                       const uint32 *colours);
 
-/* Returns non-zero if all pixels have the same colour. */
-int32 n64_lower_to_flat(const struct n64_needs *needs, struct setup *s);
-
 /* Returns non-zero if the plain mappers can draw the polygon from a page. Makes the page, sets
    *plain to the material for them and *vertices to the vertices relative to the page. */
 int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct n64_unit *unit,

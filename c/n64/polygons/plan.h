@@ -4,7 +4,18 @@
 
 #include "n64/polygons/forms.h"
 #include "n64/polygons/lower.h"
-#include "n64/polygons/planes.h"
+#include "polygon/planes.h"
+
+enum n64_interpolant { N64_S, N64_T, N64_W, N64_RED, N64_GREEN, N64_BLUE, N64_ALPHA };
+
+#define N64_W_ONE 0x7fff0000    /* the greatest w: 1.0 */
+
+/* Planes of what is interpolated over a polygon, s15.16, by enum n64_interpolant. */
+struct n64_planes {
+    struct planes all;
+    int32 divided;              /* s and t must be divided by w */
+    int32 shaded;
+};
 
 /* The passes from coordinates to one tile's texels. */
 struct n64_sampling {
