@@ -10,15 +10,6 @@ static void forget(struct page *page)
     page->from = page->end = 0;
 }
 
-void page_init(struct page *page)
-{
-    page->texels = 0;
-    page->bytes = page->half = 0;
-    for (int32 i = 0; i < PAGE_KEY; i++)
-        page->key[i] = 0;
-    forget(page);
-}
-
 int32 page_has(struct page *page, const uint32 *key, int32 words, const struct page_rows *rows)
 {
     if (key_differs(page->key, key, words))

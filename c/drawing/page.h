@@ -14,6 +14,7 @@ enum page_constants {
     PAGE_KEY = 10               /* longs of a page's cache key, at most */
 };
 
+/* All 0 before the first use. */
 struct page {
     struct map map;
     uint8 *texels;              /* memory of the rows */
@@ -35,8 +36,6 @@ struct page_rows {
 
 /* Makes row v of a page. Rows from to end - 1 are made already, and v is next to them. */
 typedef void page_row_maker(void *context, int32 v, int32 from, int32 end);
-
-void page_init(struct page *page);
 
 /* Returns non-zero if the rows are made. With another cache key than before none is. */
 int32 page_has(struct page *page, const uint32 *key, int32 words, const struct page_rows *rows);

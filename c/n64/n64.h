@@ -205,6 +205,14 @@ enum n64_result n64_load_block_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tile_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tlut_words(struct n64 *n64, uint32 hi, uint32 lo);
 
+/* command.c: the fields of a set-combine word, in the order of struct n64_combine. shift: from bit 0
+   of the lower word on. */
+struct n64_field {
+    uint8 shift, bits;
+};
+
+extern const struct n64_field n64_combine_fields[16];
+
 /* command.c: sets a tile's edges from the words of set tile size or of a load. */
 void n64_set_edges(struct n64 *n64, uint32 hi, uint32 lo);
 

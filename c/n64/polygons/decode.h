@@ -14,23 +14,17 @@ enum n64_decode_constants {
    next, for YUV's chroma, which two texels share. */
 enum n64_quads { N64_QUADS_NONE, N64_QUADS_NEXT, N64_QUADS_CHROMA };
 
-/* Cache key of a tile's texels, apart from TMEM and TLUT modes. An axis' edges are part of it only
-   if it clamps: relative coordinates allow for the origin. */
-struct n64_tile_key {
-    uint32 tile, s, t;
-};
+enum { N64_TILE_KEY = 3, N64_KEPT_KEY = N64_TILE_KEY + 3 };
 
-void n64_tile_key_find(struct n64_tile_key *key, const struct n64_tile *tile);
+/* Writes the N64_TILE_KEY longs of the cache key of a tile's texels, apart from TMEM and TLUT modes.
+   An axis' edges are part of it only if it clamps: relative coordinates allow for the origin. */
+void n64_tile_key_find(uint32 *key, const struct n64_tile *tile);
 
 /* A cached decoded tile and its cache key. All 0 before the first use. */
 struct n64_kept {
     struct n64_decoded decoded;
-    const struct n64 *n64;
-    struct n64_tile_key key;
-    uint32 tmem_generation;
-    uint8 tlut, tlut_type;      /* of the modes, only these matter */
-    uint8 kind;                 /* enum n64_quads */
-    uint8 spare;
+    uint32 key[N64_KEPT_KEY];   /* of the modes, only TLUT's matter; the last long: the engine */
+    enum n64_quads kind;
     uint32 *texels;
     struct n64_quad *quads;
     uint32 texels_room, quads_room;     /* elements */

@@ -286,20 +286,11 @@ enum polygon_result n64_polygon_draw_coloured(struct renderer *renderer,
 void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory,
                    uint32 **reciprocals)
 {
-    static const struct n64_kept none;
+    uint8 *bytes = (uint8 *)unit;
 
+    for (uint32 i = 0; i < sizeof *unit; i++)
+        bytes[i] = 0;
     n64_init(&unit->n64, dram, dram_bytes);
-    unit->result = N64_DONE;
     unit->memory = memory;
     unit->reciprocals = reciprocals;
-    unit->judged = 0;
-    unit->levels = 0;
-    unit->tables = 0;
-    unit->yuv = 0;
-    unit->levels_made = unit->tables_made = unit->yuv_made = 0;
-    page_init(&unit->page);
-    for (int32 i = 0; i < 256; i++)
-        unit->colours.of[i] = unit->colours.from[i] = 0;
-    for (int32 i = 0; i < N64_TILES; i++)
-        unit->tiles[i] = unit->chroma[i] = none;
 }

@@ -224,14 +224,9 @@ static uint32 packed(const uint8 *colour)
 static void find_key(uint32 *key, const struct n64 *n64, int32 n, int32 pixel_bytes,
                      const struct n64_colour *shade)
 {
-    struct n64_tile_key tile;
-
-    n64_tile_key_find(&tile, &n64->tiles[n]);
     key[0] = n64->tmem_generation;
     key[1] = n64->mode_generation;
-    key[2] = tile.tile;
-    key[3] = tile.s;
-    key[4] = tile.t;
+    n64_tile_key_find(&key[2], &n64->tiles[n]);
     key[5] = packed(n64->primitive);
     key[6] = packed(n64->environment);
     key[7] = (uint32)n64->primitive_fraction << 8 | (uint32)pixel_bytes;
