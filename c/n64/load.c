@@ -10,11 +10,6 @@ static void put_unit(struct n64 *n64, uint32 unit, uint32 first, uint32 second)
     to[1] = (uint8)second;
 }
 
-static int32 is_split(const struct n64_tile *tile)
-{
-    return tile->format == N64_YUV || (tile->format == N64_RGBA && tile->size == N64_32);
-}
-
 /* Returns the 16-bit unit of texel s, counted from the beginning of the tile's row. */
 static uint32 column_of(const struct n64_tile *tile, uint32 s)
 {
@@ -32,7 +27,7 @@ static void put_chunk(struct n64 *n64, const struct n64_tile *tile, uint32 row, 
     const uint32 odd = (row & 1) * 2;
     uint32 unit = base + column_of(tile, s);
 
-    if (!is_split(tile)) {
+    if (!n64_is_split(tile)) {
         unit &= 0x7fc;
         for (uint32 i = 0; i < 4; i++, d += 2)
             put_unit(n64, (unit + i) ^ odd, d[0], d[1]);
@@ -79,7 +74,7 @@ static enum n64_result check_room(const struct n64 *n64, const struct n64_tile *
 {
     if (!n64->checked)
         return N64_DONE;
-    if (is_split(tile)) {
+    if (n64_is_split(tile)) {
         if (tile->tmem >= N64_HALF_WORDS)
             return N64_SPLIT_HIGH;
         return end > N64_HALF_WORDS ? N64_LOAD_TOO_LARGE : N64_DONE;
@@ -92,7 +87,7 @@ static enum n64_result check_room(const struct n64 *n64, const struct n64_tile *
 /* Returns the TMEM words that chunks take up from the beginning of a row: split ones take half. */
 static uint32 words_of(const struct n64_tile *tile, uint32 chunks)
 {
-    return is_split(tile) ? (chunks + 1) >> 1 : chunks;
+    return n64_is_split(tile) ? (chunks + 1) >> 1 : chunks;
 }
 
 enum n64_result n64_load_tile_words(struct n64 *n64, uint32 hi, uint32 lo)

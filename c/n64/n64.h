@@ -220,6 +220,9 @@ void n64_set_edges(struct n64 *n64, uint32 hi, uint32 lo);
    except 4 bits, and every format as 16 bits. */
 int32 n64_loadable_pair(uint32 format, uint32 size);
 
+/* check.c: returns non-zero if texels have half of their bytes in each half of TMEM. */
+int32 n64_is_split(const struct n64_tile *tile);
+
 /* combine.c: n64_find_inputs recalculates n64->inputs. n64_check_combine returns N64_DONE if all
    codes are supported. */
 void n64_find_inputs(struct n64 *n64);

@@ -37,20 +37,15 @@ static void make_texels(uint32 *to, const struct glide *glide, const struct glid
 
 static void make_quads(void *to, int32 bits, const uint32 *texels, const struct glide_level *level)
 {
-    struct glide_quad_8 *quad_8 = to;
-    struct glide_quad *quad = to;
-
     for (uint32 j = 0; j < level->rows; j++) {
-        const uint32 *upper = texels + j * level->columns;
+        const uint32 first = j * level->columns;
+        const uint32 *upper = texels + first;
         const uint32 *lower = texels + ((j + 1) & (level->rows - 1)) * level->columns;
 
-        if (bits == 8) {
-            glide_quads_8_make(quad_8, upper, lower, level->columns);
-            quad_8 += level->columns;
-        } else {
-            glide_quads_make(quad, upper, lower, level->columns);
-            quad += level->columns;
-        }
+        if (bits == 8)
+            glide_quads_8_make((struct glide_quad_8 *)to + first, upper, lower, level->columns);
+        else
+            glide_quads_make((struct glide_quad *)to + first, upper, lower, level->columns);
     }
 }
 

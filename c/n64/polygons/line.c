@@ -126,14 +126,10 @@ static void find_shades(const struct n64_plan *plan, int32 x, int32 y, int32 cou
     const struct plane *of = planes->all.of;
     struct n64_shades start, steps;
 
-    start.r = (int32)planes_at(&planes->all, N64_RED, x, y);
-    start.g = (int32)planes_at(&planes->all, N64_GREEN, x, y);
-    start.b = (int32)planes_at(&planes->all, N64_BLUE, x, y);
-    start.a = (int32)planes_at(&planes->all, N64_ALPHA, x, y);
-    steps.r = (int32)of[N64_RED].dx;
-    steps.g = (int32)of[N64_GREEN].dx;
-    steps.b = (int32)of[N64_BLUE].dx;
-    steps.a = (int32)of[N64_ALPHA].dx;
+    for (int32 i = 0; i < 4; i++) {
+        (&start.r)[i] = (int32)planes_at(&planes->all, N64_RED + i, x, y);
+        (&steps.r)[i] = (int32)of[N64_RED + i].dx;
+    }
     n64_shade(&start, plan->scratch->line.shades, &steps, count);
 }
 

@@ -64,6 +64,10 @@ int32 n64_plan_find(struct n64_plan *plan, const struct n64_needs *needs, struct
 /* yuv.c. Finds plan->yuv; returns 0 if there are no passes. May set plan->form.any. */
 int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs);
 
+/* yuv.c. Makes the colours of a channel's numbers 0 to count - 1 (9 bits, from 384 on negative)
+   after the form's second part. */
+void n64_form_colours(const struct n64_plan *plan, uint32 *colours, int32 count);
+
 /* yuv.c. Converts the form's one texel to colours. from: the lines of T0 and T1. */
 void n64_yuv_colours(const struct n64_plan *plan, const struct n64_yuv_line *from, uint32 *colours,
                      int32 count);
