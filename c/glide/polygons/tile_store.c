@@ -26,11 +26,6 @@ int32 glide_tiles_room(const struct glide_pipe *pipe, int32 pixel_bytes)
     return room < GLIDE_TILES_MAX ? (int32)room : GLIDE_TILES_MAX;
 }
 
-uint32 glide_tiles_now(struct glide_tile_store *store)
-{
-    return ++store->now;
-}
-
 /* Returns non-zero if the result depends on the LOD itself, not only on its level. */
 static int32 counts_lod(const struct glide_combination *by)
 {

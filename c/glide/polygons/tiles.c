@@ -254,7 +254,7 @@ int32 glide_tiles_pay(struct glide_tiling *tiling, struct glide_pipe *pipe, stru
     if (tiling->s.tiles > room || tiling->t.tiles > room
         || tiling->s.tiles * tiling->t.tiles > room)
         return 0;
-    tiling->now = glide_tiles_now(pipe->tiles);
+    tiling->now = ++pipe->tiles->now;
     tiling->set = glide_tile_set_find(tiling);
     needed = price(tiling);
     if (needed && (s->renderer->only_counts || !is_bought(tiling, needed, s)))

@@ -238,6 +238,8 @@ static enum polygon_result draw(struct renderer *renderer, const struct polygon 
     enum n64_result check;
     struct setup s;
 
+    if (unit->n64.modes.cycle == N64_COPY && routine != n64_polygon_copy)
+        return n64_refused(unit, N64_CYCLE_TYPE);
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
     if (renderer->frame->pixel_bytes == 1)
@@ -265,8 +267,6 @@ enum polygon_result n64_polygon_copy(struct renderer *renderer, const struct pol
 enum polygon_result n64_polygon_draw(struct renderer *renderer, const struct polygon *polygon,
                                      const struct material *material)
 {
-    if (material->unit->n64.modes.cycle == N64_COPY)
-        return n64_refused(material->unit, N64_CYCLE_TYPE);
     return draw(renderer, polygon, material, 0, n64_polygon_draw);
 }
 
@@ -276,8 +276,6 @@ enum polygon_result n64_polygon_draw_coloured(struct renderer *renderer,
 {
     uint32 colours[POLYGON_VERTICES_MAX];
 
-    if (material->unit->n64.modes.cycle == N64_COPY)
-        return n64_refused(material->unit, N64_CYCLE_TYPE);
     for (int32 i = 0; i < polygon->count && i < POLYGON_VERTICES_MAX; i++)
         colours[i] = (uint32)polygon->vertices[i].shade;
     return draw(renderer, polygon, material, colours, n64_polygon_draw_coloured);

@@ -1,7 +1,6 @@
 #include "n64/polygons/lower.h"
 
 #include "drawing/lower.h"
-#include "n64/polygons/page.h"
 #include "polygon/counts.h"
 
 static int32 shades_are_equal(const struct setup *s, const uint32 *colours)

@@ -1,5 +1,5 @@
-#include "n64/polygons/page.h"
-
+/* A tile as the plain mappers read it: a page of 256x256 combined pixels in the frame's format.
+   Only rows that polygons need are made. */
 #include "n64/polygons/plan.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
@@ -154,12 +154,10 @@ static void draw_texels(struct making *m, int32 v, int32 t)
 /* Copies pixel from to pixels first to end - 1. */
 static void fill(uint8 *row, int32 pixel_bytes, int32 first, int32 end, int32 from)
 {
-    if (pixel_bytes == 4)
-        for (uint32 *at = (uint32 *)row; first < end; first++)
-            at[first] = at[from];
-    else
-        for (uint16 *at = (uint16 *)row; first < end; first++)
-            at[first] = at[from];
+    const uint32 pixel = pixel_bytes == 4 ? ((uint32 *)row)[from] : ((uint16 *)row)[from];
+
+    for (; first < end; first++)
+        pixel_write(row, first, pixel_bytes, pixel);
 }
 
 static void make_row(struct making *m, int32 v)

@@ -1,4 +1,5 @@
-#include "n64/polygons/rows.h"
+/* Decodes a tile's texels from TMEM, a whole row at a time. */
+#include "n64/polygons/decode.h"
 
 enum { LOW_HALF = N64_TMEM_BYTES / 2 - 1, ALL = N64_TMEM_BYTES - 1 };   /* masks of addresses */
 
