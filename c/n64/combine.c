@@ -118,7 +118,7 @@ enum n64_result n64_check_combine(const struct n64_combine *combine)
 
 static uint32 cycle_inputs(const struct n64_combine *combine, int32 cycle)
 {
-    static const uint8 of_colours[] = {0, N64_INPUT_TEXEL0, N64_INPUT_TEXEL1, 0, N64_INPUT_SHADE, 0};
+    static const uint8 of[] = {0, N64_INPUT_TEXEL0, N64_INPUT_TEXEL1, 0, N64_INPUT_SHADE, 0};
     uint32 inputs = 0;
 
     for (int32 i = 0; i < 8; i++) {
@@ -127,7 +127,7 @@ static uint32 cycle_inputs(const struct n64_combine *combine, int32 cycle)
         const uint32 colour = source < N64_ALPHA_OF ? source : source - N64_ALPHA_OF;
 
         inputs |= source == N64_FRACTION ? N64_INPUT_LOD_FRACTION
-            : colour < N64_ONE ? of_colours[colour] : 0;
+            : colour < N64_ONE ? of[colour] : 0;
     }
     return inputs;
 }

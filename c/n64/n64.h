@@ -31,21 +31,11 @@ enum n64_operation {
     N64_OP_NOTHING = 0x00,
     N64_OP_TEXTURE = 0x17,      /* hi: max_level 13:11, first tile 10:8 */
     N64_OP_MODES = 0x23,        /* hi: 32 - shift - bits 15:8, bits - 1 7:0; lo: the bits */
-    N64_OP_LOAD_SYNC = 0x26,
-    N64_OP_PIPE_SYNC = 0x27,
-    N64_OP_TILE_SYNC = 0x28,
-    N64_OP_FULL_SYNC = 0x29,
-    N64_OP_CONVERT = 0x2c,
-    N64_OP_OTHER_MODES = 0x2f,
+    N64_OP_LOAD_SYNC = 0x26, N64_OP_PIPE_SYNC, N64_OP_TILE_SYNC, N64_OP_FULL_SYNC,
+    N64_OP_CONVERT = 0x2c, N64_OP_OTHER_MODES = 0x2f,
     N64_OP_LOAD_TLUT = 0x30,
-    N64_OP_TILE_SIZE = 0x32,
-    N64_OP_LOAD_BLOCK = 0x33,
-    N64_OP_LOAD_TILE = 0x34,
-    N64_OP_TILE = 0x35,
-    N64_OP_PRIMITIVE = 0x3a,
-    N64_OP_ENVIRONMENT = 0x3b,
-    N64_OP_COMBINE = 0x3c,
-    N64_OP_IMAGE = 0x3d
+    N64_OP_TILE_SIZE = 0x32, N64_OP_LOAD_BLOCK, N64_OP_LOAD_TILE, N64_OP_TILE,
+    N64_OP_PRIMITIVE = 0x3a, N64_OP_ENVIRONMENT, N64_OP_COMBINE, N64_OP_IMAGE
 };
 
 /* Results of a command or a check, and their texts. Unless it is N64_DONE, nothing was changed. */
@@ -205,8 +195,8 @@ enum n64_result n64_load_block_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tile_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tlut_words(struct n64 *n64, uint32 hi, uint32 lo);
 
-/* command.c: the fields of a set-combine word, in the order of struct n64_combine. shift: from bit 0
-   of the lower word on. */
+/* command.c: the fields of a set-combine word, in the order of struct n64_combine. shift: from bit
+   0 of the lower word on. */
 struct n64_field {
     uint8 shift, bits;
 };

@@ -17,19 +17,9 @@ static int32 asks_for(const struct glide_modes *modes, uint32 factor)
 
 static uint32 bits_of(const struct glide_combining *combining)
 {
-    uint32 bits = 0;
-
-    if (combining->reads & GLIDE_READS_LOCAL)
-        bits |= GLIDE_NEEDS_OWN;
-    if (combining->reads & GLIDE_READS_OTHER)
-        bits |= GLIDE_NEEDS_OTHER;
-    if (combining->reads & GLIDE_READS_OTHER_ALPHA)
-        bits |= GLIDE_NEEDS_OTHER_ALPHA;
-    if (glide_shows(combining, GLIDE_TERM_LOCAL))
-        bits |= GLIDE_IS_OWN;
-    if (glide_shows(combining, GLIDE_TERM_OTHER))
-        bits |= GLIDE_IS_OTHER;
-    return bits;
+    return (uint32)combining->reads * GLIDE_NEEDS_OWN
+        | (glide_shows(combining, GLIDE_TERM_LOCAL) ? GLIDE_IS_OWN : 0)
+        | (glide_shows(combining, GLIDE_TERM_OTHER) ? GLIDE_IS_OTHER : 0);
 }
 
 /* Sets a band of the LODs from .. to. */

@@ -38,7 +38,7 @@ static void list_columns(struct making *m, const struct n64_axis *axis)
     m->texels = 1;
     m->in_order = 1;
     for (int32 k = 0; k < m->width; k++) {
-        n64_place_column(axis, (uint32)k, &place);
+        n64_place(axis, (uint32)k, N64_COLUMN, &place);
         columns[k].index = (int16)place.index;
         columns[k].next = (int16)(place.index + m->reach * place.step);
         m->in_order &= place.index == k;
@@ -57,7 +57,7 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
 {
     struct n64_place row;
 
-    n64_place_row(m->t, (uint32)j, &row);
+    n64_place(m->t, (uint32)j, N64_ROW, &row);
     *index = row.index & 255;
     *next = *index + row.step;
 }

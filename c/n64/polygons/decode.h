@@ -16,8 +16,9 @@ enum n64_quads { N64_QUADS_NONE, N64_QUADS_NEXT, N64_QUADS_CHROMA };
 
 enum { N64_TILE_KEY = 3, N64_KEPT_KEY = N64_TILE_KEY + 3 };
 
-/* Writes the N64_TILE_KEY longs of the cache key of a tile's texels, apart from TMEM and TLUT modes.
-   An axis' edges are part of it only if it clamps: relative coordinates allow for the origin. */
+/* Writes the N64_TILE_KEY longs of the cache key of a tile's texels, apart from TMEM and TLUT
+   modes. An axis' edges are part of it only if it clamps: relative coordinates allow for the
+   origin. */
 void n64_tile_key_find(uint32 *key, const struct n64_tile *tile);
 
 /* A cached decoded tile and its cache key. All 0 before the first use. */
@@ -64,10 +65,11 @@ struct n64_decoding {
     int32 made;                 /* by n64_decode: 1 the tile was decoded, 0 it was already */
 };
 
-/* Makes *kept fit tile n, with quads or without, unless it does already. Memory is the system's and kept for the next time; a larger tile
-   takes new memory, and what it had stays taken until the program ends. Colours are n64_fetch's;
-   of a TLUT entry's four copies only the first counts (loads make them equal). YUV texels have
-   U + 128 and V + 128 for R and G, Y for B and A; filters leave that as it is. */
+/* Makes *kept fit tile n, with quads or without, unless it does already. Memory is the system's and
+   kept for the next time; a larger tile takes new memory, and what it had stays taken until the
+   program ends. Colours are n64_fetch's; of a TLUT entry's four copies only the first counts (loads
+   make them equal). YUV texels have U + 128 and V + 128 for R and G, Y for B and A; filters leave
+   that as it is. */
 enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64, int32 n,
                            enum n64_quads quads, struct n64_kept *kept);
 

@@ -1,6 +1,6 @@
 /* From a polygon to its lines, and line by line to pixels.
 
-   A pixel depends only on its iterators, which are planes over the polygon (planes.h), and on
+   A pixel depends only on its iterators, which are planes over the polygon, and on
    the engine's state. It is drawn by the plain mappers, by passes over a line's pixels or by
    pixel.h itself; lower.h chooses, and the choice makes no difference to the picture. */
 #include "drawing/fan.h"
