@@ -152,3 +152,10 @@ void page_material(struct material *plain, const struct material *from, const st
     plain->perspective = PERSPECTIVE_NONE;
     plain->map = &page->map;
 }
+
+int32 page_room(void *address, uint32 *has, uint32 count, uint32 size)
+{
+    if (*has < count)
+        *has = mem_take(address, (int32)(count * size), MEMORY_ANY) ? count : 0;
+    return *has > 0;
+}

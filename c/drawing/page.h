@@ -73,4 +73,9 @@ const struct vertex *page_vertices(const struct setup *s, const struct page_wind
 /* Sets *plain to the material that draws from the page: s and t are planes to the last bit. */
 void page_material(struct material *plain, const struct material *from, const struct page *page);
 
+/* Provides memory for `count` elements of `size` bytes of cached data, of which *has elements are
+   there: *address is the pointer to them. Memory is kept for the next time. Returns 0 if it is
+   short. */
+int32 page_room(void *address, uint32 *has, uint32 count, uint32 size);
+
 #endif

@@ -68,6 +68,7 @@ enum glide_constants {
     GLIDE_ENTRIES = 256,        /* of the palette */
     GLIDE_NCC_TABLES = 2,
     GLIDE_NCC_REGISTERS = 12,   /* of a table */
+    GLIDE_LOD_ONE = 256,        /* LOD 1.0 */
     GLIDE_LOD_LEAST = -32768,   /* for gradients of 0: low enough for all that is added */
     GLIDE_LOD_MOST = 32767,     /* for 1/w = 0, which is infinitely far away */
     GLIDE_UNITS = 2             /* in a row */

@@ -166,31 +166,40 @@ static uint32 dxt_of(uint32 size, uint32 width)
     return (2047 + words) / words;
 }
 
-/* Parameters of a load: settings of the image and the load tile, and those of the render tile. */
+/* A load: settings of the image and the load tile, those of the render tile, and the texels that
+   this shows. */
 struct plan {
     uint32 load_size, size;
     uint32 image_width, load_line, line;
+    uint32 sl, tl, sh, th;
 };
 
-static void begin(struct n64_list *list, const struct n64_texture *texture, const struct plan *plan)
+enum { LOAD_PAIRS = 7, TLUT_PAIRS = 6 };
+
+/* texels: of load_size, of a block. */
+static enum n64_result load(struct n64_list *list, const struct n64_texture *texture,
+                            const struct plan *plan, int32 is_block, uint32 texels)
 {
+    const uint32 shift = plan->load_size != plan->size ? 1 : 2;     /* of a tile's columns to 10.2 */
+
+    if (!has_room(list, LOAD_PAIRS))
+        return N64_LIST_FULL;
     n64_set_texture_image(list, texture->format, plan->load_size, plan->image_width,
                           texture->image);
     n64_set_tile(list, texture->format, plan->load_size, plan->load_line, texture->tmem,
                  N64_LOAD_TILE, 0, &texture->t, &texture->s);
     n64_load_sync(list);
-}
-
-static void end(struct n64_list *list, const struct n64_texture *texture, const struct plan *plan,
-                uint32 sl, uint32 tl, uint32 sh, uint32 th)
-{
+    if (is_block)
+        n64_load_block(list, N64_LOAD_TILE, 0, 0, texels - 1, dxt_of(plan->size, texture->width));
+    else
+        n64_load_tile(list, N64_LOAD_TILE, plan->sl << shift, plan->tl << 2, plan->sh << shift,
+                      plan->th << 2);
     n64_pipe_sync(list);
     n64_set_tile(list, texture->format, plan->size, plan->line, texture->tmem, texture->tile,
                  texture->palette, &texture->t, &texture->s);
-    n64_set_tile_size(list, texture->tile, sl << 2, tl << 2, sh << 2, th << 2);
+    return n64_set_tile_size(list, texture->tile, plan->sl << 2, plan->tl << 2, plan->sh << 2,
+                             plan->th << 2);
 }
-
-enum { LOAD_PAIRS = 7, TLUT_PAIRS = 6 };
 
 static enum n64_result block(struct n64_list *list, const struct n64_texture *texture, uint32 size)
 {
@@ -198,18 +207,15 @@ static enum n64_result block(struct n64_list *list, const struct n64_texture *te
     const uint32 texels = texture->width * texture->height + (1u << shift) - 1;
     struct plan plan;
 
-    if (!has_room(list, LOAD_PAIRS))
-        return N64_LIST_FULL;
     plan.size = size;
     plan.load_size = size == N64_32 ? N64_32 : N64_16;
     plan.image_width = 1;
     plan.load_line = 0;
     plan.line = line_of(texture->format, size, texture->width);
-    begin(list, texture, &plan);
-    n64_load_block(list, N64_LOAD_TILE, 0, 0, (texels >> shift) - 1,
-                   dxt_of(size, texture->width));
-    end(list, texture, &plan, 0, 0, texture->width - 1, texture->height - 1);
-    return N64_DONE;
+    plan.sl = plan.tl = 0;
+    plan.sh = texture->width - 1;
+    plan.th = texture->height - 1;
+    return load(list, texture, &plan, 1, texels >> shift);
 }
 
 enum n64_result n64_load_texture_block(struct n64_list *list, const struct n64_texture *texture)
@@ -222,24 +228,20 @@ enum n64_result n64_load_texture_block_4b(struct n64_list *list, const struct n6
     return block(list, texture, N64_4);
 }
 
-/* If it is loaded with texels of twice the bits, its columns, in 10.2, are halved. */
 static enum n64_result tile(struct n64_list *list, const struct n64_texture *texture, uint32 size,
                             uint32 load_size)
 {
-    const uint32 halved = load_size != size;
     struct plan plan;
 
-    if (!has_room(list, LOAD_PAIRS))
-        return N64_LIST_FULL;
     plan.size = size;
     plan.load_size = load_size;
-    plan.image_width = texture->width >> halved;
+    plan.image_width = texture->width >> (load_size != size);
     plan.line = plan.load_line = line_of(texture->format, size, texture->sh - texture->sl + 1);
-    begin(list, texture, &plan);
-    n64_load_tile(list, N64_LOAD_TILE, texture->sl << (2 - halved), texture->tl << 2,
-                  texture->sh << (2 - halved), texture->th << 2);
-    end(list, texture, &plan, texture->sl, texture->tl, texture->sh, texture->th);
-    return N64_DONE;
+    plan.sl = texture->sl;
+    plan.tl = texture->tl;
+    plan.sh = texture->sh;
+    plan.th = texture->th;
+    return load(list, texture, &plan, 0, 0);
 }
 
 enum n64_result n64_load_texture_tile(struct n64_list *list, const struct n64_texture *texture)

@@ -59,6 +59,9 @@ struct n64_axes {
     struct n64_axis_range s, t;
 };
 
+/* perspective.c. 2^20 / (64 + i), rounded; entry 6 is one less, as in the hardware. */
+extern const uint16 n64_inverses[65];
+
 #define N64_RECIPROCALS 32768   /* longs: 128 KB */
 
 /* Steps of the iterators, and the reciprocal of each w. */

@@ -2,8 +2,7 @@
 #include "n64/bits.h"
 #include "n64/pixel.h"
 
-/* 2^20 / (64 + i), rounded; entry 6 is one less, as in the hardware. */
-static const uint16 reciprocals[65] = {
+const uint16 n64_inverses[65] = {
     16384, 16132, 15888, 15650, 15420, 15197, 14979, 14769, 14564, 14364, 14170, 13981, 13797,
     13618, 13443, 13273, 13107, 12945, 12788, 12633, 12483, 12336, 12193, 12053, 11916, 11782,
     11651, 11523, 11398, 11275, 11155, 11038, 10923, 10810, 10700, 10592, 10486, 10382, 10280,
@@ -34,7 +33,7 @@ void n64_quotients(int32 s, int32 t, int32 w, struct n64_divided *out)
     while (shift < 14 && !(w << shift & 0x4000))
         shift++;
     low = w << shift & 0x3fff;
-    entry = &reciprocals[low >> 8];
+    entry = &n64_inverses[low >> 8];
     reciprocal = entry[0] + (((entry[1] - entry[0]) * (low & 255) * 4) >> 10);
     divide((int16)s, reciprocal, shift, bad, &out->raw_s, &out->s, &out->overflow_s);
     divide((int16)t, reciprocal, shift, bad, &out->raw_t, &out->t, &out->overflow_t);

@@ -1,8 +1,6 @@
 #include "glide/polygons/bands.h"
 #include "polygon/key.h"
 
-#define LOD_ONE 256             /* 1.0 */
-
 /* Returns non-zero if a half of the combine unit uses its factor. */
 static int32 multiplies(const struct glide_combination *by)
 {
@@ -59,14 +57,14 @@ static int32 nearer(int32 found, int32 other, int32 lod)
 /* Returns where the next band begins, at the latest at the greatest LOD. */
 static int32 next_break(const struct glide_modes *modes, int32 lod)
 {
-    const int32 scale = modes->detail_scale, end = modes->detail_bias * LOD_ONE + 1;
-    const int32 slope = modes->detail_max * LOD_ONE + (1 << scale) - 1;
-    int32 found = (lod | (LOD_ONE - 1)) + 1;
+    const int32 scale = modes->detail_scale, end = modes->detail_bias * GLIDE_LOD_ONE + 1;
+    const int32 slope = modes->detail_max * GLIDE_LOD_ONE + (1 << scale) - 1;
+    int32 found = (lod | (GLIDE_LOD_ONE - 1)) + 1;
 
     found = nearer(found, glide_lod_least(modes) + 1, lod);
     found = nearer(found, glide_lod_most(modes), lod);
     if (asks_for(modes, GLIDE_FACTOR_DETAIL)) {
-        found = nearer(found, end - (LOD_ONE >> scale), lod);
+        found = nearer(found, end - (GLIDE_LOD_ONE >> scale), lod);
         found = nearer(found, end - (slope >> scale), lod);
     }
     return found;

@@ -1,7 +1,7 @@
 #include "glide/polygons/decode.h"
 
+#include "drawing/page.h"
 #include "polygon/key.h"
-#include "system/system.h"
 
 static uint32 rgba(uint32 argb)
 {
@@ -73,13 +73,6 @@ static int32 is_fresh(struct glide_kept *kept, const struct glide *glide, uint32
     return !key_differs(kept->key, key, GLIDE_LEVEL_KEY);
 }
 
-static int32 room(void *address, uint32 *has, uint32 count, uint32 size)
-{
-    if (*has < count)
-        *has = mem_take(address, (int32)(count * size), MEMORY_ANY) ? count : 0;
-    return *has > 0;
-}
-
 int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct glide_kept *kept,
                    struct glide_bytes *bytes)
 {
@@ -94,7 +87,7 @@ int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct 
     if (!fresh) {
         kept->key[0] = 0;               /* not valid until it is made */
         kept->decoded.quads = 0;
-        if (!room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels))
+        if (!page_room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels))
             return 0;
         make_texels(kept->texels, glide, &at, bytes);
         kept->decoded.texels = kept->texels;
@@ -106,7 +99,7 @@ int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct 
     }
     if (!quads)
         return 1;
-    if (!room(&kept->quads, &kept->quads_room, count, sizeof(struct glide_quad)))
+    if (!page_room(&kept->quads, &kept->quads_room, count, sizeof(struct glide_quad)))
         return 0;
     make_quads(kept->quads, glide->modes.fraction_bits, kept->texels, &at);
     kept->decoded.quads = kept->quads;

@@ -1,7 +1,7 @@
 #include "n64/polygons/decode.h"
 
+#include "drawing/page.h"
 #include "polygon/key.h"
-#include "system/system.h"
 
 /* The tile that is decoded. */
 struct making {
@@ -156,29 +156,12 @@ void n64_tile_key_find(uint32 *key, const struct n64_tile *tile)
     key[2] = axis_key(&tile->t);
 }
 
-/* Takes memory for the texels and quads; returns 0 if there is none. */
-static int32 make_room(struct n64_kept *kept, uint32 texels, int32 quads)
-{
-    if (kept->texels_room < texels) {
-        kept->texels_room = 0;
-        if (!mem_take(&kept->texels, (int32)(texels * sizeof *kept->texels), MEMORY_ANY))
-            return 0;
-        kept->texels_room = texels;
-    }
-    if (quads && kept->quads_room < texels) {
-        kept->quads_room = 0;
-        if (!mem_take(&kept->quads, (int32)(texels * sizeof *kept->quads), MEMORY_ANY))
-            return 0;
-        kept->quads_room = texels;
-    }
-    return 1;
-}
-
 enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64, int32 n,
                            enum n64_quads quads, struct n64_kept *kept)
 {
     const struct n64_tile *tile = &n64->tiles[n & 7];
     const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
+    const uint32 count = 1u << (columns_bits + rows_bits);
     struct n64_decoded *decoded = &kept->decoded;
     uint32 key[N64_KEPT_KEY];
     struct making making;
@@ -194,7 +177,9 @@ enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64,
         && (quads == N64_QUADS_NONE || kept->kind == quads))
         return N64_DONE;
     kept->key[N64_TILE_KEY + 2] = 0;    /* not valid until it is made */
-    if (!make_room(kept, 1u << (columns_bits + rows_bits), quads != N64_QUADS_NONE))
+    if (!page_room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels)
+        || (quads != N64_QUADS_NONE
+            && !page_room(&kept->quads, &kept->quads_room, count, sizeof *kept->quads)))
         return N64_NO_MEMORY;
     making.scratch = decoding->scratch;
     n64_rows_find(&making.rows, n64, tile, decoding->scratch, decoding->colours);
