@@ -26,7 +26,7 @@ static inline uint32 n64_source(const struct n64_input *input, int32 is_alpha, i
     const uint32 code = (&input->a)[which];
     const int32 row = which == N64_C ? 2 + is_alpha : which == N64_B && !is_alpha;
 
-    return code < 16 ? n64_sources[row][code] : N64_ZERO;
+    return code < 16 ? n64_sources[row][code] : (uint32)N64_ZERO;
 }
 
 #endif

@@ -69,28 +69,18 @@ static int16 channel(uint32 plane)
 
 static void shade_at(const struct n64_planes *planes, int32 x, int32 y, struct n64_colour *shade)
 {
-    shade->r = channel(planes_at(&planes->all, N64_RED, x, y));
-    shade->g = channel(planes_at(&planes->all, N64_GREEN, x, y));
-    shade->b = channel(planes_at(&planes->all, N64_BLUE, x, y));
-    shade->a = channel(planes_at(&planes->all, N64_ALPHA, x, y));
-}
-
-static void set_iterators(struct n64_iterators *to, uint32 s, uint32 t, uint32 w)
-{
-    to->s = (int32)s;
-    to->t = (int32)t;
-    to->w = (int32)w;
+    for (int32 i = 0; i < 4; i++)
+        (&shade->r)[i] = channel(planes_at(&planes->all, N64_RED + i, x, y));
 }
 
 /* Finds the iterators and their gradients at pixel (x, y). */
 static void find_point(const struct n64_planes *planes, int32 x, int32 y, struct n64_point *point)
 {
-    const struct plane *of = planes->all.of;
-
-    set_iterators(&point->at, planes_at(&planes->all, N64_S, x, y),
-                  planes_at(&planes->all, N64_T, x, y), planes_at(&planes->all, N64_W, x, y));
-    set_iterators(&point->dx, of[N64_S].dx, of[N64_T].dx, of[N64_W].dx);
-    set_iterators(&point->dy, of[N64_S].dy, of[N64_T].dy, of[N64_W].dy);
+    for (int32 i = N64_S; i <= N64_W; i++) {
+        (&point->at.s)[i] = (int32)planes_at(&planes->all, i, x, y);
+        (&point->dx.s)[i] = (int32)planes->all.of[i].dx;
+        (&point->dy.s)[i] = (int32)planes->all.of[i].dy;
+    }
 }
 
 void n64_draw_line(const struct n64 *n64, const struct n64_planes *planes,

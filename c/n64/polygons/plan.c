@@ -119,12 +119,10 @@ static int32 find_lod(struct n64_plan *plan)
     const int32 down = plan->unit->n64.modes.cycle != N64_ONE_CYCLE;
 
     plan->coordinates = n64_lod;
-    lod->s = lod->x_s = (int32)of[N64_S].dx;
-    lod->t = lod->x_t = (int32)of[N64_T].dx;
-    lod->w = lod->x_w = (int32)of[N64_W].dx;
-    lod->y_s = down ? (int32)of[N64_S].dy : 0;
-    lod->y_t = down ? (int32)of[N64_T].dy : 0;
-    lod->y_w = down ? (int32)of[N64_W].dy : 0;
+    for (int32 i = N64_S; i <= N64_W; i++) {
+        (&lod->s)[i] = (&lod->x_s)[i] = (int32)of[i].dx;
+        (&lod->y_s)[i] = down ? (int32)of[i].dy : 0;
+    }
     lod->reciprocals = find_reciprocals(plan->unit);
     lod->levels = find_levels(plan->unit);
     lod->blendings = plan->scratch->line.blendings;
