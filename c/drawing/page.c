@@ -1,23 +1,19 @@
 #include "drawing/page.h"
 
+#include "polygon/key.h"
 #include "system/system.h"
 
 enum { SIDE = MAP_PAGE_SIDE, HALF_LEAST = 16 };
 
-void page_init(struct page *page)
-{
-    page->texels = 0;
-    page->bytes = page->half = 0;
-    page_forget(page);
-}
-
-void page_forget(struct page *page)
+static void forget(struct page *page)
 {
     page->from = page->end = 0;
 }
 
-int32 page_has(const struct page *page, const struct page_rows *rows)
+int32 page_has(struct page *page, const uint32 *key, int32 words, const struct page_rows *rows)
 {
+    if (key_differs(page->key, key, words))
+        forget(page);
     return page->from < page->end && rows->first >= page->from && rows->last < page->end;
 }
 
@@ -37,7 +33,7 @@ int32 page_ready(struct page *page, int32 pixel_bytes, int32 memory,
                                || rows->last >= PAGE_MIDDLE + half))
         half *= 2;
     if (half != page->half || page->bytes < 2 * half * pitch) {
-        page_forget(page);
+        forget(page);
         page->half = half;
         page->bytes = mem_take(&page->texels, 2 * half * pitch, memory) ? 2 * half * pitch : 0;
     }
@@ -155,4 +151,11 @@ void page_material(struct material *plain, const struct material *from, const st
     plain->whole = 1;
     plain->perspective = PERSPECTIVE_NONE;
     plain->map = &page->map;
+}
+
+int32 page_room(void *address, uint32 *has, uint32 count, uint32 size)
+{
+    if (*has < count)
+        *has = mem_take(address, (int32)(count * size), MEMORY_ANY) ? count : 0;
+    return *has > 0;
 }

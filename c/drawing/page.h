@@ -3,7 +3,6 @@
 #ifndef PAGE_H
 #define PAGE_H
 
-#include "polygon/key.h"
 #include "polygon/setup.h"
 
 enum page_constants {
@@ -11,14 +10,17 @@ enum page_constants {
     /* Polygons have their middle at row 64: small ones stay in rows 0 to 127, which are contiguous,
        and in the rows that have memory. */
     PAGE_MIDDLE = 64,
-    PAGE_LEAST_ROW = PAGE_MIDDLE - MAP_PAGE_SIDE / 2
+    PAGE_LEAST_ROW = PAGE_MIDDLE - MAP_PAGE_SIDE / 2,
+    PAGE_KEY = 10               /* longs of a page's cache key, at most */
 };
 
+/* All 0 before the first use. */
 struct page {
     struct map map;
     uint8 *texels;              /* memory of the rows */
     int32 bytes, half;          /* its size; the rows it has on either side of the middle */
     int32 from, end;            /* rows that are made: from to end - 1, of 256 */
+    uint32 key[PAGE_KEY];       /* cache key of these rows */
 };
 
 /* The part of the s or t axis that a page shows, in 16.16; a texel of the page is 1.0. */
@@ -35,13 +37,8 @@ struct page_rows {
 /* Makes row v of a page. Rows from to end - 1 are made already, and v is next to them. */
 typedef void page_row_maker(void *context, int32 v, int32 from, int32 end);
 
-void page_init(struct page *page);
-
-/* Marks all rows as not made. */
-void page_forget(struct page *page);
-
-/* Returns non-zero if the rows are made. */
-int32 page_has(const struct page *page, const struct page_rows *rows);
+/* Returns non-zero if the rows are made. With another cache key than before none is. */
+int32 page_has(struct page *page, const uint32 *key, int32 words, const struct page_rows *rows);
 
 /* Provides memory for rows and sets the map, for pixels of pixel_bytes bytes. In new memory no row
    is made; the old memory is not freed before the program ends. Returns 0 if memory is short. */
@@ -55,6 +52,15 @@ void page_grow(struct page *page, const struct page_rows *rows, page_row_maker *
 /* Returns the address of row v. */
 uint8 *page_row(const struct page *page, int32 v);
 
+/* Writes pixel x of a row of 2 or 4 bytes a pixel. */
+static inline void pixel_write(uint8 *row, int32 x, int32 pixel_bytes, uint32 pixel)
+{
+    if (pixel_bytes == 4)
+        ((uint32 *)row)[x] = pixel;
+    else
+        ((uint16 *)row)[x] = (uint16)pixel;
+}
+
 /* Returns 1 if all pixels of a polygon are within the window; value: s or t of its first vertex. */
 int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window);
 
@@ -66,5 +72,10 @@ const struct vertex *page_vertices(const struct setup *s, const struct page_wind
 
 /* Sets *plain to the material that draws from the page: s and t are planes to the last bit. */
 void page_material(struct material *plain, const struct material *from, const struct page *page);
+
+/* Provides memory for `count` elements of `size` bytes of cached data, of which *has elements are
+   there: *address is the pointer to them. Memory is kept for the next time. Returns 0 if it is
+   short. */
+int32 page_room(void *address, uint32 *has, uint32 count, uint32 size);
 
 #endif

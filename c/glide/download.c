@@ -137,31 +137,22 @@ enum glide_result glide_download(struct glide *glide, uint32 start, uint32 level
     return GLIDE_DONE;
 }
 
-/* Like place; also checks the level and finds it. */
-static enum glide_result place_level(const struct glide *glide, struct glide_modes *modes, uint32 start,
-                                     uint32 levels, const struct glide_texture *texture, uint32 level,
-                                     struct glide_level *to)
+/* Copies rows of a level: first to last, or all. */
+static enum glide_result download_part(struct glide *glide, uint32 start, uint32 levels,
+                                       const struct glide_texture *texture, uint32 level,
+                                       uint32 first, uint32 last, int32 all, const void *texels)
 {
-    const enum glide_result result = place(glide, modes, start, levels, texture);
+    struct glide_modes modes = glide->modes;
+    const enum glide_result result = place(glide, &modes, start, levels, texture);
+    struct glide_level to;
 
     if (result != GLIDE_DONE)
         return result;
     if (level > GLIDE_LEVEL_LAST)
         return GLIDE_BAD_LEVEL;
-    glide_find_level(modes, level, to);
-    return GLIDE_DONE;
-}
-
-enum glide_result glide_download_rows(struct glide *glide, uint32 start, uint32 levels,
-                                      const struct glide_texture *texture, uint32 level,
-                                      uint32 first, uint32 last, const void *texels)
-{
-    struct glide_modes modes = glide->modes;
-    struct glide_level to;
-    const enum glide_result result = place_level(glide, &modes, start, levels, texture, level, &to);
-
-    if (result != GLIDE_DONE)
-        return result;
+    glide_find_level(&modes, level, &to);
+    if (all)
+        last = to.rows - 1;
     if (level < texture->largest || level > texture->smallest || !glide_holds(&modes, level))
         return GLIDE_LEVEL_NOT_HELD;
     if (first > last || last >= to.rows)
@@ -171,15 +162,16 @@ enum glide_result glide_download_rows(struct glide *glide, uint32 start, uint32 
     return GLIDE_DONE;
 }
 
+enum glide_result glide_download_rows(struct glide *glide, uint32 start, uint32 levels,
+                                      const struct glide_texture *texture, uint32 level,
+                                      uint32 first, uint32 last, const void *texels)
+{
+    return download_part(glide, start, levels, texture, level, first, last, 0, texels);
+}
+
 enum glide_result glide_download_level(struct glide *glide, uint32 start, uint32 levels,
                                        const struct glide_texture *texture, uint32 level,
                                        const void *texels)
 {
-    struct glide_modes modes = glide->modes;
-    struct glide_level to;
-    const enum glide_result result = place_level(glide, &modes, start, levels, texture, level, &to);
-
-    if (result != GLIDE_DONE)
-        return result;
-    return glide_download_rows(glide, start, levels, texture, level, 0, to.rows - 1, texels);
+    return download_part(glide, start, levels, texture, level, 0, 0, 1, texels);
 }

@@ -4,17 +4,10 @@
 enum term { ZERO_OTHER = 1, SUB_LOCAL = 2, ADD_LOCAL = 4, ADD_ALPHA = 8 };
 
 static const uint8 terms[GLIDE_FUNCTIONS] = {
-    ZERO_OTHER,
-    ZERO_OTHER | ADD_LOCAL,
-    ZERO_OTHER | ADD_ALPHA,
-    0,
-    ADD_LOCAL,
-    ADD_ALPHA,
-    SUB_LOCAL,
-    SUB_LOCAL | ADD_LOCAL,
-    SUB_LOCAL | ADD_ALPHA,
-    ZERO_OTHER | SUB_LOCAL | ADD_LOCAL,
-    ZERO_OTHER | SUB_LOCAL | ADD_ALPHA
+    ZERO_OTHER, ZERO_OTHER | ADD_LOCAL, ZERO_OTHER | ADD_ALPHA,                 /* zero, local */
+    0, ADD_LOCAL, ADD_ALPHA,                                                    /* scale other */
+    SUB_LOCAL, SUB_LOCAL | ADD_LOCAL, SUB_LOCAL | ADD_ALPHA,                    /* minus local */
+    ZERO_OTHER | SUB_LOCAL | ADD_LOCAL, ZERO_OTHER | SUB_LOCAL | ADD_ALPHA      /* blend local */
 };
 
 static enum glide_result set(struct glide_combination *to, uint32 function, uint32 factor,

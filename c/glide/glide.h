@@ -68,45 +68,51 @@ enum glide_constants {
     GLIDE_ENTRIES = 256,        /* of the palette */
     GLIDE_NCC_TABLES = 2,
     GLIDE_NCC_REGISTERS = 12,   /* of a table */
+    GLIDE_LOD_ONE = 256,        /* LOD 1.0 */
     GLIDE_LOD_LEAST = -32768,   /* for gradients of 0: low enough for all that is added */
     GLIDE_LOD_MOST = 32767,     /* for 1/w = 0, which is infinitely far away */
     GLIDE_UNITS = 2             /* in a row */
 };
 
-/* Result of a call. Unless it is GLIDE_DONE, nothing was changed. */
+/* Results of a call, and their texts. Unless it is GLIDE_DONE, nothing was changed. */
+#define GLIDE_RESULT_LIST(RESULT) \
+    RESULT(DONE, "done") \
+    RESULT(BAD_MEMORY, "texture memory is not a power of two of at least 8 bytes") \
+    RESULT(BAD_START, "start address is no multiple of 8")  /* GLIDE_START_ALIGN */ \
+    RESULT(OUTSIDE_MEMORY, "map goes beyond texture memory") \
+    RESULT(BAD_LEVEL, "no such level")  /* above 8 */ \
+    RESULT(BAD_LEVEL_ORDER, "smallest level is larger than the largest") \
+    RESULT(BAD_LEVELS, "levels are not even, odd or both")  /* enum glide_levels */ \
+    RESULT(NO_LEVEL, "map has no level of this kind") \
+    RESULT(LEVEL_NOT_HELD, "level is not in this map")  /* or not in this unit */ \
+    RESULT(BAD_ROWS, "rows are not in the level")  /* the last before the first, or too large */ \
+    RESULT(BAD_ASPECT, "no such aspect ratio") \
+    RESULT(BAD_FORMAT, "no such format") \
+    RESULT(BAD_ENTRIES, "entries are not in the palette")  /* as BAD_ROWS */ \
+    RESULT(BAD_NCC_TABLE, "no such NCC table") \
+    RESULT(BAD_NCC_VALUE, "NCC value is not within -256 to 255") \
+    RESULT(BAD_FILTER, "no such filter") \
+    RESULT(BAD_WRAPPING, "neither wrap nor clamp") \
+    RESULT(BAD_MIPMAP, "no such mipmap mode") \
+    RESULT(BAD_LOD_BIAS, "LOD bias is not within -8.0 to 7.75") \
+    RESULT(BAD_DETAIL_BIAS, "detail bias is not within -32 to 31") \
+    RESULT(BAD_DETAIL_SCALE, "detail scale is not within 0 to 7") \
+    RESULT(BAD_DETAIL_MAX, "greatest detail is not within 0 to 255") \
+    RESULT(BAD_FUNCTION, "no such combine function") \
+    RESULT(BAD_FACTOR, "no such combine factor") \
+    RESULT(BAD_FLAG, "flag is neither 0 nor 1") \
+    RESULT(BAD_FRACTION_BITS, "weights have neither 4 nor 8 bits") \
+    RESULT(BAD_SUBDIVISION, "pieces have neither 8 nor 16 pixels")  /* or 0 */ \
+    RESULT(BAD_REGISTER, "register has bits that mean nothing") \
+    RESULT(BAD_UNITS, "not one or two units, or hints beyond them") \
+    RESULT(BAD_COORDINATE, "s or t of a vertex is 8,192 or more, or of two so far apart") \
+    RESULT(BAD_W, "w of a vertex is 0, or above 16,384")  /* W_MAX */ \
+    RESULT(NO_COORDINATES, "a unit's own coordinates are missing")
+
 enum glide_result {
-    GLIDE_DONE,
-    GLIDE_BAD_MEMORY,           /* its size is no power of two of at least 8 */
-    GLIDE_BAD_START,            /* no multiple of GLIDE_START_ALIGN */
-    GLIDE_OUTSIDE_MEMORY,       /* the map goes beyond its end */
-    GLIDE_BAD_LEVEL,            /* above 8 */
-    GLIDE_BAD_LEVEL_ORDER,      /* the smallest one is larger than the largest */
-    GLIDE_BAD_LEVELS,           /* not one of enum glide_levels */
-    GLIDE_NO_LEVEL,             /* none of the map's is even, or odd */
-    GLIDE_LEVEL_NOT_HELD,       /* the map does not have it, or not in this unit */
-    GLIDE_BAD_ROWS,             /* the last before the first, or not in the level */
-    GLIDE_BAD_ASPECT,
-    GLIDE_BAD_FORMAT,
-    GLIDE_BAD_ENTRIES,          /* of the palette: as GLIDE_BAD_ROWS */
-    GLIDE_BAD_NCC_TABLE,
-    GLIDE_BAD_NCC_VALUE,        /* not -256 to 255 */
-    GLIDE_BAD_FILTER,
-    GLIDE_BAD_WRAPPING,
-    GLIDE_BAD_MIPMAP,
-    GLIDE_BAD_LOD_BIAS,         /* not -8.0 to 7.75 */
-    GLIDE_BAD_DETAIL_BIAS,      /* not -32 to 31 */
-    GLIDE_BAD_DETAIL_SCALE,     /* above 7 */
-    GLIDE_BAD_DETAIL_MAX,       /* above 255 */
-    GLIDE_BAD_FUNCTION,
-    GLIDE_BAD_FACTOR,
-    GLIDE_BAD_FLAG,             /* neither 0 nor 1 */
-    GLIDE_BAD_FRACTION_BITS,    /* neither 4 nor 8 */
-    GLIDE_BAD_SUBDIVISION,      /* neither 0 nor 8 nor 16 */
-    GLIDE_BAD_REGISTER,         /* bits are set that have no meaning for a unit */
-    GLIDE_BAD_UNITS,            /* none, or too many */
-    GLIDE_BAD_COORDINATE,       /* s or t of a polygon: see glide_polygon_draw */
-    GLIDE_BAD_W,                /* 0, or above W_MAX */
-    GLIDE_NO_COORDINATES,       /* for a unit that has separate ones */
+#define RESULT(name, text) GLIDE_##name,
+    GLIDE_RESULT_LIST(RESULT)
+#undef RESULT
     GLIDE_RESULTS
 };
 

@@ -1,8 +1,6 @@
 #include "glide/pixel.h"
 #include "glide/product.h"
 
-#define LOD_ONE 256             /* 1.0 */
-
 /* In 1/16 LOD. */
 static const uint8 pattern[4][4] = {
     {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}
@@ -24,12 +22,12 @@ int32 glide_lod_base(int32 dsdx, int32 dtdx, int32 dsdy, int32 dtdy)
         return GLIDE_LOD_LEAST;
     /* The sum has 36 fraction bits. Its logarithm is rounded first, then halved towards 0, as in
        the reference data. */
-    return (glide_logarithm(most.hi, most.lo) - 36 * LOD_ONE) / 2;
+    return (glide_logarithm(most.hi, most.lo) - 36 * GLIDE_LOD_ONE) / 2;
 }
 
 int32 glide_dither(int32 x, int32 y)
 {
-    return pattern[y & 3][x & 3] * (LOD_ONE / 16);
+    return pattern[y & 3][x & 3] * (GLIDE_LOD_ONE / 16);
 }
 
 /* Returns a pixel's LOD before it is clamped. */
@@ -41,9 +39,9 @@ static int32 unclamped(const struct glide *glide, const struct glide_point *poin
         /* A negative w counts like the positive one, as in the reference data. */
         if (!point->w)
             return GLIDE_LOD_MOST;
-        lod -= glide_logarithm(0, fix_magnitude(point->w)) - 30 * LOD_ONE;
+        lod -= glide_logarithm(0, fix_magnitude(point->w)) - 30 * GLIDE_LOD_ONE;
     }
-    lod += glide->modes.lod_bias * (LOD_ONE / 4);
+    lod += glide->modes.lod_bias * (GLIDE_LOD_ONE / 4);
     if (glide->modes.dither)
         lod += glide_dither(point->x, point->y);
     return lod;
@@ -58,19 +56,19 @@ static int32 is_drawn(const struct glide_modes *modes, int32 level)
 
 int32 glide_lod_least(const struct glide_modes *modes)
 {
-    return modes->lod_min * (LOD_ONE / 4);
+    return modes->lod_min * (GLIDE_LOD_ONE / 4);
 }
 
 int32 glide_lod_most(const struct glide_modes *modes)
 {
-    const int32 most = modes->lod_max * (LOD_ONE / 4);
+    const int32 most = modes->lod_max * (GLIDE_LOD_ONE / 4);
 
-    return most < GLIDE_LEVEL_LAST * LOD_ONE ? most : GLIDE_LEVEL_LAST * LOD_ONE;
+    return most < GLIDE_LEVEL_LAST * GLIDE_LOD_ONE ? most : GLIDE_LEVEL_LAST * GLIDE_LOD_ONE;
 }
 
 void glide_lod_at(const struct glide_modes *modes, int32 value, struct glide_lod *lod)
 {
-    int32 level = value / LOD_ONE;
+    int32 level = value / GLIDE_LOD_ONE;
 
     lod->value = value;
     lod->odd = level & 1;

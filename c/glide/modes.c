@@ -1,5 +1,6 @@
 /* Calls that set a unit's modes one by one. */
 #include "glide/glide.h"
+#include "polygon/key.h"
 
 enum glide_result glide_init(struct glide *glide, uint8 *memory, uint32 bytes)
 {
@@ -19,15 +20,7 @@ enum glide_result glide_init(struct glide *glide, uint8 *memory, uint32 bytes)
 
 void glide_set_modes(struct glide *glide, const struct glide_modes *modes)
 {
-    const uint8 *from = (const uint8 *)modes;
-    uint8 *to = (uint8 *)&glide->modes;
-    uint32 changed = 0;
-
-    for (uint32 i = 0; i < sizeof *modes; i++) {
-        changed |= to[i] ^ (uint32)from[i];
-        to[i] = from[i];
-    }
-    if (changed)
+    if (key_differs((uint32 *)&glide->modes, (const uint32 *)modes, sizeof *modes / 4))
         glide->mode_generation++;
 }
 
@@ -39,6 +32,16 @@ static void set_mode(struct glide *glide, void *field, uint32 value)
     if (*to != (uint8)value)
         glide->mode_generation++;
     *to = (uint8)value;
+}
+
+/* The same if value is `most` at most, else returns `bad`. */
+static enum glide_result set_up_to(struct glide *glide, void *field, uint32 value, uint32 most,
+                                   enum glide_result bad)
+{
+    if (value > most)
+        return bad;
+    set_mode(glide, field, value);
+    return GLIDE_DONE;
 }
 
 enum glide_result glide_filter(struct glide *glide, uint32 minify, uint32 magnify)
@@ -60,10 +63,7 @@ enum glide_result glide_fraction_bits(struct glide *glide, uint32 bits)
 
 enum glide_result glide_quotients(struct glide *glide, uint32 by_table)
 {
-    if (by_table > 1)
-        return GLIDE_BAD_FLAG;
-    set_mode(glide, &glide->modes.table_quotients, by_table);
-    return GLIDE_DONE;
+    return set_up_to(glide, &glide->modes.table_quotients, by_table, 1, GLIDE_BAD_FLAG);
 }
 
 enum glide_result glide_subdivision(struct glide *glide, uint32 pixels)
@@ -76,10 +76,7 @@ enum glide_result glide_subdivision(struct glide *glide, uint32 pixels)
 
 enum glide_result glide_bilinear_by(struct glide *glide, uint32 dithered)
 {
-    if (dithered > 1)
-        return GLIDE_BAD_FLAG;
-    set_mode(glide, &glide->modes.dithered, dithered);
-    return GLIDE_DONE;
+    return set_up_to(glide, &glide->modes.dithered, dithered, 1, GLIDE_BAD_FLAG);
 }
 
 enum glide_result glide_clamp(struct glide *glide, uint32 s, uint32 t)
@@ -148,8 +145,6 @@ enum glide_result glide_perspective(struct glide *glide, uint32 on, uint32 clamp
 
 enum glide_result glide_ncc_select(struct glide *glide, uint32 table)
 {
-    if (table >= GLIDE_NCC_TABLES)
-        return GLIDE_BAD_NCC_TABLE;
-    set_mode(glide, &glide->modes.ncc_table, table);
-    return GLIDE_DONE;
+    return set_up_to(glide, &glide->modes.ncc_table, table, GLIDE_NCC_TABLES - 1,
+                     GLIDE_BAD_NCC_TABLE);
 }

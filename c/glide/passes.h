@@ -133,32 +133,15 @@ void glide_quads_make(struct glide_quad *quad, const uint32 *upper, const uint32
 void glide_quads_8_make(struct glide_quad_8 *quad, const uint32 *upper, const uint32 *lower,
                         uint32 columns);
 
-void glide_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
-void glide_walk_clamp(const void *iterators, void *coordinates, const void *steps, int32 count);
-void glide_divide(const void *iterators, void *coordinates, const void *steps, int32 count);
-void glide_pieces(const void *iterators, void *coordinates, const void *steps, int32 count);
-void glide_lod(const void *iterators, void *lods, const void *steps, int32 count);
-void glide_details(const void *lods, void *factors, const void *nearness, int32 count);
-void glide_interleave(const void *texels, void *line, const void *quarters, int32 count);
-void glide_point(const void *coordinates, void *texels, const void *decoded, int32 count);
-void glide_bilinear(const void *coordinates, void *texels, const void *decoded, int32 count);
-void glide_bilinear_565(const void *coordinates, void *pixels, const void *decoded, int32 count);
-void glide_bilinear_8(const void *coordinates, void *texels, const void *decoded, int32 count);
+typedef void glide_pass(const void *in, void *out, const void *constants, int32 count);
+
+glide_pass glide_walk, glide_walk_clamp, glide_divide, glide_pieces;    /* to coordinates */
+glide_pass glide_point, glide_bilinear, glide_bilinear_565, glide_bilinear_8;
+glide_pass glide_tile_16, glide_tile_32, glide_lod, glide_details, glide_interleave;
+glide_pass glide_lerp, glide_scale, glide_modulate, glide_modulate_rgb, glide_add, glide_alpha;
+glide_pass glide_combiner, glide_store_565, glide_widen_565;
 
 /* filter_line.c: C versions of glide_bilinear and glide_bilinear_8, without quads. */
-void glide_filter_line(const void *coordinates, void *texels, const void *decoded, int32 count);
-void glide_filter_line_8(const void *coordinates, void *texels, const void *decoded, int32 count);
-
-void glide_tile_16(const void *iterators, void *pixels, const void *paging, int32 count);
-void glide_tile_32(const void *iterators, void *pixels, const void *paging, int32 count);
-void glide_lerp(const void *texels, void *mixed, const void *mix, int32 count);
-void glide_scale(const void *texels, void *mixed, const void *mix, int32 count);
-void glide_modulate(const void *texels, void *mixed, const void *mix, int32 count);
-void glide_modulate_rgb(const void *texels, void *mixed, const void *mix, int32 count);
-void glide_add(const void *texels, void *mixed, const void *mix, int32 count);
-void glide_alpha(const void *texels, void *results, const void *alphas, int32 count);
-void glide_combiner(const void *nothing, void *results, const void *inputs, int32 count);
-void glide_store_565(const void *texels, void *pixels, const void *nothing, int32 count);
-void glide_widen_565(const void *pixels, void *texels, const void *nothing, int32 count);
+glide_pass glide_filter_line, glide_filter_line_8;
 
 #endif

@@ -84,7 +84,7 @@ uint32 glide_pixel(const struct glide *glide, const struct glide_point *point, u
 uint32 glide_pixel_at(const struct glide *glide, const struct glide_point *point, int32 s, int32 t,
                       uint32 other);
 
-/* chain.c: glide_chain_init puts units in a row that all use unit 0's points; glide_chain_hints
+/* pixel.c: glide_chain_init puts units in a row that all use unit 0's points; glide_chain_hints
    sets which units have separate ones. */
 enum glide_result glide_chain_init(struct glide_chain *chain, struct glide *const *units, uint32 count);
 enum glide_result glide_chain_hints(struct glide_chain *chain, uint32 own);

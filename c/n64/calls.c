@@ -83,43 +83,23 @@ enum n64_result n64_texture(struct n64_list *list, uint32 max_level, uint32 tile
 static enum n64_result modes(struct n64_list *list, uint32 shift, uint32 bits, uint32 value)
 {
     return append(list, OPERATION(N64_OP_MODES) | (32 - shift - bits) << 8 | (bits - 1),
-                  field(value, shift, bits));
+                  field(bits == 1 ? value != 0 : value, shift, bits));
 }
 
-enum n64_result n64_cycle_type(struct n64_list *list, uint32 cycle)
-{
-    return modes(list, 20, 2, cycle);
-}
+/* A call that sets modes: their place in the upper word. */
+#define MODE_CALL(name, shift, bits) \
+    enum n64_result n64_##name(struct n64_list *list, uint32 value) \
+    { \
+        return modes(list, shift, bits, value); \
+    }
 
-enum n64_result n64_texture_perspective(struct n64_list *list, uint32 on)
-{
-    return modes(list, 19, 1, on != 0);
-}
-
-enum n64_result n64_texture_detail(struct n64_list *list, uint32 detail)
-{
-    return modes(list, 17, 2, detail);
-}
-
-enum n64_result n64_texture_lod(struct n64_list *list, uint32 on)
-{
-    return modes(list, 16, 1, on != 0);
-}
-
-enum n64_result n64_texture_lut(struct n64_list *list, uint32 lut)
-{
-    return modes(list, 14, 2, lut);
-}
-
-enum n64_result n64_texture_filter(struct n64_list *list, uint32 filter)
-{
-    return modes(list, 12, 2, filter);
-}
-
-enum n64_result n64_texture_convert(struct n64_list *list, uint32 conversion)
-{
-    return modes(list, 9, 3, conversion);
-}
+MODE_CALL(cycle_type, 20, 2)
+MODE_CALL(texture_perspective, 19, 1)
+MODE_CALL(texture_detail, 17, 2)
+MODE_CALL(texture_lod, 16, 1)
+MODE_CALL(texture_lut, 14, 2)
+MODE_CALL(texture_filter, 12, 2)
+MODE_CALL(texture_convert, 9, 3)
 
 enum n64_result n64_set_convert(struct n64_list *list, const int16 *k)
 {
@@ -133,15 +113,15 @@ enum n64_result n64_set_convert(struct n64_list *list, const int16 *k)
 
 enum n64_result n64_combine_mode(struct n64_list *list, const struct n64_combine *combine)
 {
-    const struct n64_input *rgb = combine->rgb, *alpha = combine->alpha;
+    const uint8 *codes = &combine->rgb[0].a;
+    uint32 words[2] = {0, OPERATION(N64_OP_COMBINE)};
 
-    return append(list, OPERATION(N64_OP_COMBINE) | field(rgb[0].a, 20, 4) | field(rgb[0].c, 15, 5)
-                  | field(alpha[0].a, 12, 3) | field(alpha[0].c, 9, 3) | field(rgb[1].a, 5, 4)
-                  | field(rgb[1].c, 0, 5),
-                  field(rgb[0].b, 28, 4) | field(rgb[1].b, 24, 4) | field(alpha[1].a, 21, 3)
-                  | field(alpha[1].c, 18, 3) | field(rgb[0].d, 15, 3) | field(alpha[0].b, 12, 3)
-                  | field(alpha[0].d, 9, 3) | field(rgb[1].d, 6, 3) | field(alpha[1].b, 3, 3)
-                  | field(alpha[1].d, 0, 3));
+    for (int32 i = 0; i < 16; i++) {
+        const struct n64_field *to = &n64_combine_fields[i];
+
+        words[to->shift >> 5] |= field(codes[i], to->shift & 31, to->bits);
+    }
+    return append(list, words[1], words[0]);
 }
 
 enum n64_result n64_prim_colour(struct n64_list *list, uint32 min_level, uint32 fraction,
@@ -156,25 +136,16 @@ enum n64_result n64_env_colour(struct n64_list *list, uint32 colour)
     return append(list, OPERATION(N64_OP_ENVIRONMENT), colour);
 }
 
-enum n64_result n64_load_sync(struct n64_list *list)
-{
-    return append(list, OPERATION(N64_OP_LOAD_SYNC), 0);
-}
+#define SYNC_CALL(name, operation) \
+    enum n64_result n64_##name(struct n64_list *list) \
+    { \
+        return append(list, OPERATION(operation), 0); \
+    }
 
-enum n64_result n64_tile_sync(struct n64_list *list)
-{
-    return append(list, OPERATION(N64_OP_TILE_SYNC), 0);
-}
-
-enum n64_result n64_pipe_sync(struct n64_list *list)
-{
-    return append(list, OPERATION(N64_OP_PIPE_SYNC), 0);
-}
-
-enum n64_result n64_full_sync(struct n64_list *list)
-{
-    return append(list, OPERATION(N64_OP_FULL_SYNC), 0);
-}
+SYNC_CALL(load_sync, N64_OP_LOAD_SYNC)
+SYNC_CALL(tile_sync, N64_OP_TILE_SYNC)
+SYNC_CALL(pipe_sync, N64_OP_PIPE_SYNC)
+SYNC_CALL(full_sync, N64_OP_FULL_SYNC)
 
 /* Returns the TMEM words of a row. 32-bit and YUV texels have half of their bytes in each half of
    TMEM. */
@@ -195,31 +166,40 @@ static uint32 dxt_of(uint32 size, uint32 width)
     return (2047 + words) / words;
 }
 
-/* Parameters of a load: settings of the image and the load tile, and those of the render tile. */
+/* A load: settings of the image and the load tile, those of the render tile, and the texels that
+   this shows. */
 struct plan {
     uint32 load_size, size;
     uint32 image_width, load_line, line;
+    uint32 sl, tl, sh, th;
 };
 
-static void begin(struct n64_list *list, const struct n64_texture *texture, const struct plan *plan)
+enum { LOAD_PAIRS = 7, TLUT_PAIRS = 6 };
+
+/* texels: of load_size, of a block. */
+static enum n64_result load(struct n64_list *list, const struct n64_texture *texture,
+                            const struct plan *plan, int32 is_block, uint32 texels)
 {
+    const uint32 shift = plan->load_size != plan->size ? 1 : 2;     /* of a tile's columns to 10.2 */
+
+    if (!has_room(list, LOAD_PAIRS))
+        return N64_LIST_FULL;
     n64_set_texture_image(list, texture->format, plan->load_size, plan->image_width,
                           texture->image);
     n64_set_tile(list, texture->format, plan->load_size, plan->load_line, texture->tmem,
                  N64_LOAD_TILE, 0, &texture->t, &texture->s);
     n64_load_sync(list);
-}
-
-static void end(struct n64_list *list, const struct n64_texture *texture, const struct plan *plan,
-                uint32 sl, uint32 tl, uint32 sh, uint32 th)
-{
+    if (is_block)
+        n64_load_block(list, N64_LOAD_TILE, 0, 0, texels - 1, dxt_of(plan->size, texture->width));
+    else
+        n64_load_tile(list, N64_LOAD_TILE, plan->sl << shift, plan->tl << 2, plan->sh << shift,
+                      plan->th << 2);
     n64_pipe_sync(list);
     n64_set_tile(list, texture->format, plan->size, plan->line, texture->tmem, texture->tile,
                  texture->palette, &texture->t, &texture->s);
-    n64_set_tile_size(list, texture->tile, sl << 2, tl << 2, sh << 2, th << 2);
+    return n64_set_tile_size(list, texture->tile, plan->sl << 2, plan->tl << 2, plan->sh << 2,
+                             plan->th << 2);
 }
-
-enum { LOAD_PAIRS = 7, TLUT_PAIRS = 6 };
 
 static enum n64_result block(struct n64_list *list, const struct n64_texture *texture, uint32 size)
 {
@@ -227,18 +207,15 @@ static enum n64_result block(struct n64_list *list, const struct n64_texture *te
     const uint32 texels = texture->width * texture->height + (1u << shift) - 1;
     struct plan plan;
 
-    if (!has_room(list, LOAD_PAIRS))
-        return N64_LIST_FULL;
     plan.size = size;
     plan.load_size = size == N64_32 ? N64_32 : N64_16;
     plan.image_width = 1;
     plan.load_line = 0;
     plan.line = line_of(texture->format, size, texture->width);
-    begin(list, texture, &plan);
-    n64_load_block(list, N64_LOAD_TILE, 0, 0, (texels >> shift) - 1,
-                   dxt_of(size, texture->width));
-    end(list, texture, &plan, 0, 0, texture->width - 1, texture->height - 1);
-    return N64_DONE;
+    plan.sl = plan.tl = 0;
+    plan.sh = texture->width - 1;
+    plan.th = texture->height - 1;
+    return load(list, texture, &plan, 1, texels >> shift);
 }
 
 enum n64_result n64_load_texture_block(struct n64_list *list, const struct n64_texture *texture)
@@ -251,39 +228,30 @@ enum n64_result n64_load_texture_block_4b(struct n64_list *list, const struct n6
     return block(list, texture, N64_4);
 }
 
-enum n64_result n64_load_texture_tile(struct n64_list *list, const struct n64_texture *texture)
+static enum n64_result tile(struct n64_list *list, const struct n64_texture *texture, uint32 size,
+                            uint32 load_size)
 {
     struct plan plan;
 
-    if (!has_room(list, LOAD_PAIRS))
-        return N64_LIST_FULL;
-    plan.size = plan.load_size = texture->size;
-    plan.image_width = texture->width;
-    plan.line = plan.load_line = line_of(texture->format, texture->size,
-                                         texture->sh - texture->sl + 1);
-    begin(list, texture, &plan);
-    n64_load_tile(list, N64_LOAD_TILE, texture->sl << 2, texture->tl << 2, texture->sh << 2,
-                  texture->th << 2);
-    end(list, texture, &plan, texture->sl, texture->tl, texture->sh, texture->th);
-    return N64_DONE;
+    plan.size = size;
+    plan.load_size = load_size;
+    plan.image_width = texture->width >> (load_size != size);
+    plan.line = plan.load_line = line_of(texture->format, size, texture->sh - texture->sl + 1);
+    plan.sl = texture->sl;
+    plan.tl = texture->tl;
+    plan.sh = texture->sh;
+    plan.th = texture->th;
+    return load(list, texture, &plan, 0, 0);
 }
 
-/* Two texels are loaded as one of 8 bits: columns, in 10.2, are halved. */
+enum n64_result n64_load_texture_tile(struct n64_list *list, const struct n64_texture *texture)
+{
+    return tile(list, texture, texture->size, texture->size);
+}
+
 enum n64_result n64_load_texture_tile_4b(struct n64_list *list, const struct n64_texture *texture)
 {
-    struct plan plan;
-
-    if (!has_room(list, LOAD_PAIRS))
-        return N64_LIST_FULL;
-    plan.size = N64_4;
-    plan.load_size = N64_8;
-    plan.image_width = texture->width >> 1;
-    plan.line = plan.load_line = line_of(texture->format, N64_4, texture->sh - texture->sl + 1);
-    begin(list, texture, &plan);
-    n64_load_tile(list, N64_LOAD_TILE, texture->sl << 1, texture->tl << 2, texture->sh << 1,
-                  texture->th << 2);
-    end(list, texture, &plan, texture->sl, texture->tl, texture->sh, texture->th);
-    return N64_DONE;
+    return tile(list, texture, N64_4, N64_8);
 }
 
 static enum n64_result tlut(struct n64_list *list, uint32 tmem, uint32 entries, uint32 image)

@@ -69,13 +69,10 @@ enum n64_result n64_load_tlut(struct n64_list *list, uint32 tile, uint32 last); 
 enum n64_result n64_texture(struct n64_list *list, uint32 max_level, uint32 tile);
 
 /* Modes; each call changes only its own. */
-enum n64_result n64_cycle_type(struct n64_list *list, uint32 cycle);
-enum n64_result n64_texture_perspective(struct n64_list *list, uint32 on);
-enum n64_result n64_texture_detail(struct n64_list *list, uint32 detail);
-enum n64_result n64_texture_lod(struct n64_list *list, uint32 on);
-enum n64_result n64_texture_lut(struct n64_list *list, uint32 lut);
-enum n64_result n64_texture_filter(struct n64_list *list, uint32 filter);
-enum n64_result n64_texture_convert(struct n64_list *list, uint32 conversion);
+typedef enum n64_result n64_mode_call(struct n64_list *list, uint32 value);
+
+n64_mode_call n64_cycle_type, n64_texture_perspective, n64_texture_detail, n64_texture_lod;
+n64_mode_call n64_texture_lut, n64_texture_filter, n64_texture_convert;
 
 enum n64_result n64_set_convert(struct n64_list *list, const int16 *k);  /* K0-K5 */
 enum n64_result n64_combine_mode(struct n64_list *list, const struct n64_combine *combine);
@@ -85,9 +82,8 @@ enum n64_result n64_prim_colour(struct n64_list *list, uint32 min_level, uint32 
                                 uint32 colour);
 enum n64_result n64_env_colour(struct n64_list *list, uint32 colour);
 
-enum n64_result n64_load_sync(struct n64_list *list);
-enum n64_result n64_tile_sync(struct n64_list *list);
-enum n64_result n64_pipe_sync(struct n64_list *list);
-enum n64_result n64_full_sync(struct n64_list *list);
+typedef enum n64_result n64_sync_call(struct n64_list *list);
+
+n64_sync_call n64_load_sync, n64_tile_sync, n64_pipe_sync, n64_full_sync;
 
 #endif

@@ -20,19 +20,12 @@ void n64_init(struct n64 *n64, const uint8 *dram, uint32 dram_bytes)
 
 static int32 drawable_pair(uint32 format, uint32 size)
 {
-    switch (format) {
-    case N64_RGBA:
-        return size == N64_16 || size == N64_32;
-    case N64_YUV:
-        return size == N64_16;
-    case N64_IA:
-        return size != N64_32;
-    case N64_CI:
-    case N64_I:
-        return size == N64_4 || size == N64_8;
-    default:
-        return 0;
-    }
+    static const uint8 sizes[] = {      /* of RGBA, YUV, CI, IA, I */
+        1 << N64_16 | 1 << N64_32, 1 << N64_16, 1 << N64_4 | 1 << N64_8,
+        1 << N64_4 | 1 << N64_8 | 1 << N64_16, 1 << N64_4 | 1 << N64_8
+    };
+
+    return format <= N64_I && sizes[format] >> size & 1;
 }
 
 int32 n64_loadable_pair(uint32 format, uint32 size)
@@ -40,7 +33,7 @@ int32 n64_loadable_pair(uint32 format, uint32 size)
     return size != N64_4 && (drawable_pair(format, size) || (size == N64_16 && format <= N64_I));
 }
 
-static int32 is_split(const struct n64_tile *tile)
+int32 n64_is_split(const struct n64_tile *tile)
 {
     return tile->format == N64_YUV || (tile->format == N64_RGBA && tile->size == N64_32);
 }
@@ -79,7 +72,7 @@ static enum n64_result check_place(const struct n64_tile *tile, int32 low_only)
 
     if (columns > N64_COLUMNS_MAX || rows > N64_ROWS_MAX)
         return N64_TILE_TOO_LARGE;
-    if (is_split(tile)) {
+    if (n64_is_split(tile)) {
         if (tile->tmem >= N64_HALF_WORDS)
             return N64_SPLIT_HIGH;
         return end > N64_HALF_WORDS ? N64_TILE_OUTSIDE : N64_DONE;

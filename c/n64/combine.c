@@ -3,44 +3,18 @@
 #include "n64/codes.h"
 #include "n64/pixel.h"
 
-/* Values of the codes of a cycle; channel 0-3: R G B A. */
-struct inputs {
-    int32 colours[6][4];        /* N64_CODE_COMBINED to N64_CODE_ENVIRONMENT */
-    int32 fraction, primitive_fraction, k4, k5;
+const uint8 n64_sources[4][16] = {
+    {0, 1, 2, 3, 4, 5, N64_ONE, 7, 7, 7, 7, 7, 7, 7, 7, 7},
+    {0, 1, 2, 3, 4, 5, 7, N64_K4, 7, 7, 7, 7, 7, 7, 7, 7},
+    {0, 1, 2, 3, 4, 5, 7, 16, 17, 18, 19, 20, 21, N64_FRACTION, N64_PRIMITIVE_FRACTION, N64_K5},
+    {N64_FRACTION, 1, 2, 3, 4, 5, N64_PRIMITIVE_FRACTION, 7, 7, 7, 7, 7, 7, 7, 7, 7}
 };
 
-static int32 rgb_ad(const struct inputs *in, uint32 code, int32 channel)
-{
-    return code < N64_CODE_ONE ? in->colours[code][channel] : code == N64_CODE_ONE ? 0x100 : 0;
-}
-
-static int32 rgb_b(const struct inputs *in, uint32 code, int32 channel)
-{
-    return code < N64_CODE_KEY_CENTRE ? in->colours[code][channel] : code == N64_CODE_K4 ? in->k4 : 0;
-}
-
-static int32 rgb_c(const struct inputs *in, uint32 code, int32 channel)
-{
-    if (code < N64_CODE_KEY_SCALE)
-        return in->colours[code][channel];
-    if (code >= N64_CODE_COMBINED_ALPHA && code <= N64_CODE_ENVIRONMENT_ALPHA)
-        return in->colours[code - N64_CODE_COMBINED_ALPHA][3];
-    return code == N64_CODE_FRACTION ? in->fraction
-        : code == N64_CODE_PRIMITIVE_FRACTION ? in->primitive_fraction
-        : code == N64_CODE_K5 ? in->k5 : 0;
-}
-
-static int32 alpha_abd(const struct inputs *in, uint32 code)
-{
-    return rgb_ad(in, code, 3);
-}
-
-static int32 alpha_c(const struct inputs *in, uint32 code)
-{
-    return code == N64_CODE_ALPHA_FRACTION ? in->fraction
-        : code == N64_CODE_ALPHA_PRIMITIVE_FRACTION ? in->primitive_fraction
-        : code < N64_CODE_ONE ? in->colours[code][3] : 0;
-}
+/* Values of sources; channel 0-3: R G B A. */
+struct inputs {
+    int32 colours[6][4];
+    int32 singles[6];           /* N64_ONE to N64_K5 */
+};
 
 /* Extends A, B or D: a quarter of the range is negative. */
 static int32 extend(int32 value)
@@ -56,18 +30,36 @@ static int32 combine(int32 a, int32 b, int32 c, int32 d)
     return sum >> 8 & 0x1ff;
 }
 
+/* Makes channels first to end - 1 from an input of R G B or of alpha. */
+static void combine_channels(const struct inputs *in, const struct n64_input *codes, int32 first,
+                             int32 end, int32 *made)
+{
+    const int32 *from[4];
+    int32 steps[4];
+
+    for (int32 which = 0; which < 4; which++) {
+        const uint32 source = n64_source(codes, first == 3, which);
+
+        steps[which] = source < N64_ONE;
+        from[which] = source < N64_ONE ? &in->colours[source][first]
+            : source >= N64_ALPHA_OF ? &in->colours[source - N64_ALPHA_OF][3]
+            : &in->singles[source - N64_ONE];
+    }
+    for (int32 i = first; i < end; i++) {
+        made[i] = combine(*from[N64_A], *from[N64_B], *from[N64_C], *from[N64_D]);
+        for (int32 which = 0; which < 4; which++)
+            from[which] += steps[which];
+    }
+}
+
 static void combine_cycle(const struct n64_combine *codes, int32 cycle, struct inputs *in)
 {
-    const struct n64_input *rgb = &codes->rgb[cycle], *alpha = &codes->alpha[cycle];
     int32 made[4];
 
-    for (int32 i = 0; i < 3; i++)
-        made[i] = combine(rgb_ad(in, rgb->a, i), rgb_b(in, rgb->b, i), rgb_c(in, rgb->c, i),
-                          rgb_ad(in, rgb->d, i));
-    made[3] = combine(alpha_abd(in, alpha->a), alpha_abd(in, alpha->b), alpha_c(in, alpha->c),
-                      alpha_abd(in, alpha->d));
+    combine_channels(in, &codes->rgb[cycle], 0, 3, made);
+    combine_channels(in, &codes->alpha[cycle], 3, 4, made);
     for (int32 i = 0; i < 4; i++)
-        in->colours[N64_CODE_COMBINED][i] = made[i];
+        in->colours[N64_COMBINED][i] = made[i];
 }
 
 static void put(struct inputs *in, int32 code, const struct n64_colour *colour)
@@ -91,25 +83,27 @@ uint32 n64_combine_pixel(const struct n64 *n64, const struct n64_sources *source
     uint32 colour = 0;
 
     for (int32 i = 0; i < 4; i++) {
-        in.colours[N64_CODE_COMBINED][i] = 0;
-        in.colours[N64_CODE_PRIMITIVE][i] = n64->primitive[i];
-        in.colours[N64_CODE_ENVIRONMENT][i] = n64->environment[i];
+        in.colours[N64_COMBINED][i] = 0;
+        in.colours[N64_PRIMITIVE][i] = n64->primitive[i];
+        in.colours[N64_ENVIRONMENT][i] = n64->environment[i];
     }
-    put(&in, N64_CODE_SHADE, &sources->shade);
-    put(&in, N64_CODE_TEXEL0, &sources->texel0);
-    put(&in, N64_CODE_TEXEL1, &sources->texel1);
-    in.fraction = sources->fraction;
-    in.primitive_fraction = n64->primitive_fraction;
-    in.k4 = n64->k[4];
-    in.k5 = n64->k[5];
+    put(&in, N64_SHADE, &sources->shade);
+    put(&in, N64_TEXEL0, &sources->texel0);
+    put(&in, N64_TEXEL1, &sources->texel1);
+    in.singles[0] = 0x100;
+    in.singles[N64_ZERO - N64_ONE] = 0;
+    in.singles[N64_FRACTION - N64_ONE] = sources->fraction;
+    in.singles[N64_PRIMITIVE_FRACTION - N64_ONE] = n64->primitive_fraction;
+    in.singles[N64_K4 - N64_ONE] = n64->k[4];
+    in.singles[N64_K5 - N64_ONE] = n64->k[5];
     if (n64->modes.cycle == N64_TWO_CYCLES) {
         combine_cycle(&n64->combine, 0, &in);
-        put(&in, N64_CODE_TEXEL0, &sources->texel1);
-        put(&in, N64_CODE_TEXEL1, &sources->texel0);
+        put(&in, N64_TEXEL0, &sources->texel1);
+        put(&in, N64_TEXEL1, &sources->texel0);
     }
     combine_cycle(&n64->combine, 1, &in);
     for (int32 i = 0; i < 4; i++)
-        colour = colour << 8 | (uint32)clamp_9(in.colours[N64_CODE_COMBINED][i]);
+        colour = colour << 8 | (uint32)clamp_9(in.colours[N64_COMBINED][i]);
     return colour;
 }
 
@@ -122,23 +116,19 @@ enum n64_result n64_check_combine(const struct n64_combine *combine)
     return N64_DONE;
 }
 
-/* Returns the enum n64_inputs bit of a code that means the same for A, B, C and D. */
-static uint32 input_of(uint32 code)
-{
-    return code == N64_CODE_TEXEL0 ? N64_INPUT_TEXEL0 : code == N64_CODE_TEXEL1 ? N64_INPUT_TEXEL1
-        : code == N64_CODE_SHADE ? N64_INPUT_SHADE : 0;
-}
-
 static uint32 cycle_inputs(const struct n64_combine *combine, int32 cycle)
 {
-    const struct n64_input *rgb = &combine->rgb[cycle], *alpha = &combine->alpha[cycle];
-    uint32 inputs = input_of(rgb->a) | input_of(rgb->b) | input_of(rgb->c) | input_of(rgb->d)
-        | input_of(alpha->a) | input_of(alpha->b) | input_of(alpha->c) | input_of(alpha->d);
+    static const uint8 of[] = {0, N64_INPUT_TEXEL0, N64_INPUT_TEXEL1, 0, N64_INPUT_SHADE, 0};
+    uint32 inputs = 0;
 
-    if (rgb->c >= N64_CODE_TEXEL0_ALPHA && rgb->c <= N64_CODE_SHADE_ALPHA)
-        inputs |= input_of(rgb->c - N64_CODE_COMBINED_ALPHA);
-    if (rgb->c == N64_CODE_FRACTION || alpha->c == N64_CODE_ALPHA_FRACTION)
-        inputs |= N64_INPUT_LOD_FRACTION;
+    for (int32 i = 0; i < 8; i++) {
+        const uint32 source = n64_source(i < 4 ? &combine->rgb[cycle] : &combine->alpha[cycle],
+                                         i >= 4, i & 3);
+        const uint32 colour = source < N64_ALPHA_OF ? source : source - N64_ALPHA_OF;
+
+        inputs |= source == N64_FRACTION ? N64_INPUT_LOD_FRACTION
+            : colour < N64_ONE ? of[colour] : 0;
+    }
     return inputs;
 }
 

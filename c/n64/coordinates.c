@@ -18,8 +18,7 @@ uint32 n64_relative(const struct n64_axis *axis, int32 c)
     return (uint32)c & 0xffff;
 }
 
-static void place(const struct n64_axis *axis, uint32 index, uint32 wrapped,
-                  struct n64_place *place)
+void n64_place(const struct n64_axis *axis, uint32 index, uint32 wrapped, struct n64_place *place)
 {
     const uint32 mask = axis->mask < 10 ? axis->mask : 10, full = (1u << mask) - 1;
 
@@ -40,14 +39,4 @@ static void place(const struct n64_axis *axis, uint32 index, uint32 wrapped,
         }
     }
     place->index = (int32)index;
-}
-
-void n64_place_column(const struct n64_axis *axis, uint32 column, struct n64_place *column_place)
-{
-    place(axis, column, 0x3ff, column_place);
-}
-
-void n64_place_row(const struct n64_axis *axis, uint32 row, struct n64_place *row_place)
-{
-    place(axis, row, 0xff, row_place);
 }

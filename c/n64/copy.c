@@ -24,11 +24,11 @@ void n64_copy_texels(const struct n64 *n64, int32 n, int32 s, int32 t, uint32 *t
     struct n64_place column, row;
     uint32 reds = 0;
 
-    n64_place_row(&tile->t, (uint32)first_index(&tile->t, t), &row);
+    n64_place(&tile->t, (uint32)first_index(&tile->t, t), N64_ROW, &row);
     for (int32 i = 0; i < 4; i++) {
         uint32 bits;
 
-        n64_place_column(&tile->s, (uint32)(first + i), &column);
+        n64_place(&tile->s, (uint32)(first + i), N64_COLUMN, &column);
         if (n64->modes.tlut)
             bits = n64_tlut_entry(n64, n64_tlut_index(n64, tile, column.index, row.index), i);
         else

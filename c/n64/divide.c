@@ -2,12 +2,6 @@
 
 #define HALF (N64_RECIPROCALS / 2)
 
-/* Returns 2^20 / (64 + i), rounded except for one entry, as in the hardware. */
-static int32 inverse(int32 i)
-{
-    return i == 6 ? 14979 : ((2 << 20) / (64 + i) + 1) >> 1;
-}
-
 /* s * r >> (13 - shift) is the upper half of (s << 16) * (r << (3 + shift)), where shift brings
    w's highest bit to bit 14. For w and 2 w r is the same and the shift differs by one, so only
    the upper half of the table is calculated, in straight lines of 256 entries. The entry of w = 1
@@ -17,7 +11,7 @@ void n64_divide_table_make(uint32 *reciprocals)
     uint32 *to = reciprocals + HALF;
 
     for (int32 i = 0; i < HALF / 256; i++) {
-        const int32 from = inverse(i), step = (inverse(i + 1) - from) * 4;
+        const int32 from = n64_inverses[i], step = (n64_inverses[i + 1] - from) * 4;
         int32 below = 0;
 
         for (int32 k = 0; k < 256; k++, below += step)

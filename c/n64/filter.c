@@ -100,8 +100,8 @@ void n64_sample(const struct n64 *n64, int32 n, int32 s, int32 t, int32 cycle,
     const int32 again = cycle && n64->modes.convert_one;
     struct n64_place column, row;
 
-    n64_place_column(&tile->s, relative_s >> 5, &column);
-    n64_place_row(&tile->t, relative_t >> 5, &row);
+    n64_place(&tile->s, relative_s >> 5, N64_COLUMN, &column);
+    n64_place(&tile->t, relative_t >> 5, N64_ROW, &row);
     if (!n64->modes.quad) {
         if (filters && again)   /* four equal texels */
             out->r = out->g = out->b = out->a = previous->b;

@@ -10,11 +10,6 @@ static void put_unit(struct n64 *n64, uint32 unit, uint32 first, uint32 second)
     to[1] = (uint8)second;
 }
 
-static int32 is_split(const struct n64_tile *tile)
-{
-    return tile->format == N64_YUV || (tile->format == N64_RGBA && tile->size == N64_32);
-}
-
 /* Returns the 16-bit unit of texel s, counted from the beginning of the tile's row. */
 static uint32 column_of(const struct n64_tile *tile, uint32 s)
 {
@@ -32,7 +27,7 @@ static void put_chunk(struct n64 *n64, const struct n64_tile *tile, uint32 row, 
     const uint32 odd = (row & 1) * 2;
     uint32 unit = base + column_of(tile, s);
 
-    if (!is_split(tile)) {
+    if (!n64_is_split(tile)) {
         unit &= 0x7fc;
         for (uint32 i = 0; i < 4; i++, d += 2)
             put_unit(n64, (unit + i) ^ odd, d[0], d[1]);
@@ -79,7 +74,7 @@ static enum n64_result check_room(const struct n64 *n64, const struct n64_tile *
 {
     if (!n64->checked)
         return N64_DONE;
-    if (is_split(tile)) {
+    if (n64_is_split(tile)) {
         if (tile->tmem >= N64_HALF_WORDS)
             return N64_SPLIT_HIGH;
         return end > N64_HALF_WORDS ? N64_LOAD_TOO_LARGE : N64_DONE;
@@ -92,78 +87,78 @@ static enum n64_result check_room(const struct n64 *n64, const struct n64_tile *
 /* Returns the TMEM words that chunks take up from the beginning of a row: split ones take half. */
 static uint32 words_of(const struct n64_tile *tile, uint32 chunks)
 {
-    return is_split(tile) ? (chunks + 1) >> 1 : chunks;
+    return n64_is_split(tile) ? (chunks + 1) >> 1 : chunks;
+}
+
+/* What a load takes from the image: texels of each row (0: the last comes before the first), from
+   column `left` and row `top` on. */
+struct part {
+    uint32 left, top, texels, rows;
+    uint32 dxt;                 /* rows of TMEM a chunk, 1.11 */
+};
+
+static enum n64_result load_part(struct n64 *n64, uint32 hi, uint32 lo, const struct part *part)
+{
+    const struct n64_tile *tile = &n64->tiles[n64_bits(lo, 26, 24)];
+    const uint32 texel_shift = n64->image.size - 1u, step = 16u >> n64->image.size;
+    const uint32 chunks = (part->texels - 1 + step) / step;
+    enum n64_result result = check_image(n64, tile);
+    uint32 pitch, from;
+
+    if (result != N64_DONE)
+        return result;
+    if (!part->texels) {
+        if (n64->checked)
+            return N64_LOAD_BACKWARDS;
+        n64_set_edges(n64, hi, lo);
+        return N64_DONE;
+    }
+    if (n64->checked && part->texels > N64_BLOCK_TEXELS)
+        return N64_BLOCK_TOO_LARGE;
+    result = check_room(n64, tile, tile->tmem + words_of(tile, chunks)
+                        + (part->rows - 1 + ((chunks - 1) * part->dxt >> 11)) * tile->line);
+    if (result != N64_DONE)
+        return result;
+    pitch = (uint32)n64->image.width << texel_shift;
+    from = n64->image.address + part->top * pitch + (part->left << texel_shift);
+    if (!inside(n64, from + (part->rows - 1) * pitch, 8 * chunks))
+        return N64_OUTSIDE_DRAM;
+    n64_set_edges(n64, hi, lo);
+    for (uint32 row = 0; row < part->rows; row++) {
+        const uint8 *at = n64->dram + from + row * pitch;
+        uint32 way = row << 11;
+
+        for (uint32 chunk = 0; chunk < chunks; chunk++, way += part->dxt, at += 8)
+            put_chunk(n64, tile, way >> 11, chunk * step, at);
+    }
+    n64->tmem_generation++;
+    return N64_DONE;
 }
 
 enum n64_result n64_load_tile_words(struct n64 *n64, uint32 hi, uint32 lo)
 {
-    const struct n64_tile *tile = &n64->tiles[n64_bits(lo, 26, 24)];
-    const uint32 left = n64_bits(hi, 23, 14), top = n64_bits(hi, 11, 2);
     const uint32 right = n64_bits(lo, 23, 14), bottom = n64_bits(lo, 11, 2);
-    const uint32 texel_shift = n64->image.size - 1u, step = 16u >> n64->image.size;
-    enum n64_result result = check_image(n64, tile);
-    uint32 chunks, rows, last_from;
+    struct part part;
 
-    if (result != N64_DONE)
-        return result;
-    if (right < left || bottom < top) {
-        if (n64->checked)
-            return N64_LOAD_BACKWARDS;
-        n64_set_edges(n64, hi, lo);
-        return N64_DONE;
-    }
-    rows = bottom - top + 1;
-    chunks = (right - left + step) / step;
-    result = check_room(n64, tile, tile->tmem + (rows - 1) * tile->line + words_of(tile, chunks));
-    if (result != N64_DONE)
-        return result;
-    last_from = n64->image.address + ((bottom * n64->image.width + left) << texel_shift);
-    if (!inside(n64, last_from, 8 * chunks))
-        return N64_OUTSIDE_DRAM;
-    n64_set_edges(n64, hi, lo);
-    for (uint32 row = 0; row < rows; row++) {
-        const uint8 *from = n64->dram + n64->image.address
-            + (((top + row) * n64->image.width + left) << texel_shift);
-
-        for (uint32 chunk = 0; chunk < chunks; chunk++)
-            put_chunk(n64, tile, row, chunk * step, from + 8 * chunk);
-    }
-    n64->tmem_generation++;
-    return N64_DONE;
+    part.left = n64_bits(hi, 23, 14);
+    part.top = n64_bits(hi, 11, 2);
+    part.rows = bottom - part.top + 1;
+    part.texels = right < part.left || bottom < part.top ? 0 : right - part.left + 1;
+    part.dxt = 0;
+    return load_part(n64, hi, lo, &part);
 }
 
 enum n64_result n64_load_block_words(struct n64 *n64, uint32 hi, uint32 lo)
 {
-    const struct n64_tile *tile = &n64->tiles[n64_bits(lo, 26, 24)];
-    const uint32 first = n64_bits(hi, 23, 12), last = n64_bits(lo, 23, 12);
-    const uint32 top = n64_bits(hi, 11, 0), dxt = n64_bits(lo, 11, 0);
-    const uint32 texel_shift = n64->image.size - 1u, step = 16u >> n64->image.size;
-    enum n64_result result = check_image(n64, tile);
-    uint32 chunks, from;
+    const uint32 last = n64_bits(lo, 23, 12);
+    struct part part;
 
-    if (result != N64_DONE)
-        return result;
-    if (last < first) {
-        if (n64->checked)
-            return N64_LOAD_BACKWARDS;
-        n64_set_edges(n64, hi, lo);
-        return N64_DONE;
-    }
-    if (n64->checked && last - first >= N64_BLOCK_TEXELS)
-        return N64_BLOCK_TOO_LARGE;
-    chunks = (last - first + step) / step;
-    result = check_room(n64, tile, tile->tmem + ((chunks - 1) * dxt >> 11) * tile->line
-                        + words_of(tile, chunks));
-    if (result != N64_DONE)
-        return result;
-    from = n64->image.address + ((top * n64->image.width + first) << texel_shift);
-    if (!inside(n64, from, 8 * chunks))
-        return N64_OUTSIDE_DRAM;
-    n64_set_edges(n64, hi, lo);
-    for (uint32 chunk = 0; chunk < chunks; chunk++)
-        put_chunk(n64, tile, chunk * dxt >> 11, chunk * step, n64->dram + from + 8 * chunk);
-    n64->tmem_generation++;
-    return N64_DONE;
+    part.left = n64_bits(hi, 23, 12);
+    part.top = n64_bits(hi, 11, 0);
+    part.rows = 1;
+    part.texels = last < part.left ? 0 : last - part.left + 1;
+    part.dxt = n64_bits(lo, 11, 0);
+    return load_part(n64, hi, lo, &part);
 }
 
 static enum n64_result check_tlut(const struct n64 *n64, const struct n64_tile *tile, uint32 entries)

@@ -31,55 +31,50 @@ enum n64_operation {
     N64_OP_NOTHING = 0x00,
     N64_OP_TEXTURE = 0x17,      /* hi: max_level 13:11, first tile 10:8 */
     N64_OP_MODES = 0x23,        /* hi: 32 - shift - bits 15:8, bits - 1 7:0; lo: the bits */
-    N64_OP_LOAD_SYNC = 0x26,
-    N64_OP_PIPE_SYNC = 0x27,
-    N64_OP_TILE_SYNC = 0x28,
-    N64_OP_FULL_SYNC = 0x29,
-    N64_OP_CONVERT = 0x2c,
-    N64_OP_OTHER_MODES = 0x2f,
+    N64_OP_LOAD_SYNC = 0x26, N64_OP_PIPE_SYNC, N64_OP_TILE_SYNC, N64_OP_FULL_SYNC,
+    N64_OP_CONVERT = 0x2c, N64_OP_OTHER_MODES = 0x2f,
     N64_OP_LOAD_TLUT = 0x30,
-    N64_OP_TILE_SIZE = 0x32,
-    N64_OP_LOAD_BLOCK = 0x33,
-    N64_OP_LOAD_TILE = 0x34,
-    N64_OP_TILE = 0x35,
-    N64_OP_PRIMITIVE = 0x3a,
-    N64_OP_ENVIRONMENT = 0x3b,
-    N64_OP_COMBINE = 0x3c,
-    N64_OP_IMAGE = 0x3d
+    N64_OP_TILE_SIZE = 0x32, N64_OP_LOAD_BLOCK, N64_OP_LOAD_TILE, N64_OP_TILE,
+    N64_OP_PRIMITIVE = 0x3a, N64_OP_ENVIRONMENT, N64_OP_COMBINE, N64_OP_IMAGE
 };
 
-/* Result of a command or a check. Unless it is N64_DONE, nothing was changed. */
+/* Results of a command or a check, and their texts. Unless it is N64_DONE, nothing was changed. */
+#define N64_RESULT_LIST(RESULT) \
+    RESULT(DONE, "done") \
+    RESULT(UNKNOWN_COMMAND, "unknown command") \
+    RESULT(ILLEGAL_PAIR, "no such format of this size") \
+    RESULT(IMAGE_MISALIGNED, "image address is no multiple of 8") \
+    RESULT(IMAGE_4_BIT, "4-bit image in a load")  /* it would hang the hardware */ \
+    RESULT(OUTSIDE_DRAM, "load reads outside the memory given") \
+    RESULT(LOAD_BACKWARDS, "last texel of the load comes before the first") \
+    RESULT(BLOCK_TOO_LARGE, "load block of more than 2048 texels")  /* N64_BLOCK_TEXELS */ \
+    RESULT(LOAD_TOO_LARGE, "load goes beyond TMEM") \
+    RESULT(TLUT_IMAGE, "TLUT image is not of 16 bits") \
+    RESULT(TLUT_TILE, "TLUT load through a tile that is not of 4 bits") \
+    RESULT(TLUT_ROWS, "TLUT load over more than one row")  /* it would hang the hardware */ \
+    RESULT(TLUT_ENTRIES, "TLUT of more than 256 entries or beyond TMEM") \
+    RESULT(TLUT_LOW, "TLUT in the low half of TMEM") \
+    RESULT(INDEX_HIGH, "CI texels in the high half of TMEM") \
+    RESULT(SPLIT_HIGH, "low part of RGBA 32 or YUV texels in the high half of TMEM") \
+    RESULT(TLUT_MODE, "CI tile without TLUT, or another tile with it") \
+    RESULT(TILE_TOO_LARGE, "tile of more than 1024 x 256 texels") \
+    RESULT(TILE_OUTSIDE, "tile shows texels beyond TMEM") \
+    RESULT(TILE_EDGES, "clamped tile ends before it begins") \
+    RESULT(COMBINE_INPUT, "combiner input is not supported")  /* noise, chroma key */ \
+    RESULT(CYCLE_TYPE, "cycle type does not draw this") \
+    RESULT(COORDINATE_RANGE, "texture coordinate is not within -1024 to 1023.96875") \
+    RESULT(NO_LOAD_SYNC, "no load sync")  /* strict: a load after drawing without it */ \
+    RESULT(NO_TILE_SYNC, "no tile sync")  /* a change of a tile that was drawn from */ \
+    RESULT(NO_PIPE_SYNC, "no pipe sync")  /* a change of modes */ \
+    RESULT(LIST_FULL, "no room in the list")  /* calls.h */ \
+    RESULT(NO_MEMORY, "not enough memory")  /* decode.h */ \
+    RESULT(DECODE_TOO_LARGE, "tile is too large to be decoded")  /* N64_DECODE_BITS */ \
+    RESULT(RECTANGLE_MODES, "texture rectangle in perspective or with shade")
+
 enum n64_result {
-    N64_DONE,
-    N64_UNKNOWN_COMMAND,
-    N64_ILLEGAL_PAIR,           /* no such format of this size */
-    N64_IMAGE_MISALIGNED,       /* its address is no multiple of 8 */
-    N64_IMAGE_4_BIT,            /* in a load: it would hang the hardware */
-    N64_OUTSIDE_DRAM,           /* a load reads beyond the memory given */
-    N64_LOAD_BACKWARDS,         /* the last texel comes before the first */
-    N64_BLOCK_TOO_LARGE,        /* more than N64_BLOCK_TEXELS */
-    N64_LOAD_TOO_LARGE,         /* it goes beyond TMEM */
-    N64_TLUT_IMAGE,             /* a TLUT's image must have 16 bits, */
-    N64_TLUT_TILE,              /* the tile it is loaded through 4 */
-    N64_TLUT_ROWS,              /* more than one: it would hang the hardware */
-    N64_TLUT_ENTRIES,           /* more than 256, or beyond the end of TMEM */
-    N64_TLUT_LOW,               /* it begins in the low half */
-    N64_INDEX_HIGH,             /* CI texels in the high half */
-    N64_SPLIT_HIGH,             /* low part of RGBA 32 or YUV in the high half */
-    N64_TLUT_MODE,              /* a CI tile while TLUT is off, or another while it is on */
-    N64_TILE_TOO_LARGE,         /* more than 1024 columns or 256 rows */
-    N64_TILE_OUTSIDE,           /* the tile shows texels beyond TMEM */
-    N64_TILE_EDGES,             /* sh < sl or th < tl where the tile clamps */
-    N64_COMBINE_INPUT,          /* a code that is not supported: noise, chroma key */
-    N64_CYCLE_TYPE,             /* not one the texture engine can draw this with */
-    N64_COORDINATE_RANGE,       /* not -1024.0 to 1023.96875 texels */
-    N64_NO_LOAD_SYNC,           /* strict: a load after drawing without its sync, */
-    N64_NO_TILE_SYNC,           /* a change of a tile that was drawn from, */
-    N64_NO_PIPE_SYNC,           /* a change of modes */
-    N64_LIST_FULL,              /* calls.h: no room for the words */
-    N64_NO_MEMORY,              /* decode.h */
-    N64_DECODE_TOO_LARGE,       /* its limit: N64_DECODE_BITS */
-    N64_RECTANGLE_MODES,        /* a rectangle in perspective or with shade: it has neither */
+#define RESULT(name, text) N64_##name,
+    N64_RESULT_LIST(RESULT)
+#undef RESULT
     N64_RESULTS
 };
 
@@ -200,12 +195,23 @@ enum n64_result n64_load_block_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tile_words(struct n64 *n64, uint32 hi, uint32 lo);
 enum n64_result n64_load_tlut_words(struct n64 *n64, uint32 hi, uint32 lo);
 
+/* command.c: the fields of a set-combine word, in the order of struct n64_combine. shift: from bit
+   0 of the lower word on. */
+struct n64_field {
+    uint8 shift, bits;
+};
+
+extern const struct n64_field n64_combine_fields[16];
+
 /* command.c: sets a tile's edges from the words of set tile size or of a load. */
 void n64_set_edges(struct n64 *n64, uint32 hi, uint32 lo);
 
 /* check.c: returns non-zero if a load may use the format in this size: all that can be drawn
    except 4 bits, and every format as 16 bits. */
 int32 n64_loadable_pair(uint32 format, uint32 size);
+
+/* check.c: returns non-zero if texels have half of their bytes in each half of TMEM. */
+int32 n64_is_split(const struct n64_tile *tile);
 
 /* combine.c: n64_find_inputs recalculates n64->inputs. n64_check_combine returns N64_DONE if all
    codes are supported. */

@@ -59,6 +59,9 @@ struct n64_axes {
     struct n64_axis_range s, t;
 };
 
+/* perspective.c. 2^20 / (64 + i), rounded; entry 6 is one less, as in the hardware. */
+extern const uint16 n64_inverses[65];
+
 #define N64_RECIPROCALS 32768   /* longs: 128 KB */
 
 /* Steps of the iterators, and the reciprocal of each w. */
@@ -154,26 +157,11 @@ void n64_matrix_make(struct n64_matrix *matrix, const int16 *k);
 void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *modes);
 void n64_divide_table_make(uint32 *reciprocals);
 
-void n64_walk(const void *iterators, void *coordinates, const void *steps, int32 count);
-void n64_threepoint(const void *coordinates, void *texels, const void *decoded, int32 count);
-void n64_threepoint_16(const void *coordinates, void *pixels, const void *decoded,
-                       int32 count);
-void n64_average(const void *coordinates, void *texels, const void *decoded, int32 count);
-void n64_point(const void *coordinates, void *texels, const void *decoded, int32 count);
-void n64_store_16(const void *texels, void *pixels, const void *nothing, int32 count);
-void n64_divide(const void *iterators, void *coordinates, const void *division, int32 count);
-void n64_tile(const void *coordinates, void *relative, const void *axes, int32 count);
-void n64_lerp(const void *texels, void *blended, const void *blend, int32 count);
-void n64_shade(const void *shades, void *colours, const void *steps, int32 count);
-void n64_modulate(const void *texels, void *products, const void *modulation, int32 count);
-void n64_map(const void *texels, void *mapped, const void *tables, int32 count);
-void n64_widen(const void *texels, void *wide, const void *nothing, int32 count);
-void n64_combiner(const void *nothing, void *results, const void *combination, int32 count);
-void n64_narrow(const void *wide, void *texels, const void *nothing, int32 count);
-void n64_chroma(const void *coordinates, void *halved, const void *nothing, int32 count);
-void n64_convert(const void *luma, void *colours, const void *conversion, int32 count);
-void n64_convert_wide(const void *luma, void *wide, const void *conversion, int32 count);
-void n64_quads(const void *texels, void *quads, const void *row, int32 count);
-void n64_lod(const void *iterators, void *coordinates, const void *detail, int32 count);
+typedef void n64_pass(const void *in, void *out, const void *constants, int32 count);
+
+n64_pass n64_walk, n64_divide, n64_lod, n64_tile, n64_chroma;   /* iterators, coordinates */
+n64_pass n64_point, n64_threepoint, n64_threepoint_16, n64_average, n64_quads;
+n64_pass n64_lerp, n64_shade, n64_modulate, n64_map, n64_convert, n64_store_16;
+n64_pass n64_widen, n64_combiner, n64_convert_wide, n64_narrow;
 
 #endif

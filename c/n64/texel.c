@@ -41,12 +41,6 @@ static void expand_rgba16(uint32 bits, struct n64_colour *texel)
     texel->a = bits & 1 ? 255 : 0;
 }
 
-static void expand_ia16(uint32 bits, struct n64_colour *texel)
-{
-    texel->r = texel->g = texel->b = (int16)(bits >> 8 & 255);
-    texel->a = (int16)(bits & 255);
-}
-
 static void grey(uint32 value, uint32 alpha, struct n64_colour *texel)
 {
     texel->r = texel->g = texel->b = (int16)value;
@@ -65,24 +59,23 @@ static void fetch_4(const struct n64_tile *tile, uint32 nibble, struct n64_colou
         grey(nibble * 17, nibble * 17, texel);
 }
 
-static void fetch_16(const struct n64_tile *tile, const uint8 *at, struct n64_colour *texel)
+/* Of 16 or 32 bits. */
+static void fetch_wide(const struct n64 *n64, const struct n64_tile *tile, uint32 address,
+                       struct n64_colour *texel)
 {
-    if (tile->format == N64_RGBA) {
+    const int32 split = tile->size == N64_32 && tile->format == N64_RGBA;
+    const uint8 *at = &n64->tmem[address & (split ? 0x7fe : 0xffe)];
+
+    if (tile->format == N64_RGBA && !split) {
         expand_rgba16((uint32)at[0] << 8 | at[1], texel);
     } else if (tile->format == N64_IA && tile->size == N64_16) {
         grey(at[0], at[1], texel);
     } else {
-        texel->r = texel->b = at[0];
-        texel->g = texel->a = at[1];
+        texel->r = at[0];
+        texel->g = at[1];
+        texel->b = at[split ? 0x800 : 0];
+        texel->a = at[split ? 0x801 : 1];
     }
-}
-
-static void fetch_rgba32(const uint8 *at, struct n64_colour *texel)
-{
-    texel->r = at[0];
-    texel->g = at[1];
-    texel->b = at[0x800];
-    texel->a = at[0x801];
 }
 
 /* U and V are in TMEM's low half, one of each for two texels; Y is in the high half. */
@@ -108,7 +101,7 @@ void n64_fetch(const struct n64 *n64, const struct n64_tile *tile, int32 s, int3
     if (n64->modes.tlut) {
         address = n64_tlut_entry(n64, n64_tlut_index(n64, tile, s, row), tap);
         if (n64->modes.tlut_type)
-            expand_ia16(address, texel);
+            grey(address >> 8, address & 255, texel);
         else
             expand_rgba16(address, texel);
         return;
@@ -120,8 +113,6 @@ void n64_fetch(const struct n64 *n64, const struct n64_tile *tile, int32 s, int3
         grey((n64->tmem[address] >> 4) * 17u, (n64->tmem[address] & 15) * 17u, texel);
     else if (tile->size == N64_8)
         grey(n64->tmem[address], n64->tmem[address], texel);
-    else if (tile->size == N64_32 && tile->format == N64_RGBA)
-        fetch_rgba32(&n64->tmem[address & 0x7fe], texel);
     else
-        fetch_16(tile, &n64->tmem[address & 0xffe], texel);
+        fetch_wide(n64, tile, address, texel);
 }

@@ -27,10 +27,11 @@ static inline int32 n64_shifted(const struct n64_axis *axis, int32 c)
 uint32 n64_relative(const struct n64_axis *axis, int32 c);
 
 /* coordinates.c. Step 5 (mirror, mask) for a relative coordinate's integer part. Columns and
-   rows differ in the last one's step. Except in copy mode, only the low 8 bits of a row's index
-   address texels. */
-void n64_place_column(const struct n64_axis *axis, uint32 column, struct n64_place *place);
-void n64_place_row(const struct n64_axis *axis, uint32 row, struct n64_place *place);
+   rows differ in the last one's step: `wrapped` is N64_COLUMN or N64_ROW. Except in copy mode, only
+   the low 8 bits of a row's index address texels. */
+enum { N64_COLUMN = 0x3ff, N64_ROW = 0xff };
+
+void n64_place(const struct n64_axis *axis, uint32 index, uint32 wrapped, struct n64_place *place);
 
 /* texel.c. Fetches one texel of a tile. s: column, any; row: 0 to 256. tap: which of the four
    copies of a TLUT entry to read (0: for the texel itself; 1, 2, 3: for its neighbour in s, in t,

@@ -133,7 +133,8 @@ def test_every_routine_has_objects_and_entries(kit, libraries, elf):
             assert f"        xref    {name}\n" in include, name
             for form, names in defined.items():
                 assert name in names, f"{form}: {name}"
-        assert re.search(rf"\b{each.name}\(", headers), each.name
+        declared = rf"\b{each.name}\(|^\w+_pass [^;()]*\b{each.name}[,;]"
+        assert re.search(declared, headers, re.M), each.name
 
 
 def test_symbols_and_sections(libraries):

@@ -1,13 +1,6 @@
 #include "glide/polygons/bands.h"
 #include "polygon/key.h"
 
-#define LOD_ONE 256             /* 1.0 */
-
-/* As in glide_bands_find. */
-struct glide_wanted {
-    int32 has_other, has_alpha;
-};
-
 /* Returns non-zero if a half of the combine unit uses its factor. */
 static int32 multiplies(const struct glide_combination *by)
 {
@@ -22,24 +15,14 @@ static int32 asks_for(const struct glide_modes *modes, uint32 factor)
 
 static uint32 bits_of(const struct glide_combining *combining)
 {
-    uint32 bits = 0;
-
-    if (combining->reads & GLIDE_READS_LOCAL)
-        bits |= GLIDE_NEEDS_OWN;
-    if (combining->reads & GLIDE_READS_OTHER)
-        bits |= GLIDE_NEEDS_OTHER;
-    if (combining->reads & GLIDE_READS_OTHER_ALPHA)
-        bits |= GLIDE_NEEDS_OTHER_ALPHA;
-    if (glide_shows(combining, GLIDE_TERM_LOCAL))
-        bits |= GLIDE_IS_OWN;
-    if (glide_shows(combining, GLIDE_TERM_OTHER))
-        bits |= GLIDE_IS_OTHER;
-    return bits;
+    return (uint32)combining->reads * GLIDE_NEEDS_OWN
+        | (glide_shows(combining, GLIDE_TERM_LOCAL) ? GLIDE_IS_OWN : 0)
+        | (glide_shows(combining, GLIDE_TERM_OTHER) ? GLIDE_IS_OTHER : 0);
 }
 
 /* Sets a band of the LODs from .. to. */
 static void set_band(struct glide_band *band, const struct glide_modes *modes, int32 from, int32 to,
-                     const struct glide_wanted *wanted)
+                     int32 has_other, int32 has_alpha)
 {
     struct glide_known known;
 
@@ -54,7 +37,7 @@ static void set_band(struct glide_band *band, const struct glide_modes *modes, i
     }
     if (asks_for(modes, GLIDE_FACTOR_LOD_FRACTION))
         known.fraction = from == to ? from & 255 : GLIDE_UNKNOWN;
-    glide_combining_find(&band->combining, modes, &known, wanted->has_other, wanted->has_alpha);
+    glide_combining_find(&band->combining, modes, &known, has_other, has_alpha);
     band->bits = (uint8)bits_of(&band->combining);
     if (known.detail == GLIDE_UNKNOWN)
         band->bits |= GLIDE_DETAILS_DIFFER;
@@ -74,14 +57,14 @@ static int32 nearer(int32 found, int32 other, int32 lod)
 /* Returns where the next band begins, at the latest at the greatest LOD. */
 static int32 next_break(const struct glide_modes *modes, int32 lod)
 {
-    const int32 scale = modes->detail_scale, end = modes->detail_bias * LOD_ONE + 1;
-    const int32 slope = modes->detail_max * LOD_ONE + (1 << scale) - 1;
-    int32 found = (lod | (LOD_ONE - 1)) + 1;
+    const int32 scale = modes->detail_scale, end = modes->detail_bias * GLIDE_LOD_ONE + 1;
+    const int32 slope = modes->detail_max * GLIDE_LOD_ONE + (1 << scale) - 1;
+    int32 found = (lod | (GLIDE_LOD_ONE - 1)) + 1;
 
     found = nearer(found, glide_lod_least(modes) + 1, lod);
     found = nearer(found, glide_lod_most(modes), lod);
     if (asks_for(modes, GLIDE_FACTOR_DETAIL)) {
-        found = nearer(found, end - (LOD_ONE >> scale), lod);
+        found = nearer(found, end - (GLIDE_LOD_ONE >> scale), lod);
         found = nearer(found, end - (slope >> scale), lod);
     }
     return found;
@@ -96,7 +79,7 @@ static int32 is_same(const struct glide_band *a, const struct glide_band *b)
 }
 
 static void make_bands(struct glide_bands *bands, const struct glide_modes *modes,
-                       const struct glide_wanted *wanted)
+                       int32 has_other, int32 has_alpha)
 {
     const int32 least = glide_lod_least(modes), most = glide_lod_most(modes);
     int32 from = least < most ? least : most, next;
@@ -106,7 +89,7 @@ static void make_bands(struct glide_bands *bands, const struct glide_modes *mode
         struct glide_band *band = &bands->of[bands->count];
 
         next = from < most ? next_break(modes, from) : most + 1;
-        set_band(band, modes, from, next - 1, wanted);
+        set_band(band, modes, from, next - 1, has_other, has_alpha);
         if (bands->count && is_same(band, band - 1))
             continue;
         bands->count++;
@@ -117,13 +100,10 @@ void glide_bands_find(struct glide_bands *bands, const struct glide *glide, int3
                       int32 has_alpha)
 {
     uint32 key[GLIDE_BANDS_KEY];
-    struct glide_wanted wanted;
 
-    wanted.has_other = has_other;
-    wanted.has_alpha = has_alpha;
     key[0] = (uint32)glide;
     key[1] = glide->mode_generation;
     key[2] = (uint32)(has_other << 1 | has_alpha);
     if (key_differs(bands->key, key, GLIDE_BANDS_KEY) || !bands->count)
-        make_bands(bands, &glide->modes, &wanted);
+        make_bands(bands, &glide->modes, has_other, has_alpha);
 }

@@ -13,7 +13,7 @@ enum glide_bands_room {
 /* What differs between a band's pixels, and their inputs. */
 enum glide_band_bits {
     GLIDE_DETAILS_DIFFER = 1, GLIDE_FRACTIONS_DIFFER = 2,
-    GLIDE_NEEDS_OWN = 4,        /* the unit's own texels */
+    GLIDE_NEEDS_OWN = 4,        /* the unit's own texels; these three in the order of glide_reads */
     GLIDE_NEEDS_OTHER = 8,      /* the colours from upstream */
     GLIDE_NEEDS_OTHER_ALPHA = 16,
     GLIDE_IS_OWN = 32,          /* pixels are the own texels, unchanged, */

@@ -1,12 +1,6 @@
 /* The combine unit over a line, by passes chosen for the terms. */
 #include "glide/polygons/plan.h"
 
-/* The bytes of a channel: one from each texel, or one for all pixels. */
-struct bytes {
-    const uint8 *at;
-    int32 step;
-};
-
 struct line {
     const struct glide_combining *combining;
     const struct glide_modes *modes;
@@ -16,91 +10,73 @@ struct line {
     int32 count;
 };
 
-static void set_constant(struct bytes *bytes, const uint8 *byte)
-{
-    bytes->at = byte;
-    bytes->step = 0;
-}
-
-static void set_channel(struct bytes *bytes, const uint32 *texels, int32 number)
-{
-    bytes->at = (const uint8 *)texels + number;
-    bytes->step = 4;
-}
-
 enum { ALPHA = 3 };             /* of R G B A */
 
 static const uint8 none = 0;
 
-static void set_factor(struct bytes *bytes, const struct glide_combination *by,
-                       const struct line *line, int32 number)
+/* The bytes of a channel: *bytes is the first, *step from one to the next; or 0 for all pixels. */
+static void set_zero(const uint8 **bytes, int32 *step)
 {
-    set_constant(bytes, &none);
-    switch (by->mselect) {
-    case GLIDE_FACTOR_LOCAL: set_channel(bytes, line->local, number); break;
-    case GLIDE_FACTOR_OTHER_ALPHA:
-        if (line->other)
-            set_channel(bytes, line->other, ALPHA);
-        break;
-    case GLIDE_FACTOR_LOCAL_ALPHA: set_channel(bytes, line->local, ALPHA); break;
-    case GLIDE_FACTOR_DETAIL:
-        bytes->at = line->factors->details;
-        bytes->step = line->factors->detail_step;
-        break;
-    case GLIDE_FACTOR_LOD_FRACTION:
-        bytes->at = line->factors->fractions;
-        bytes->step = line->factors->fraction_step;
-        break;
-    }
+    *bytes = &none;
+    *step = 0;
 }
 
-static void set_added(struct bytes *bytes, const struct glide_combination *by, const uint32 *local,
-                      int32 number)
+static void set_channel(const uint8 **bytes, int32 *step, const uint32 *texels, int32 number)
 {
-    if (by->add_alpha_local || (number == ALPHA && by->add_local))
-        set_channel(bytes, local, ALPHA);
-    else if (by->add_local)
-        set_channel(bytes, local, number);
-    else
-        set_constant(bytes, &none);
+    *bytes = (const uint8 *)texels + number;
+    *step = 4;
+}
+
+static void set_factor(const uint8 **bytes, int32 *step, const struct glide_combination *by,
+                       const struct line *line, int32 number)
+{
+    set_zero(bytes, step);
+    switch (by->mselect) {
+    case GLIDE_FACTOR_LOCAL: set_channel(bytes, step, line->local, number); break;
+    case GLIDE_FACTOR_OTHER_ALPHA:
+        if (line->other)
+            set_channel(bytes, step, line->other, ALPHA);
+        break;
+    case GLIDE_FACTOR_LOCAL_ALPHA: set_channel(bytes, step, line->local, ALPHA); break;
+    case GLIDE_FACTOR_DETAIL:
+        *bytes = line->factors->details;
+        *step = line->factors->detail_step;
+        break;
+    case GLIDE_FACTOR_LOD_FRACTION:
+        *bytes = line->factors->fractions;
+        *step = line->factors->fraction_step;
+        break;
+    }
 }
 
 /* Combines a channel by any function. */
 static void combine_channel(const struct line *line, const struct glide_combination *by,
                             int32 number)
 {
-    struct bytes from, less, m, plus;
-    struct glide_inputs inputs;
+    struct glide_inputs in;
 
-    set_constant(&from, &none);
-    set_constant(&less, &none);
+    set_zero(&in.other, &in.other_step);
+    set_zero(&in.local, &in.local_step);
+    set_zero(&in.added, &in.added_step);
     if (!by->zero_other && line->other)
-        set_channel(&from, line->other, number);
+        set_channel(&in.other, &in.other_step, line->other, number);
     if (by->sub_local)
-        set_channel(&less, line->local, number);
-    set_factor(&m, by, line, number);
-    set_added(&plus, by, line->local, number);
-    inputs.other = from.at;
-    inputs.other_step = from.step;
-    inputs.local = less.at;
-    inputs.local_step = less.step;
-    inputs.factor = m.at;
-    inputs.factor_step = m.step;
-    inputs.added = plus.at;
-    inputs.added_step = plus.step;
-    inputs.flip = (uint16)(line->factors->flip ^ (by->reverse ? 0 : 255));
-    inputs.invert = by->invert ? 255 : 0;
-    glide_combiner(0, (uint8 *)line->to + number, &inputs, line->count);
+        set_channel(&in.local, &in.local_step, line->local, number);
+    set_factor(&in.factor, &in.factor_step, by, line, number);
+    if (by->add_alpha_local)
+        set_channel(&in.added, &in.added_step, line->local, ALPHA);
+    else if (by->add_local)
+        set_channel(&in.added, &in.added_step, line->local, number);
+    in.flip = (uint16)(line->factors->flip ^ (by->reverse ? 0 : 255));
+    in.invert = by->invert ? 255 : 0;
+    glide_combiner(0, (uint8 *)line->to + number, &in, line->count);
 }
 
 static void open_mix(struct glide_mix *mix, const struct line *line)
 {
     const struct glide_combination *by = &line->modes->rgb;
-    struct bytes factor;
 
-    set_factor(&factor, by, line, ALPHA);
-    mix->factors = factor.at;
-    mix->factor_step = factor.step;
+    set_factor(&mix->factors, &mix->factor_step, by, line, ALPHA);
     mix->other = line->local;
     mix->other_step = 4;
     mix->flip = (line->factors->flip ^ (by->reverse ? 0u : 255u)) * 0x01010101;
@@ -151,17 +127,15 @@ static void finish(const struct line *line, const uint32 *texels)
 {
     const struct glide_combining *combining = line->combining;
     struct glide_alphas alphas;
-    struct bytes from;
 
-    set_channel(&from, texels, ALPHA);
+    set_channel(&alphas.alphas, &alphas.step, texels, ALPHA);
     if (combining->alpha_way == GLIDE_ALPHA_TAKEN && combining->alpha == GLIDE_TERM_ZERO)
-        set_constant(&from, &none);
+        set_zero(&alphas.alphas, &alphas.step);
     else if (combining->alpha_way == GLIDE_ALPHA_TAKEN)
-        set_channel(&from, combining->alpha == GLIDE_TERM_LOCAL ? line->local : line->other, ALPHA);
+        set_channel(&alphas.alphas, &alphas.step,
+                    combining->alpha == GLIDE_TERM_LOCAL ? line->local : line->other, ALPHA);
     else if (texels == line->to && !combining->inverted)
         return;
-    alphas.alphas = from.at;
-    alphas.step = from.step;
     alphas.inverted = combining->inverted;
     glide_alpha(texels, line->to, &alphas, line->count);
 }

@@ -1,7 +1,7 @@
 #include "glide/polygons/decode.h"
 
+#include "drawing/page.h"
 #include "polygon/key.h"
-#include "system/system.h"
 
 static uint32 rgba(uint32 argb)
 {
@@ -37,20 +37,15 @@ static void make_texels(uint32 *to, const struct glide *glide, const struct glid
 
 static void make_quads(void *to, int32 bits, const uint32 *texels, const struct glide_level *level)
 {
-    struct glide_quad_8 *quad_8 = to;
-    struct glide_quad *quad = to;
-
     for (uint32 j = 0; j < level->rows; j++) {
-        const uint32 *upper = texels + j * level->columns;
+        const uint32 first = j * level->columns;
+        const uint32 *upper = texels + first;
         const uint32 *lower = texels + ((j + 1) & (level->rows - 1)) * level->columns;
 
-        if (bits == 8) {
-            glide_quads_8_make(quad_8, upper, lower, level->columns);
-            quad_8 += level->columns;
-        } else {
-            glide_quads_make(quad, upper, lower, level->columns);
-            quad += level->columns;
-        }
+        if (bits == 8)
+            glide_quads_8_make((struct glide_quad_8 *)to + first, upper, lower, level->columns);
+        else
+            glide_quads_make((struct glide_quad *)to + first, upper, lower, level->columns);
     }
 }
 
@@ -78,13 +73,6 @@ static int32 is_fresh(struct glide_kept *kept, const struct glide *glide, uint32
     return !key_differs(kept->key, key, GLIDE_LEVEL_KEY);
 }
 
-static int32 room(void *address, uint32 *has, uint32 count, uint32 size)
-{
-    if (*has < count)
-        *has = mem_take(address, (int32)(count * size), MEMORY_ANY) ? count : 0;
-    return *has > 0;
-}
-
 int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct glide_kept *kept,
                    struct glide_bytes *bytes)
 {
@@ -99,7 +87,7 @@ int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct 
     if (!fresh) {
         kept->key[0] = 0;               /* not valid until it is made */
         kept->decoded.quads = 0;
-        if (!room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels))
+        if (!page_room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels))
             return 0;
         make_texels(kept->texels, glide, &at, bytes);
         kept->decoded.texels = kept->texels;
@@ -111,7 +99,7 @@ int32 glide_decode(const struct glide *glide, uint32 level, int32 quads, struct 
     }
     if (!quads)
         return 1;
-    if (!room(&kept->quads, &kept->quads_room, count, sizeof(struct glide_quad)))
+    if (!page_room(&kept->quads, &kept->quads_room, count, sizeof(struct glide_quad)))
         return 0;
     make_quads(kept->quads, glide->modes.fraction_bits, kept->texels, &at);
     kept->decoded.quads = kept->quads;

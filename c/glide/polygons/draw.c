@@ -67,11 +67,6 @@ static int32 is_constant(const struct plane *w)
     return w->at == (uint32)scale.one && !w->dx && !w->dy;
 }
 
-static int32 least_of(int32 a, int32 b)
-{
-    return a < b ? a : b;
-}
-
 /* Finds the range of W over the box's pixels. Apart from the rounding of steps no pixel of the
    polygon has more than 2^30, so a change by less than that wraps nowhere. */
 static void find_range(struct glide_range *range, const struct glide_iterations *at,
@@ -87,9 +82,9 @@ static void find_range(struct glide_range *range, const struct glide_iterations 
     range->least = range->most = 0;
     if (across >= most / columns || down >= most / rows || across * columns + down * rows >= most)
         return;
-    range->least = (int32)w->at + least_of(dx * left, dx * right) + least_of(dy * top, dy * bottom);
-    range->most = (int32)w->at - least_of(-dx * left, -dx * right)
-        - least_of(-dy * top, -dy * bottom);
+    range->least = (int32)w->at + outline_least(dx * left, dx * right) + outline_least(dy * top, dy * bottom);
+    range->most = (int32)w->at - outline_least(-dx * left, -dx * right)
+        - outline_least(-dy * top, -dy * bottom);
     if (range->least < 0)
         range->least = 0;
 }

@@ -27,54 +27,40 @@ static int32 is_inside(const struct setup *s, const fix16 *value, const struct p
     return 1;
 }
 
-/* Data for making a page's rows. */
-struct making {
-    const struct page *page;
+/* The unit's level that a page shows, and how. */
+struct showing {
     const struct glide *glide;
-    const struct glide_lod *lod;
-    const struct glide_level *level;
+    struct page *page;
+    struct glide_lod lod;
+    struct glide_level level;
+    struct page_window columns, rows;
     uint32 bits;                /* a texel is 2^bits pixels wide */
 };
 
-static uint32 pixel_of(const struct making *m, uint32 i, uint32 j, int32 pixel_bytes)
+static uint32 pixel_of(const struct showing *m, uint32 i, uint32 j, int32 pixel_bytes)
 {
-    return glide_frame_pixel(glide_combine_pixel(m->glide, m->lod, glide_texel(m->glide, m->level, i, j), 0),
+    return glide_frame_pixel(glide_combine_pixel(m->glide, &m->lod, glide_texel(m->glide, &m->level, i, j), 0),
                              pixel_bytes);
 }
 
 /* Both axes repeat within the page. */
-static void make_row_16(uint16 *row, const struct making *m, uint32 v)
+static void make_texels(uint8 *row, const struct showing *m, uint32 v, int32 pixel_bytes)
 {
-    const uint32 wide = 1u << m->bits;
+    const uint32 columns = m->level.columns;
 
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> m->bits;
-        uint16 pixel = i < m->level->columns ? (uint16)pixel_of(m, i, v, 2)
-            : row[u - (m->level->columns << m->bits)];
+    for (uint32 i = 0; i < columns; i++) {
+        const uint32 pixel = pixel_of(m, i, v, pixel_bytes);
 
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
-    }
-}
-
-static void make_row_32(uint32 *row, const struct making *m, uint32 v)
-{
-    const uint32 wide = 1u << m->bits;
-
-    for (uint32 u = 0; u < SIDE; u += wide) {
-        const uint32 i = u >> m->bits;
-        uint32 pixel = i < m->level->columns ? pixel_of(m, i, v, 4)
-            : row[u - (m->level->columns << m->bits)];
-
-        for (uint32 k = u; k < u + wide; k++)
-            row[k] = pixel;
+        for (uint32 texel = i; texel << m->bits < SIDE; texel += columns)
+            for (uint32 k = 0; k < 1u << m->bits; k++)
+                pixel_write(row, (int32)((texel << m->bits) + k), pixel_bytes, pixel);
     }
 }
 
 /* Returns a row that equals row v and is made, or end. */
-static int32 find_same(const struct making *m, int32 v, int32 from, int32 end)
+static int32 find_same(const struct showing *m, int32 v, int32 from, int32 end)
 {
-    const int32 period = (int32)m->level->rows << m->bits;
+    const int32 period = (int32)m->level.rows << m->bits;
     const int32 beside = v < from ? v + 1 : v - 1, far = v < from ? v + period : v - period;
 
     if (from == end)
@@ -85,9 +71,9 @@ static int32 find_same(const struct making *m, int32 v, int32 from, int32 end)
 
 static void make_row(void *context, int32 v, int32 from, int32 end)
 {
-    const struct making *m = context;
+    const struct showing *m = context;
     const int32 bytes = m->page->map.texel_bytes, same = find_same(m, v, from, end);
-    const uint32 j = (uint32)v >> m->bits & (m->level->rows - 1);
+    const uint32 j = (uint32)v >> m->bits & (m->level.rows - 1);
     uint32 *row = (uint32 *)page_row(m->page, v);
 
     if (same != end) {
@@ -95,52 +81,35 @@ static void make_row(void *context, int32 v, int32 from, int32 end)
 
         for (int32 k = 0; k < SIDE * bytes / 4; k++)
             row[k] = other[k];
-    } else if (bytes == 2) {
-        make_row_16((uint16 *)row, m, j);
     } else {
-        make_row_32(row, m, j);
+        make_texels((uint8 *)row, m, j, bytes);
     }
 }
 
-/* The level that a page shows, and how. */
-struct showing {
-    struct glide_lod lod;
-    struct glide_level level;
-    struct page_window columns, rows;
-    uint32 bits;                /* as in struct making */
-};
-
-static int32 find_page(struct glide_pipe *pipe, const struct showing *shown, int32 pixel_bytes,
+/* Returns 0 if there is no memory for the rows. */
+static int32 find_page(struct glide_pipe *pipe, struct showing *shown, int32 pixel_bytes,
                        const struct page_rows *rows)
 {
-    const struct glide *glide = pipe->chain.units[0];
-    struct glide_page *page = &pipe->page;
-    uint32 key[GLIDE_PAGE_KEY];
-    struct making making;
+    uint32 key[4];
 
     key[0] = (uint32)pixel_bytes;
-    key[1] = glide->mode_generation;
-    key[2] = glide->memory_generation;
-    key[3] = glide->table_generation;
-    if (key_differs(page->key, key, GLIDE_PAGE_KEY))
-        page_forget(&page->page);
-    if (page_has(&page->page, rows))
+    key[1] = shown->glide->mode_generation;
+    key[2] = shown->glide->memory_generation;
+    key[3] = shown->glide->table_generation;
+    shown->page = &pipe->page;
+    if (page_has(&pipe->page, key, 4, rows))
         return 1;
-    if (!page_ready(&page->page, pixel_bytes, pipe->memory, rows))
+    if (!page_ready(&pipe->page, pixel_bytes, pipe->memory, rows))
         return 0;
-    making.page = &page->page;
-    making.glide = glide;
-    making.lod = &shown->lod;
-    making.level = &shown->level;
-    making.bits = shown->bits;
-    page_grow(&page->page, rows, make_row, &making);
+    page_grow(&pipe->page, rows, make_row, shown);
     return 1;
 }
 
 /* Finds how a page shows the unit's level; returns 0 if texels would be clamped. */
-static int32 find_showing(const struct setup *s, const struct glide_modes *modes, uint32 bits,
-                          int32 margin, struct showing *to)
+static int32 find_showing(const struct setup *s, uint32 bits, int32 margin, struct showing *to)
 {
+    const struct glide_modes *modes = &to->glide->modes;
+
     to->bits = bits;
     glide_find_level(modes, to->lod.level, &to->level);
     find_window(to->level.columns, bits, &to->columns);
@@ -152,10 +121,8 @@ static int32 find_showing(const struct setup *s, const struct glide_modes *modes
 /* Returns non-zero if the polygon needs only point samples of one unit's only level, unclamped. */
 static int32 is_plain(const struct setup *s, const struct glide_pipe *pipe, struct showing *to)
 {
-    const struct glide *glide = pipe->chain.units[0];
-
-    return pipe->chain.count == 1 && glide_only_lod(glide, &to->lod) && to->lod.filter == GLIDE_POINT
-        && find_showing(s, &glide->modes, to->lod.level, PAGE_MARGIN, to);
+    return pipe->chain.count == 1 && glide_only_lod(to->glide, &to->lod)
+        && to->lod.filter == GLIDE_POINT && find_showing(s, to->lod.level, PAGE_MARGIN, to);
 }
 
 /* Returns the vertices with s and t in texels of a level. */
@@ -171,12 +138,12 @@ static const struct vertex *scale_vertices(const struct setup *s, uint32 level)
     return scaled;
 }
 
-static int32 draws_page(const struct setup *s, struct glide_pipe *pipe, const struct showing *shown,
+static int32 draws_page(const struct setup *s, struct glide_pipe *pipe, struct showing *shown,
                         const struct page_rows *rows, struct material *plain)
 {
     if (!find_page(pipe, shown, s->frame->pixel_bytes, rows))
         return 0;
-    page_material(plain, s->material, &pipe->page.page);
+    page_material(plain, s->material, &pipe->page);
     return 1;
 }
 
@@ -199,12 +166,13 @@ static int32 lower_to_dithered(struct setup *s, struct glide_pipe *pipe, struct 
     struct page_rows rows;
     int32 draws;
 
+    shown.glide = glide;
     if (pipe->chain.count > 1 || !glide_only_lod(glide, &shown.lod)
         || shown.lod.filter != GLIDE_BILINEAR
         || (glide->modes.perspective && !(given->w > 0 && lower_w_is_constant(s))))
         return 0;
     s->given = scale_vertices(s, shown.lod.level);
-    draws = find_showing(s, &glide->modes, 0, GLIDE_DITHERED_MARGIN, &shown);
+    draws = find_showing(s, 0, GLIDE_DITHERED_MARGIN, &shown);
     if (draws) {
         *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
         add_rows(&rows);
@@ -231,6 +199,7 @@ int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct mate
             return 0;
         RULE_APPLIES(s, CONSTANT_W);
     }
+    shown.glide = pipe->chain.units[0];
     if (!RULE_IS_ON(s, GLIDE_PLAIN) || !is_plain(s, pipe, &shown))
         return 0;
     RULE_APPLIES(s, GLIDE_PLAIN);

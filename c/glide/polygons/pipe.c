@@ -4,21 +4,13 @@
 enum glide_result glide_pipe_init(struct glide_pipe *pipe, struct glide *const *units, uint32 count,
                                   int32 memory, struct glide_tile_store *tiles)
 {
-    static const struct glide_kept none;
+    uint8 *bytes = (uint8 *)pipe;
 
-    pipe->result = GLIDE_DONE;
+    for (uint32 i = 0; i < sizeof *pipe; i++)
+        bytes[i] = 0;
     pipe->memory = memory;
     pipe->prefilter = GLIDE_TILES_BYTES;
-    pipe->adds = 0;
     pipe->tiles = tiles;
-    for (int32 unit = 0; unit < GLIDE_UNITS; unit++) {
-        pipe->bands[unit].count = 0;
-        for (int32 level = 0; level <= GLIDE_LEVEL_LAST; level++)
-            pipe->levels[unit][level] = none;
-    }
-    page_init(&pipe->page.page);
-    for (int32 i = 0; i < GLIDE_PAGE_KEY; i++)
-        pipe->page.key[i] = 0;
     return glide_chain_init(&pipe->chain, units, count);
 }
 

@@ -154,10 +154,7 @@ void glide_pixels_draw(const struct glide_pipe *pipe, struct glide_iterations *a
         const uint32 pixel = pipe->adds ? added_pixel(to, argb, frame->pixel_bytes)
             : glide_frame_pixel(argb, frame->pixel_bytes);
 
-        if (frame->pixel_bytes == 4)
-            *(uint32 *)to = pixel;
-        else
-            *(uint16 *)to = (uint16)pixel;
+        pixel_write(to, 0, frame->pixel_bytes, pixel);
         step_point(at, 0);
         if (glide_has_own(chain))
             step_point(at, 1);

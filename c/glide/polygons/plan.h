@@ -24,8 +24,6 @@ struct glide_iterations {
     } ranges[GLIDE_UNITS];
 };
 
-typedef void glide_pass(const void *in, void *out, const void *constants, int32 count);
-
 /* Passes to a band's texels, found at its first use. */
 struct glide_sampling {
     const struct glide_decoded *level;  /* null before that */

@@ -5,8 +5,7 @@
    large. */
 #include "glide/polygons/plan.h"
 
-#define LOD_ONE 256             /* 1.0 */
-#define LOGARITHM_MOST (31 * LOD_ONE)   /* of |w| */
+#define LOGARITHM_MOST (31 * GLIDE_LOD_ONE)   /* of |w| */
 
 /* Returns the first number whose 256 log2, rounded, is `value` or more. If there is none, returns a
    number above any |w|. */
@@ -30,7 +29,7 @@ static const uint32 *limits_of(struct glide_part *part, int32 dither)
         return limits;
     limits[0] = 0xffffffff;
     for (uint32 n = 1; n < part->bands->count; n++)
-        limits[n] = first_with(part->lod + dither * (LOD_ONE / 16) + 30 * LOD_ONE + 1
+        limits[n] = first_with(part->lod + dither * (GLIDE_LOD_ONE / 16) + 30 * GLIDE_LOD_ONE + 1
                                - part->bands->of[n].lod.value);
     part->ready |= (uint32)1 << dither;
     return limits;
@@ -106,7 +105,7 @@ void glide_runs_open(struct glide_runs *runs, struct glide_part *part, const str
     runs->by.s = (int32)(of[GLIDE_S].dx << bits);
     runs->by.t = (int32)(of[GLIDE_T].dx << bits);
     runs->by.w = (int32)(of[GLIDE_W].dx << bits);
-    runs->dither = part->glide->modes.dither ? glide_dither(row->x, row->y) / (LOD_ONE / 16) : 0;
+    runs->dither = part->glide->modes.dither ? glide_dither(row->x, row->y) / (GLIDE_LOD_ONE / 16) : 0;
     runs->left = count;
     runs->end = first + count;
     runs->line = row->count;
@@ -140,7 +139,7 @@ static int32 part_alike(struct glide_part *part, int32 x, int32 y, int32 count, 
     uint32 near, far;
 
     for (int32 i = 0; i < 4; i++) {
-        const int32 dither = glide_dither(i, y) / (LOD_ONE / 16);
+        const int32 dither = glide_dither(i, y) / (GLIDE_LOD_ONE / 16);
 
         least = dither < least ? dither : least;
         most = dither > most ? dither : most;

@@ -6,14 +6,10 @@ enum { PIXELS = MAP_PAGE_SIDE * MAP_PAGE_SIDE };
 
 void glide_tile_store_init(struct glide_tile_store *store)
 {
-    for (int32 i = 0; i < GLIDE_TILE_SETS; i++)
-        store->sets[i].words = 0;
-    store->logarithms = 0;
-    store->last = 0;
-    store->count = 0;
-    store->bytes = 0;
-    store->is_full = 0;
-    store->now = 0;
+    uint8 *bytes = (uint8 *)store;
+
+    for (uint32 i = 0; i < sizeof *store; i++)
+        bytes[i] = 0;
 }
 
 int32 glide_tiles_room(const struct glide_pipe *pipe, int32 pixel_bytes)
@@ -24,11 +20,6 @@ int32 glide_tiles_room(const struct glide_pipe *pipe, int32 pixel_bytes)
     if (store->is_full && room > (uint32)store->count)
         return store->count;
     return room < GLIDE_TILES_MAX ? (int32)room : GLIDE_TILES_MAX;
-}
-
-uint32 glide_tiles_now(struct glide_tile_store *store)
-{
-    return ++store->now;
 }
 
 /* Returns non-zero if the result depends on the LOD itself, not only on its level. */

@@ -169,8 +169,9 @@ static void rows_of(const struct glide_tiling_axis *t, int32 row, int32 *low, in
     *high = row < t->tiles - 1 ? SIDE - 1 : t->high;
 }
 
-/* Returns how many pixels must be paid for. */
-static uint32 price(const struct glide_tiling *tiling)
+/* Returns how many pixels must be paid for. With `claims` it takes memory for all tiles instead and
+   marks their rows as paid for; it then returns 0, or 1 if there is too little memory. */
+static uint32 visit(const struct glide_tiling *tiling, int32 claims)
 {
     const struct glide_tiling_axis *s = &tiling->s, *t = &tiling->t;
     uint32 rows = 0;
@@ -181,40 +182,24 @@ static uint32 price(const struct glide_tiling *tiling)
 
         rows_of(t, j, &low, &high);
         for (int32 i = 0; i < s->tiles; i++) {
-            struct glide_tile *tile = glide_tile_find(tiling,
-                                                      glide_tile_number(tiling, s, s->first + i), row);
+            const int32 column = glide_tile_number(tiling, s, s->first + i);
+            struct glide_tile *tile = glide_tile_find(tiling, column, row);
 
+            if (claims) {
+                if (!tile)
+                    tile = glide_tile_take(tiling, column, row);
+                if (!tile)
+                    return 1;
+                tile->low = low < tile->low ? low : tile->low;
+                tile->high = high > tile->high ? high : tile->high;
+                continue;
+            }
             if (tile)
                 tile->used = tiling->now;
             rows += missing(tile, low, high);
         }
     }
     return rows * SIDE;
-}
-
-/* Takes memory for all tiles and marks their rows as paid for; returns 0 if there is too little. */
-static int32 claim(const struct glide_tiling *tiling)
-{
-    const struct glide_tiling_axis *s = &tiling->s, *t = &tiling->t;
-
-    for (int32 j = 0; j < t->tiles; j++) {
-        const int32 row = glide_tile_number(tiling, t, t->first + j);
-        int32 low, high;
-
-        rows_of(t, j, &low, &high);
-        for (int32 i = 0; i < s->tiles; i++) {
-            const int32 column = glide_tile_number(tiling, s, s->first + i);
-            struct glide_tile *tile = glide_tile_find(tiling, column, row);
-
-            if (!tile)
-                tile = glide_tile_take(tiling, column, row);
-            if (!tile)
-                return 0;
-            tile->low = low < tile->low ? low : tile->low;
-            tile->high = high > tile->high ? high : tile->high;
-        }
-    }
-    return 1;
 }
 
 /* Returns non-zero if the pixels drawn directly are enough to buy those needed. Otherwise the
@@ -224,7 +209,7 @@ static int32 is_bought(struct glide_tiling *tiling, uint32 needed, const struct 
     const uint32 own = lines_pixels(s->edges.lines, s->box.bottom - s->box.top);
     uint32 *direct = &tiling->set->direct;
 
-    if (*direct + own < needed || !claim(tiling)) {
+    if (*direct + own < needed || visit(tiling, 1)) {
         *direct += own;
         return 0;
     }
@@ -254,9 +239,9 @@ int32 glide_tiles_pay(struct glide_tiling *tiling, struct glide_pipe *pipe, stru
     if (tiling->s.tiles > room || tiling->t.tiles > room
         || tiling->s.tiles * tiling->t.tiles > room)
         return 0;
-    tiling->now = glide_tiles_now(pipe->tiles);
+    tiling->now = ++pipe->tiles->now;
     tiling->set = glide_tile_set_find(tiling);
-    needed = price(tiling);
+    needed = visit(tiling, 0);
     if (needed && (s->renderer->only_counts || !is_bought(tiling, needed, s)))
         return 0;
     tiling->draw = tiling->pixel_bytes == 2 ? glide_tile_16 : glide_tile_32;

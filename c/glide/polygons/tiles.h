@@ -48,7 +48,7 @@ struct glide_tile_store {
     int32 count;                /* tiles with memory */
     uint32 bytes;               /* of all */
     int32 is_full;              /* there was no memory for one more */
-    uint32 now;
+    uint32 now;                 /* number of the last polygon */
 };
 
 /* How tiles follow each other along an axis. */
@@ -78,7 +78,7 @@ struct glide_tiling {
     int32 shift;                /* from 14.18 to columns and rows: 14 to 18 */
     int32 period;               /* tiles: 256 of s and t */
     int32 pixel_bytes;
-    uint32 now;                 /* the polygon's number: glide_tiles_now */
+    uint32 now;                 /* the polygon's number */
     struct glide_plan making;
     struct glide_iterations made; /* s and t of a tile's row */
     int32 makes;                /* making and made are ready */
@@ -99,9 +99,6 @@ int32 glide_tiles_room(const struct glide_pipe *pipe, int32 pixel_bytes);
 
 /* tile_store.c. Returns the chain's set; a new one replaces the least recently used. */
 struct glide_tile_set *glide_tile_set_find(const struct glide_tiling *tiling);
-
-/* tile_store.c. A number for the next polygon. */
-uint32 glide_tiles_now(struct glide_tile_store *store);
 
 /* tile_store.c. A tile of the polygon's set; 0: it is not there. */
 struct glide_tile *glide_tile_find(const struct glide_tiling *tiling, int32 s, int32 t);

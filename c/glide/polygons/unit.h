@@ -6,18 +6,10 @@
 #include "glide/polygons/bands.h"
 #include "glide/polygons/decode.h"
 
-enum { GLIDE_PAGE_KEY = 4 };
-
 enum glide_limits {
     GLIDE_REACH = 8192,         /* s and t: below, and above -GLIDE_REACH */
     GLIDE_DITHERED_MARGIN = 2,  /* points move, and leave the vertices' range, by less */
     GLIDE_TILES_BYTES = 1 << 20  /* of prefiltered tiles, unless a pipe says otherwise */
-};
-
-/* A level as the plain mappers read it: pixels in the frame's format. */
-struct glide_page {
-    struct page page;
-    uint32 key[GLIDE_PAGE_KEY];  /* cache key */
 };
 
 struct glide_tile_store;
@@ -29,7 +21,7 @@ struct glide_pipe {
     uint32 prefilter;           /* see glide_pipe_prefilter */
     int32 adds;                 /* see glide_pipe_adds */
     struct glide_tile_store *tiles;
-    struct glide_page page;
+    struct page page;           /* a level as the plain mappers read it */
     struct glide_kept levels[GLIDE_UNITS][GLIDE_LEVEL_LAST + 1];  /* decoded for the passes */
     struct glide_bands bands[GLIDE_UNITS];
 };

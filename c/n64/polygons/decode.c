@@ -1,6 +1,7 @@
 #include "n64/polygons/decode.h"
 
-#include "system/system.h"
+#include "drawing/page.h"
+#include "polygon/key.h"
 
 /* The tile that is decoded. */
 struct making {
@@ -37,7 +38,7 @@ static void list_columns(struct making *m, const struct n64_axis *axis)
     m->texels = 1;
     m->in_order = 1;
     for (int32 k = 0; k < m->width; k++) {
-        n64_place_column(axis, (uint32)k, &place);
+        n64_place(axis, (uint32)k, N64_COLUMN, &place);
         columns[k].index = (int16)place.index;
         columns[k].next = (int16)(place.index + m->reach * place.step);
         m->in_order &= place.index == k;
@@ -56,7 +57,7 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
 {
     struct n64_place row;
 
-    n64_place_row(m->t, (uint32)j, &row);
+    n64_place(m->t, (uint32)j, N64_ROW, &row);
     *index = row.index & 255;
     *next = *index + row.step;
 }
@@ -147,42 +148,12 @@ static uint32 axis_key(const struct n64_axis *axis)
         | (clamps ? (uint32)axis->low << 12 | axis->high : 0);
 }
 
-void n64_tile_key_find(struct n64_tile_key *key, const struct n64_tile *tile)
+void n64_tile_key_find(uint32 *key, const struct n64_tile *tile)
 {
-    key->tile = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
+    key[0] = (uint32)tile->format << 28 | (uint32)tile->size << 26 | (uint32)tile->palette << 18
         | (uint32)tile->line << 9 | tile->tmem;
-    key->s = axis_key(&tile->s);
-    key->t = axis_key(&tile->t);
-}
-
-static int32 holds(const struct n64 *n64, const struct n64_tile_key *key, enum n64_quads quads,
-                   const struct n64_kept *kept)
-{
-    return kept->n64 == n64 && kept->key.tile == key->tile && kept->key.s == key->s
-        && kept->key.t == key->t && kept->tmem_generation == n64->tmem_generation
-        && kept->tlut == n64->modes.tlut && kept->tlut_type == n64->modes.tlut_type
-        && (quads == N64_QUADS_NONE || kept->kind == quads);
-}
-
-/* Takes memory for the texels and quads and empties *kept; returns 0 if there is none. */
-static int32 make_room(struct n64_kept *kept, uint32 texels, int32 quads)
-{
-    kept->n64 = 0;
-    kept->decoded.texels = 0;
-    kept->decoded.quads = 0;
-    if (kept->texels_room < texels) {
-        kept->texels_room = 0;
-        if (!mem_take(&kept->texels, (int32)(texels * sizeof *kept->texels), MEMORY_ANY))
-            return 0;
-        kept->texels_room = texels;
-    }
-    if (quads && kept->quads_room < texels) {
-        kept->quads_room = 0;
-        if (!mem_take(&kept->quads, (int32)(texels * sizeof *kept->quads), MEMORY_ANY))
-            return 0;
-        kept->quads_room = texels;
-    }
-    return 1;
+    key[1] = axis_key(&tile->s);
+    key[2] = axis_key(&tile->t);
 }
 
 enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64, int32 n,
@@ -190,17 +161,25 @@ enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64,
 {
     const struct n64_tile *tile = &n64->tiles[n & 7];
     const uint32 columns_bits = bits_of(&tile->s), rows_bits = bits_of(&tile->t);
+    const uint32 count = 1u << (columns_bits + rows_bits);
     struct n64_decoded *decoded = &kept->decoded;
-    struct n64_tile_key key;
+    uint32 key[N64_KEPT_KEY];
     struct making making;
 
-    n64_tile_key_find(&key, tile);
     decoding->made = 0;
-    if (holds(n64, &key, quads, kept))
-        return N64_DONE;
     if (columns_bits + rows_bits > N64_DECODE_BITS)
         return N64_DECODE_TOO_LARGE;
-    if (!make_room(kept, 1u << (columns_bits + rows_bits), quads != N64_QUADS_NONE))
+    n64_tile_key_find(key, tile);
+    key[N64_TILE_KEY] = n64->tmem_generation;
+    key[N64_TILE_KEY + 1] = (uint32)n64->modes.tlut << 1 | n64->modes.tlut_type;
+    key[N64_TILE_KEY + 2] = (uint32)n64;
+    if (!key_differs(kept->key, key, N64_KEPT_KEY)
+        && (quads == N64_QUADS_NONE || kept->kind == quads))
+        return N64_DONE;
+    kept->key[N64_TILE_KEY + 2] = 0;    /* not valid until it is made */
+    if (!page_room(&kept->texels, &kept->texels_room, count, sizeof *kept->texels)
+        || (quads != N64_QUADS_NONE
+            && !page_room(&kept->quads, &kept->quads_room, count, sizeof *kept->quads)))
         return N64_NO_MEMORY;
     making.scratch = decoding->scratch;
     n64_rows_find(&making.rows, n64, tile, decoding->scratch, decoding->colours);
@@ -220,12 +199,8 @@ enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64,
     decoded->rows_bits = (uint16)rows_bits;
     decoded->mask_s = (uint16)(((1u << columns_bits) - 1) << 5);
     decoded->mask_t = (uint16)(((1u << rows_bits) - 1) << 5);
-    kept->n64 = n64;
-    kept->key = key;
-    kept->kind = (uint8)quads;
-    kept->tmem_generation = n64->tmem_generation;
-    kept->tlut = n64->modes.tlut;
-    kept->tlut_type = n64->modes.tlut_type;
+    kept->kind = quads;
+    kept->key[N64_TILE_KEY + 2] = (uint32)n64;
     decoding->made = 1;
     return N64_DONE;
 }

@@ -1,17 +1,64 @@
 /* From a polygon to its lines, and line by line to pixels.
 
-   A pixel depends only on its iterators, which are planes over the polygon (planes.h), and on
+   A pixel depends only on its iterators, which are planes over the polygon, and on
    the engine's state. It is drawn by the plain mappers, by passes over a line's pixels or by
    pixel.h itself; lower.h chooses, and the choice makes no difference to the picture. */
 #include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "drawing/outline.h"
 #include "n64/polygons/lower.h"
-#include "n64/polygons/pixels.h"
 #include "n64/polygons/plan.h"
-#include "n64/polygons/planes.h"
 #include "n64/polygons/unit.h"
 #include "polygon/counts.h"
+
+/* Returns the pixel of a colour (R G B A from the highest byte on): in a frame of 4 bytes a pixel
+   the colour itself, in one of 2 5/5/5/1, the lower bits cut off. */
+static uint32 pixel_of(uint32 colour, int32 pixel_bytes)
+{
+    if (pixel_bytes == 4)
+        return colour;
+    return (colour >> 16 & 0xf800) | (colour >> 13 & 0x7c0) | (colour >> 10 & 0x3e)
+        | (colour >> 7 & 1);
+}
+
+static const struct planes_scale scale = {5, N64_W_ONE, 1024 << 16};
+
+static void find_shades(struct n64_planes *planes, const struct setup *s, const uint32 *colours)
+{
+    struct vertex *corners = planes_vertices(s->scratch, s->given, s->count);
+
+    for (int32 pair = 0; pair < 2; pair++) {
+        for (int32 i = 0; i < s->count; i++) {
+            uint32 channels = colours ? colours[i] >> (16 - 16 * pair) : 0;
+            fix16 shade = s->given[i].shade;
+
+            corners[i].s = colours ? (fix16)(channels << 8 & 0xff0000) : shade;
+            corners[i].t = colours ? (fix16)(channels << 16 & 0xff0000)
+                         : pair ? 255 << 16 : shade;
+        }
+        planes_pair(&planes->all, s, N64_RED + 2 * pair, 0);
+    }
+}
+
+/* Finds the planes of a polygon whose outline is found, from planes_vertices. s->given has s and t
+   in texels, w and shade, 16.16. planes_coordinates converts them; S is s times 32. If
+   perspective is 0, W is 0x7fff0000, and division by it changes nothing.
+
+   shades: non-zero to interpolate colours (R G B A of each vertex; null: the vertices' shades as
+   grey, A 255).
+
+   Returns 0 if coordinates of two vertices are 1,024 texels or more apart. */
+static int32 find_planes(struct n64_planes *planes, const struct setup *s, int32 perspective,
+                         int32 shades, const uint32 *colours)
+{
+    planes->divided = perspective;
+    planes->shaded = shades;
+    if (!planes_coordinates(&planes->all, s, N64_S, s->given, &scale, perspective))
+        return 0;
+    if (shades)
+        find_shades(planes, s, colours);
+    return 1;
+}
 
 static int16 channel(uint32 plane)
 {
@@ -22,10 +69,18 @@ static int16 channel(uint32 plane)
 
 static void shade_at(const struct n64_planes *planes, int32 x, int32 y, struct n64_colour *shade)
 {
-    shade->r = channel(n64_plane_at(planes, N64_RED, x, y));
-    shade->g = channel(n64_plane_at(planes, N64_GREEN, x, y));
-    shade->b = channel(n64_plane_at(planes, N64_BLUE, x, y));
-    shade->a = channel(n64_plane_at(planes, N64_ALPHA, x, y));
+    for (int32 i = 0; i < 4; i++)
+        (&shade->r)[i] = channel(planes_at(&planes->all, N64_RED + i, x, y));
+}
+
+/* Finds the iterators and their gradients at pixel (x, y). */
+static void find_point(const struct n64_planes *planes, int32 x, int32 y, struct n64_point *point)
+{
+    for (int32 i = N64_S; i <= N64_W; i++) {
+        (&point->at.s)[i] = (int32)planes_at(&planes->all, i, x, y);
+        (&point->dx.s)[i] = (int32)planes->all.of[i].dx;
+        (&point->dy.s)[i] = (int32)planes->all.of[i].dy;
+    }
 }
 
 void n64_draw_line(const struct n64 *n64, const struct n64_planes *planes,
@@ -38,11 +93,11 @@ void n64_draw_line(const struct n64 *n64, const struct n64_planes *planes,
     for (; x < end; x++) {
         struct n64_point point;
 
-        n64_planes_point(planes, x, y, &point);
+        find_point(planes, x, y, &point);
         if (planes->shaded)
             shade_at(planes, x, y, &shade);
-        n64_pixel_write(row, x, frame->pixel_bytes,
-                        n64_pixel_of(n64_draw_pixel(n64, &point, &shade), frame->pixel_bytes));
+        pixel_write(row, x, frame->pixel_bytes,
+                        pixel_of(n64_draw_pixel(n64, &point, &shade), frame->pixel_bytes));
     }
 }
 
@@ -70,7 +125,7 @@ static enum polygon_result draw_flat(const struct setup *s, const struct polygon
 
     flat.mapper = MAPPER_FLAT;
     flat.perspective = PERSPECTIVE_NONE;
-    flat.colour = n64_pixel_of(colour, s->frame->pixel_bytes);
+    flat.colour = pixel_of(colour, s->frame->pixel_bytes);
     return polygon_draw(s->renderer, polygon, &flat);
 }
 
@@ -104,8 +159,7 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
     result = outline_flat(s);
     if (result != POLYGON_DRAWN)
         return result;
-    if (!n64_planes_find(&planes, s, needs->divided,
-                         (needs->inputs & N64_INPUT_SHADE) != 0, colours))
+    if (!find_planes(&planes, s, needs->divided, (needs->inputs & N64_INPUT_SHADE) != 0, colours))
         return n64_refused(unit, N64_COORDINATE_RANGE);
     passes = RULE_IS_ON(s, N64_PASSES)
         && n64_plan_find(&plan, needs, unit, &planes, s->scratch->room);
@@ -154,8 +208,10 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
     struct material plain;
 
     n64_lower_inputs(&needs, s, &unit->n64, colours);
-    if (n64_lower_to_flat(&needs, s))
+    if (RULE_IS_ON(s, N64_FLAT) && !needs.inputs) {     /* all pixels have the same colour */
+        RULE_APPLIES(s, N64_FLAT);
         return draw_flat(s, polygon, constant_colour(&unit->n64, &needs.shade));
+    }
     polygon_set(&paged, polygon->vertices, polygon->count, PLANAR_ALL);
     if (n64_lower_to_plain(&needs, s, unit, &plain, &paged.vertices))
         return polygon_draw(s->renderer, &paged, &plain);
@@ -172,6 +228,8 @@ static enum polygon_result draw(struct renderer *renderer, const struct polygon 
     enum n64_result check;
     struct setup s;
 
+    if (unit->n64.modes.cycle == N64_COPY && routine != n64_polygon_copy)
+        return n64_refused(unit, N64_CYCLE_TYPE);
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
     if (renderer->frame->pixel_bytes == 1)
@@ -199,8 +257,6 @@ enum polygon_result n64_polygon_copy(struct renderer *renderer, const struct pol
 enum polygon_result n64_polygon_draw(struct renderer *renderer, const struct polygon *polygon,
                                      const struct material *material)
 {
-    if (material->unit->n64.modes.cycle == N64_COPY)
-        return n64_refused(material->unit, N64_CYCLE_TYPE);
     return draw(renderer, polygon, material, 0, n64_polygon_draw);
 }
 
@@ -210,8 +266,6 @@ enum polygon_result n64_polygon_draw_coloured(struct renderer *renderer,
 {
     uint32 colours[POLYGON_VERTICES_MAX];
 
-    if (material->unit->n64.modes.cycle == N64_COPY)
-        return n64_refused(material->unit, N64_CYCLE_TYPE);
     for (int32 i = 0; i < polygon->count && i < POLYGON_VERTICES_MAX; i++)
         colours[i] = (uint32)polygon->vertices[i].shade;
     return draw(renderer, polygon, material, colours, n64_polygon_draw_coloured);
@@ -220,22 +274,11 @@ enum polygon_result n64_polygon_draw_coloured(struct renderer *renderer,
 void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory,
                    uint32 **reciprocals)
 {
-    static const struct n64_kept none;
+    uint8 *bytes = (uint8 *)unit;
 
+    for (uint32 i = 0; i < sizeof *unit; i++)
+        bytes[i] = 0;
     n64_init(&unit->n64, dram, dram_bytes);
-    unit->result = N64_DONE;
     unit->memory = memory;
     unit->reciprocals = reciprocals;
-    unit->judged = 0;
-    unit->levels = 0;
-    unit->tables = 0;
-    unit->yuv = 0;
-    unit->levels_made = unit->tables_made = unit->yuv_made = 0;
-    page_init(&unit->page.page);
-    for (int32 i = 0; i < N64_PAGE_KEY; i++)
-        unit->page.key[i] = 0;
-    for (int32 i = 0; i < 256; i++)
-        unit->colours.of[i] = unit->colours.from[i] = 0;
-    for (int32 i = 0; i < N64_TILES; i++)
-        unit->tiles[i] = unit->chroma[i] = none;
 }

@@ -1,5 +1,4 @@
 /* Draws a line of a polygon, pass by pass. */
-#include "n64/polygons/pixels.h"
 #include "n64/polygons/plan.h"
 
 /* A run of pixels with the same tiles. */
@@ -127,14 +126,10 @@ static void find_shades(const struct n64_plan *plan, int32 x, int32 y, int32 cou
     const struct plane *of = planes->all.of;
     struct n64_shades start, steps;
 
-    start.r = (int32)n64_plane_at(planes, N64_RED, x, y);
-    start.g = (int32)n64_plane_at(planes, N64_GREEN, x, y);
-    start.b = (int32)n64_plane_at(planes, N64_BLUE, x, y);
-    start.a = (int32)n64_plane_at(planes, N64_ALPHA, x, y);
-    steps.r = (int32)of[N64_RED].dx;
-    steps.g = (int32)of[N64_GREEN].dx;
-    steps.b = (int32)of[N64_BLUE].dx;
-    steps.a = (int32)of[N64_ALPHA].dx;
+    for (int32 i = 0; i < 4; i++) {
+        (&start.r)[i] = (int32)planes_at(&planes->all, N64_RED + i, x, y);
+        (&steps.r)[i] = (int32)of[N64_RED + i].dx;
+    }
     n64_shade(&start, plan->scratch->line.shades, &steps, count);
 }
 
@@ -185,9 +180,9 @@ static void find_coordinates(const struct n64_plan *plan, int32 x, int32 y, int3
     const struct n64_planes *planes = plan->planes;
     struct n64_iterators at;
 
-    at.s = (int32)n64_plane_at(planes, N64_S, x, y);
-    at.t = (int32)n64_plane_at(planes, N64_T, x, y);
-    at.w = (int32)n64_plane_at(planes, N64_W, x, y);
+    at.s = (int32)planes_at(&planes->all, N64_S, x, y);
+    at.t = (int32)planes_at(&planes->all, N64_T, x, y);
+    at.w = (int32)planes_at(&planes->all, N64_W, x, y);
     plan->coordinates(&at, plan->scratch->line.coordinates, &plan->steps, count);
 }
 

@@ -1,7 +1,6 @@
 #include "n64/polygons/lower.h"
 
 #include "drawing/lower.h"
-#include "n64/polygons/page.h"
 #include "polygon/counts.h"
 
 static int32 shades_are_equal(const struct setup *s, const uint32 *colours)
@@ -41,35 +40,6 @@ void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64
     }
 }
 
-int32 n64_lower_to_flat(const struct n64_needs *needs, struct setup *s)
-{
-    if (!RULE_IS_ON(s, N64_FLAT) || needs->inputs)
-        return 0;
-    RULE_APPLIES(s, N64_FLAT);
-    return 1;
-}
-
-static void set_window(const struct n64_axis *axis, const struct n64_window *from,
-                       struct page_window *to)
-{
-    to->origin = (axis->low << 14) + from->first * 65536;
-    to->least = from->least;
-    to->period = from->period * 65536;
-}
-
-/* Finds the windows of the tile's page; returns 0 if no page can show the tile. */
-static int32 find_windows(const struct n64_tile *tile, int32 copy, struct page_window *columns,
-                          struct page_window *rows)
-{
-    struct n64_window s, t;
-
-    if (!n64_page_windows(tile, copy, &s, &t))
-        return 0;
-    set_window(&tile->s, &s, columns);
-    set_window(&tile->t, &t, rows);
-    return 1;
-}
-
 /* Returns non-zero if the polygon can be drawn from a page: point sampling of one tile without
    levels, combined with constants, or copy mode into 16-bit pixels. */
 static int32 is_plain(const struct n64_needs *needs, const struct setup *s, const struct n64 *n64,
@@ -81,7 +51,7 @@ static int32 is_plain(const struct n64_needs *needs, const struct setup *s, cons
     return (copy ? s->frame->pixel_bytes == 2
                  : needs->inputs == N64_INPUT_TEXEL0 && !n64->modes.lod && !n64->modes.quad)
         && !needs->divided
-        && find_windows(tile, copy, columns, rows)
+        && n64_page_windows(tile, copy, columns, rows)
         && page_is_within(s, &s->given->s, columns) && page_is_within(s, &s->given->t, rows);
 }
 
@@ -97,6 +67,6 @@ int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct 
     *vertices = page_vertices(s, &columns, &rows, &shown);
     if (!n64_page_make(unit, needs, s->frame->pixel_bytes, &shown, s->scratch->room))
         return 0;
-    page_material(plain, s->material, &unit->page.page);
+    page_material(plain, s->material, &unit->page);
     return 1;
 }

@@ -1,6 +1,5 @@
-#include "n64/polygons/page.h"
-
-#include "n64/polygons/pixels.h"
+/* A tile as the plain mappers read it: a page of 256x256 combined pixels in the frame's format.
+   Only rows that polygons need are made. */
 #include "n64/polygons/plan.h"
 
 enum { SIDE = MAP_PAGE_SIDE };
@@ -26,22 +25,25 @@ static int32 last_index(const struct n64_axis *axis)
 
 /* An axis that does not repeat has its texels in the middle of the page. No page can show it if
    its low edge has a larger fraction than its high edge: it clamps in the middle of a texel. */
-static int32 find_window(const struct n64_axis *axis, int32 copy, struct n64_window *window)
+static int32 find_window(const struct n64_axis *axis, int32 copy, struct page_window *window)
 {
+    const int32 last = last_index(axis);
+
     if (axis->shift)
         return 0;
-    window->first = window->period = 0;
+    window->origin = axis->low << 14;
+    window->period = 0;
     if (repeats(axis, copy)) {
-        window->period = period(axis);
-        return window->period <= SIDE;
+        window->period = period(axis) * 65536;
+        return window->period <= SIDE * 65536;
     }
-    window->first = ((last_index(axis) + 1 - SIDE) >> 1) - window->least;
-    return axis->high >= axis->low && last_index(axis) < SIDE
+    window->origin += (((last + 1 - SIDE) >> 1) - window->least) * 65536;
+    return axis->high >= axis->low && last < SIDE
         && (copy || (axis->low & 3) <= (axis->high & 3));
 }
 
-int32 n64_page_windows(const struct n64_tile *tile, int32 copy, struct n64_window *columns,
-                       struct n64_window *rows)
+int32 n64_page_windows(const struct n64_tile *tile, int32 copy, struct page_window *columns,
+                       struct page_window *rows)
 {
     columns->least = 0;
     rows->least = PAGE_LEAST_ROW;
@@ -54,7 +56,7 @@ struct making {
     struct n64_unit *unit;
     const struct n64_needs *needs;
     const struct n64_axis *s, *t;
-    struct n64_window columns, rows;
+    struct page_window columns, rows;
     int32 from, count;          /* columns to draw; the others repeat these or the edges */
     struct frame frame;         /* the page, row 0; rows 128 on precede it, as in MAP_PAGE */
     struct n64_planes planes;
@@ -63,17 +65,22 @@ struct making {
 };
 
 /* Returns the coordinate of column or row k: s10.5. */
-static int32 coordinate(const struct n64_axis *axis, const struct n64_window *window, int32 k)
+static int32 coordinate(const struct page_window *window, int32 k)
 {
-    return (int16)((window->first + k) * 32 + axis->low * 8);
+    return (int16)((window->origin >> 11) + k * 32);
+}
+
+/* Returns the relative index of column or row 0. */
+static int32 first_index(const struct n64_axis *axis, const struct page_window *window)
+{
+    return (window->origin >> 16) - (axis->low >> 2);
 }
 
 /* Returns non-zero if the page shows the axis' first and last texel beyond its edges. */
-static int32 clamps(const struct making *m, const struct n64_axis *axis,
-                    const struct n64_window *window)
+static int32 clamps(const struct making *m, const struct page_window *window)
 {
     return !window->period && m->unit->n64.modes.cycle != N64_COPY
-        && coordinate(axis, window, window->least + SIDE - 1) >= 0;
+        && coordinate(window, window->least + SIDE - 1) >= 0;
 }
 
 static void find_columns(struct making *m)
@@ -83,9 +90,9 @@ static void find_columns(struct making *m)
     m->from = 0;
     m->count = SIDE;
     if (m->columns.period) {
-        m->count = m->columns.period > least ? m->columns.period : least;
-    } else if (clamps(m, m->s, &m->columns)) {
-        m->from = -m->columns.first;
+        m->count = m->columns.period >> 16 > least ? m->columns.period >> 16 : least;
+    } else if (clamps(m, &m->columns)) {
+        m->from = -first_index(m->s, &m->columns);
         m->count = last_index(m->s) + 1;
     }
 }
@@ -96,7 +103,7 @@ static void find_planes(struct making *m)
     struct plane *of = m->planes.all.of;
 
     m->planes.all.i = m->planes.divided = m->planes.shaded = 0;
-    of[N64_S].at = (uint32)coordinate(m->s, &m->columns, 0) << 16;
+    of[N64_S].at = (uint32)coordinate(&m->columns, 0) << 16;
     of[N64_S].dx = 32u << 16;
     of[N64_W].at = N64_W_ONE;
     of[N64_S].dy = of[N64_T].dx = of[N64_T].dy = of[N64_W].dx = of[N64_W].dy = 0;
@@ -108,7 +115,7 @@ static void copy_texels(const struct making *m, uint16 *row, int32 t)
     uint32 texels[2];
 
     for (int32 u = m->from; u < m->from + m->count; u++) {
-        n64_copy_texels(n64, n64->primitive_tile, coordinate(m->s, &m->columns, u), t, texels);
+        n64_copy_texels(n64, n64->primitive_tile, coordinate(&m->columns, u), t, texels);
         row[u] = (uint16)(texels[0] >> 16);
     }
 }
@@ -147,19 +154,17 @@ static void draw_texels(struct making *m, int32 v, int32 t)
 /* Copies pixel from to pixels first to end - 1. */
 static void fill(uint8 *row, int32 pixel_bytes, int32 first, int32 end, int32 from)
 {
-    if (pixel_bytes == 4)
-        for (uint32 *at = (uint32 *)row; first < end; first++)
-            at[first] = at[from];
-    else
-        for (uint16 *at = (uint16 *)row; first < end; first++)
-            at[first] = at[from];
+    const uint32 pixel = pixel_bytes == 4 ? ((uint32 *)row)[from] : ((uint16 *)row)[from];
+
+    for (; first < end; first++)
+        pixel_write(row, first, pixel_bytes, pixel);
 }
 
 static void make_row(struct making *m, int32 v)
 {
-    int32 t = coordinate(m->t, &m->rows, v), bytes = m->frame.pixel_bytes;
+    int32 t = coordinate(&m->rows, v), bytes = m->frame.pixel_bytes;
     int32 used = m->count * bytes;
-    uint8 *row = page_row(&m->unit->page.page, v);
+    uint8 *row = page_row(&m->unit->page, v);
 
     if (m->unit->n64.modes.cycle == N64_COPY)
         copy_texels(m, (uint16 *)row, t);
@@ -176,14 +181,14 @@ static void make_row(struct making *m, int32 v)
 static void find_row(void *context, int32 v, int32 from, int32 end)
 {
     struct making *m = context;
-    const struct page *page = &m->unit->page.page;
+    const struct page *page = &m->unit->page;
+    const int32 first = first_index(m->t, &m->rows);
     int32 same = end;           /* none */
 
     if (m->rows.period)
-        same = v < from ? v + m->rows.period : v - m->rows.period;
-    else if (clamps(m, m->t, &m->rows))
-        same = v < -m->rows.first ? v + 1
-            : v > last_index(m->t) - m->rows.first ? v - 1 : end;
+        same = v < from ? v + (m->rows.period >> 16) : v - (m->rows.period >> 16);
+    else if (clamps(m, &m->rows))
+        same = v < -first ? v + 1 : v > last_index(m->t) - first ? v - 1 : end;
     if (same >= from && same < end)
         n64_copy_row((const uint32 *)page_row(page, same), (uint32 *)page_row(page, v),
                      m->frame.pitch / 4);
@@ -193,7 +198,7 @@ static void find_row(void *context, int32 v, int32 from, int32 end)
 
 static void make_rows(struct making *m, const struct page_rows *rows)
 {
-    struct page *page = &m->unit->page.page;
+    struct page *page = &m->unit->page;
     const struct n64 *n64 = &m->unit->n64;
     int32 copy = n64->modes.cycle == N64_COPY;
 
@@ -217,14 +222,9 @@ static uint32 packed(const uint8 *colour)
 static void find_key(uint32 *key, const struct n64 *n64, int32 n, int32 pixel_bytes,
                      const struct n64_colour *shade)
 {
-    struct n64_tile_key tile;
-
-    n64_tile_key_find(&tile, &n64->tiles[n]);
     key[0] = n64->tmem_generation;
     key[1] = n64->mode_generation;
-    key[2] = tile.tile;
-    key[3] = tile.s;
-    key[4] = tile.t;
+    n64_tile_key_find(&key[2], &n64->tiles[n]);
     key[5] = packed(n64->primitive);
     key[6] = packed(n64->environment);
     key[7] = (uint32)n64->primitive_fraction << 8 | (uint32)pixel_bytes;
@@ -235,18 +235,16 @@ static void find_key(uint32 *key, const struct n64 *n64, int32 n, int32 pixel_by
 int32 n64_page_make(struct n64_unit *unit, const struct n64_needs *needs, int32 pixel_bytes,
                     const struct page_rows *rows, uint32 *room)
 {
-    struct n64_page *page = &unit->page;
+    struct page *page = &unit->page;
     struct making making;
-    uint32 key[N64_PAGE_KEY];
+    uint32 key[PAGE_KEY];
 
     find_key(key, &unit->n64, unit->n64.primitive_tile, pixel_bytes, &needs->shade);
-    if (key_differs(page->key, key, N64_PAGE_KEY))
-        page_forget(&page->page);
-    if (page_has(&page->page, rows))
+    if (page_has(page, key, PAGE_KEY, rows))
         return 1;
     if (unit->n64.modes.cycle == N64_COPY && !are_alike(&unit->n64))
         return 0;
-    if (!page_ready(&page->page, pixel_bytes, unit->memory, rows))
+    if (!page_ready(page, pixel_bytes, unit->memory, rows))
         return 0;
     making.room = room;
     making.unit = unit;

@@ -119,12 +119,10 @@ static int32 find_lod(struct n64_plan *plan)
     const int32 down = plan->unit->n64.modes.cycle != N64_ONE_CYCLE;
 
     plan->coordinates = n64_lod;
-    lod->s = lod->x_s = (int32)of[N64_S].dx;
-    lod->t = lod->x_t = (int32)of[N64_T].dx;
-    lod->w = lod->x_w = (int32)of[N64_W].dx;
-    lod->y_s = down ? (int32)of[N64_S].dy : 0;
-    lod->y_t = down ? (int32)of[N64_T].dy : 0;
-    lod->y_w = down ? (int32)of[N64_W].dy : 0;
+    for (int32 i = N64_S; i <= N64_W; i++) {
+        (&lod->s)[i] = (&lod->x_s)[i] = (int32)of[i].dx;
+        (&lod->y_s)[i] = down ? (int32)of[i].dy : 0;
+    }
     lod->reciprocals = find_reciprocals(plan->unit);
     lod->levels = find_levels(plan->unit);
     lod->blendings = plan->scratch->line.blendings;
@@ -147,13 +145,10 @@ static int32 find_coordinates(struct n64_plan *plan)
     return !plan->planes->divided || division->reciprocals;
 }
 
-/* Makes the tables of the form's second part, by combining a line that has every value once. */
+/* Makes the tables of the form's second part; returns 0 if there is no memory. */
 static int32 find_tables(struct n64_plan *plan)
 {
-    struct n64_wide *values = plan->scratch->tables.values;
-    struct n64_wide *results = plan->scratch->tables.results;
     struct n64_unit *unit = plan->unit;
-    struct n64_places places;
     uint32 colours[256];
 
     plan->tables = unit->tables;
@@ -161,12 +156,7 @@ static int32 find_tables(struct n64_plan *plan)
         return 1;
     if (!unit->tables && !mem_take(&unit->tables, 4 * 256, MEMORY_ANY))
         return 0;
-    for (int32 v = 0; v < 256; v++)
-        for (int32 i = 0; i < 4; i++)
-            values[v].channels[i] = (int16)v;
-    places.combined = places.texel0 = places.texel1 = values;
-    n64_combine_cycle(&unit->n64, &places, plan->form.cycle, results, 256);
-    n64_narrow(results, colours, 0, 256);
+    n64_form_colours(plan, colours, 256);
     for (int32 v = 0; v < 256; v++)
         for (int32 i = 0; i < 4; i++)
             unit->tables[256 * i + v] = (uint8)(colours[v] >> (24 - 8 * i));

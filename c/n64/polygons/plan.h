@@ -4,9 +4,18 @@
 
 #include "n64/polygons/forms.h"
 #include "n64/polygons/lower.h"
-#include "n64/polygons/planes.h"
+#include "polygon/planes.h"
 
-typedef void n64_pass(const void *in, void *out, const void *constants, int32 count);
+enum n64_interpolant { N64_S, N64_T, N64_W, N64_RED, N64_GREEN, N64_BLUE, N64_ALPHA };
+
+#define N64_W_ONE 0x7fff0000    /* the greatest w: 1.0 */
+
+/* Planes of what is interpolated over a polygon, s15.16, by enum n64_interpolant. */
+struct n64_planes {
+    struct planes all;
+    int32 divided;              /* s and t must be divided by w */
+    int32 shaded;
+};
 
 /* The passes from coordinates to one tile's texels. */
 struct n64_sampling {
@@ -54,6 +63,10 @@ int32 n64_plan_find(struct n64_plan *plan, const struct n64_needs *needs, struct
 
 /* yuv.c. Finds plan->yuv; returns 0 if there are no passes. May set plan->form.any. */
 int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs);
+
+/* yuv.c. Makes the colours of a channel's numbers 0 to count - 1 (9 bits, from 384 on negative)
+   after the form's second part. */
+void n64_form_colours(const struct n64_plan *plan, uint32 *colours, int32 count);
 
 /* yuv.c. Converts the form's one texel to colours. from: the lines of T0 and T1. */
 void n64_yuv_colours(const struct n64_plan *plan, const struct n64_yuv_line *from, uint32 *colours,

@@ -1,4 +1,5 @@
-#include "n64/polygons/rows.h"
+/* Decodes a tile's texels from TMEM, a whole row at a time. */
+#include "n64/polygons/decode.h"
 
 enum { LOW_HALF = N64_TMEM_BYTES / 2 - 1, ALL = N64_TMEM_BYTES - 1 };   /* masks of addresses */
 
@@ -93,24 +94,18 @@ static void decode_8(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *
         *texels++ = colours[*from++];
 }
 
-static void decode_rgba16(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
-                          int32 count)
+static void decode_16(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
+                      int32 count)
 {
     const uint16 *from = in_order(rows->n64->tmem, at, ALL, odd, 2 * count,
                                   rows->scratch->words);
 
-    while (count-- > 0)
-        *texels++ = rgba16_colour(*from++);
-}
-
-static void decode_ia16(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
-                        int32 count)
-{
-    const uint16 *from = in_order(rows->n64->tmem, at, ALL, odd, 2 * count,
-                                  rows->scratch->words);
-
-    while (count-- > 0)
-        *texels++ = ia16_colour(*from++);
+    if (rows->tile->format == N64_RGBA)
+        while (count-- > 0)
+            *texels++ = rgba16_colour(*from++);
+    else
+        while (count-- > 0)
+            *texels++ = ia16_colour(*from++);
 }
 
 static void decode_rgba32(const struct n64_rows *rows, uint32 at, int32 odd, uint32 *texels,
@@ -157,10 +152,10 @@ void n64_rows_find(struct n64_rows *rows, const struct n64 *n64, const struct n6
         rows->decode = tile->size == N64_4 ? decode_4 : decode_8;
         make_colours(colours, n64, tile);
     } else if (!n64->modes.tlut) {
-        if (tile->format == N64_RGBA)
-            rows->decode = tile->size == N64_16 ? decode_rgba16 : decode_rgba32;
-        else if (tile->format == N64_IA && tile->size == N64_16)
-            rows->decode = decode_ia16;
+        if (tile->size == N64_16 && (tile->format == N64_RGBA || tile->format == N64_IA))
+            rows->decode = decode_16;
+        else if (tile->format == N64_RGBA)
+            rows->decode = decode_rgba32;
     }
 }
 

@@ -6,14 +6,6 @@
 #include "n64/pixel.h"
 #include "n64/polygons/decode.h"
 
-enum { N64_PAGE_KEY = 10 };
-
-/* A tile as the plain mappers read it: see page.h. */
-struct n64_page {
-    struct page page;
-    uint32 key[N64_PAGE_KEY];   /* cache key */
-};
-
 /* Tables for converting YUV texels: see n64_yuv_conversion. */
 struct n64_yuv_tables {
     struct n64_matrix matrix;
@@ -32,7 +24,7 @@ struct n64_unit {
     uint32 judged;              /* sum of generations of the last state found valid */
     struct n64_yuv_tables *yuv;  /* made at mode_generation yuv_made; or null */
     uint32 yuv_made;
-    struct n64_page page;
+    struct page page;           /* a tile as the plain mappers read it: page.h */
     struct n64_colours colours;
     struct n64_kept tiles[N64_TILES];   /* decoded for the passes */
     struct n64_kept chroma[N64_TILES];  /* the same with quads for YUV's chroma */

@@ -34,20 +34,19 @@ static int32 find_texels(struct n64_yuv *yuv, const struct n64_modes *modes, uin
                             && (!yuv->sampled[1] || modes->filter1));
 }
 
-/* Makes the colours of a converted channel's 9 bits, after the form's second part. */
-static void make_colours(const struct n64_plan *plan, uint32 *colours)
+void n64_form_colours(const struct n64_plan *plan, uint32 *colours, int32 count)
 {
     struct n64_wide *const values = plan->scratch->tables.values;
     struct n64_wide *const results = plan->scratch->tables.results;
     struct n64_places places;
 
-    for (int32 v = 0; v < 512; v++)
+    for (int32 v = 0; v < count; v++)
         for (int32 i = 0; i < 4; i++)
             values[v].channels[i] = (int16)(v < 384 ? v : v - 512);
     places.combined = places.texel0 = places.texel1 = values;
     if (plan->form.second == N64_SECOND_TABLES)
-        n64_combine_cycle(&plan->unit->n64, &places, plan->form.cycle, results, 512);
-    n64_narrow(plan->form.second == N64_SECOND_TABLES ? results : values, colours, 0, 512);
+        n64_combine_cycle(&plan->unit->n64, &places, plan->form.cycle, results, count);
+    n64_narrow(plan->form.second == N64_SECOND_TABLES ? results : values, colours, 0, count);
 }
 
 static int32 find_tables(struct n64_plan *plan)
@@ -59,7 +58,7 @@ static int32 find_tables(struct n64_plan *plan)
             return 0;
         n64_matrix_make(&unit->yuv->matrix, unit->n64.k);
         if (!plan->form.any)
-            make_colours(plan, unit->yuv->colours);
+            n64_form_colours(plan, unit->yuv->colours, 512);
         unit->yuv_made = unit->n64.mode_generation;
     }
     plan->yuv.conversion.matrix = &unit->yuv->matrix;

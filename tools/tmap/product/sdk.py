@@ -39,6 +39,8 @@ FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
 DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
+#: Routines of one type: n64_pass n64_walk, n64_divide;
+TYPED = re.compile(r"^\w+ (\w+(?:, \w+)*);", re.MULTILINE)
 ARCHIVE = "tmap020"
 
 
@@ -108,8 +110,9 @@ def headers() -> list[Path]:
 def declared() -> set[str]:
     """Returns the names of the routines that public headers declare."""
     spans = {f"span_{name}" for _, name, _ in c_lists.rows("polygon/span_list.h", "SPAN")}
-    return spans | {name for path in offered(".h")
-                    for name in DECLARATION.findall((ROOT / "c" / path).read_text())}
+    texts = [(ROOT / "c" / path).read_text() for path in offered(".h")]
+    return spans.union(*(DECLARATION.findall(text) for text in texts),
+                       *(names.split(", ") for text in texts for names in TYPED.findall(text)))
 
 
 def public() -> list[contracts.Contract]:

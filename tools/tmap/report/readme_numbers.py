@@ -76,7 +76,7 @@ FORMATS = (
     Format("s0.15", "its w, 0x7fff being 1.0", 16, 15, True, "as the hardware", "c/n64/passes.h",
            "tests/n64/test_vectors.py"),
     Format("10.2", "edges of its tiles", 12, 2, False, "-", "c/n64/n64.h", "tests/n64/test_words.py"),
-    Format("s15.16", "its iterators over a polygon", 32, 16, True, "nearest", "c/n64/polygons/planes.h",
+    Format("s15.16", "its iterators over a polygon", 32, 16, True, "nearest", "c/n64/polygons/plan.h",
            "tests/n64/test_model_polygons.py"),
     Format("14.18", "s and t of Glide's unit, 0 to 256 along the longer side", 32, 18, True,
            "as the hardware", "c/glide/glide.h", "tests/glide/test_vectors.py"),
