@@ -55,12 +55,6 @@ def texture(max_level: int, first: int) -> Words:
 WRAPPED = (RGBA, BITS_16, 4, 0, 0, 0, 0, 4, 0, 0, 0, 3, 0, 0, 0, 60, 28)
 
 
-def packed(colour: list[int]) -> int:
-    """R G B A as one signed long, the form of answers."""
-    value = int.from_bytes(bytes(colour), "big")
-    return value - (1 << 32) if value >> 31 else value
-
-
 class Guest(vector_guest.Guest):
     """Sends operations to the N64's texture engine."""
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import pytest
-from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RGBA, WRAPPED, YUV,
-                             Guest, modes, packed, result_name)
+from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RGBA, WRAPPED, YUV, Guest,
+                             modes, result_name)
 from tests.helpers import vector_guest
 
 NEXT, CHROMA = 1, 2  # quads
@@ -146,60 +146,6 @@ def test_every_texel_and_quad(asked) -> None:
                         f"{each.t / 32} is {found:08x}, expected {expected:08x}", pytrace=False)
 
 
-#: Tiles, as the fields after n in a vector line: format, size, line, tmem, palette, clamp, mirror,
-#: mask, shift of s, of t, sl, tl, sh, th.
-TILES = {
-    "wrapped RGBA 16": WRAPPED,
-    "mirrored IA 8": (IA, BITS_8, 3, 16, 0, 0, 1, 3, 0, 0, 1, 4, 0, 0, 0, 60, 28),
-    "clamped I 4": (I, BITS_4, 2, 32, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 88, 40),
-    "clamped and mirrored IA 4": (IA, BITS_4, 2, 32, 0, 1, 1, 3, 0, 1, 1, 2, 0, 12, 6, 150, 90),
-    "shifted IA 16": (IA, BITS_16, 4, 48, 0, 0, 0, 4, 1, 0, 1, 3, 14, 5, 9, 60, 28),
-    "RGBA 32": (RGBA, BITS_32, 5, 48, 0, 1, 0, 0, 0, 0, 0, 3, 0, 0, 0, 76, 28),
-    "one texel": (RGBA, BITS_16, 1, 200, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0),
-    "long mask": (I, BITS_4, 64, 0, 0, 0, 0, 10, 0, 0, 0, 4, 0, 0, 0, 0, 0),
-}
-TLUT_TILES = {
-    "CI 4": (CI, BITS_4, 2, 32, 5, 0, 0, 5, 0, 0, 1, 3, 0, 0, 0, 88, 40),
-    "CI 8": (CI, BITS_8, 4, 32, 0, 1, 1, 4, 0, 1, 0, 5, 0, 0, 0, 100, 130),
-}
-RANDOM_PLACES = 60  # for each tile
-
-
-def ask_places() -> tuple[Guest, list[tuple[str, int, int, int]]]:
-    """Tiles at random places, some far outside; returns for each its name, s, t and first
-    answer."""
-    chosen, guest, asked = random.Random(5), Guest(), []
-    guest.do("TMEM_RANDOM", 99)
-    guest.do("TLUT_RANDOM", 98)
-    for tlut, some in ((0, TILES), (1, TLUT_TILES)):
-        guest.words(modes(tlut=tlut))
-        for n, (name, tile) in enumerate(some.items()):
-            guest.do("TILE", n, *tile)
-            guest.ask("DECODE", n, NEXT, numbers=5)
-            for _ in range(RANDOM_PLACES):
-                s, t = (chosen.choice((chosen.randrange(-32768, 32768), chosen.randrange(1024),
-                                       chosen.randrange(32) * 32 + 16)) for _ in "st")
-                asked.append((name, s, t, len(guest.lengths)))
-                for mid in (0, 1):
-                    guest.words(modes(tlut=tlut, quad=1, mid=mid))
-                    guest.ask("DECODED", n, s, t, numbers=2)
-                    guest.ask("SAMPLE", n, s, t, 0, numbers=4)
-                guest.words(modes(tlut=tlut))
-                guest.ask("SAMPLE", n, s, t, 0, numbers=4)
-    return guest, asked
-
-
-def test_places_far_and_near(asked) -> None:
-    """At random coordinates texels equal those of point sampling, and quads' results those of the
-    filter, three-point and average; for wrap, mirror, clamp, shifts, TLUT, all formats."""
-    for name, s, t, first in asked["places"]:
-        _, plain, filtered, _, middle, average, _, point = (
-            asked["answers"]["places"][first:first + 8])
-        for what, found, expected in (("texel", plain[0], point), ("three points", plain[1], filtered),
-                                      ("average", middle[1], average)):
-            assert found == packed(expected), f"{name}: {what} at s {s / 32}, t {t / 32}"
-
-
 #: Change before decoding, or None; whether quads are needed; whether the tile is decoded again.
 SMALLER = (*WRAPPED[:7], 3, *WRAPPED[8:])
 SAME = 0xF5 << 24 | BITS_16 << 19 | 4 << 9, 3 << 14 | 4 << 4
@@ -251,6 +197,6 @@ def test_tiles_that_cannot_be_decoded(asked) -> None:
 @pytest.fixture(scope="module")
 def asked() -> dict:
     """The questions of all tests and their answers, from one boot."""
-    every, (guest, places) = Everything(), ask_places()
-    return {"everything": every, "places": places, "answers": vector_guest.run_all({
-        "everything": every.guest, "places": guest, "steps": ask_steps(), "large": ask_large()})}
+    every = Everything()
+    return {"everything": every, "answers": vector_guest.run_all({
+        "everything": every.guest, "steps": ask_steps(), "large": ask_large()})}
