@@ -6,8 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from tests.glide.guest import LEVEL_NUMBERS, MASK, Guest, results, texture
-from tmap.build import layout
+from tests.glide.guest import LEVEL_NUMBERS, MASK, RESULTS, Guest, texture
 from tmap.glide.words import (ASPECTS, FACTORS, FIELDS, FILTERS, FORMATS, FUNCTIONS, MIPMAPS,
                               WRAPS, Words, memory_required)
 
@@ -106,7 +105,7 @@ def random_registers(choose: random.Random) -> list[int]:
 
 
 #: Results of drawing polygons; no call returns them.
-OF_POLYGONS = ("BAD_COORDINATE", "BAD_W")
+OF_POLYGONS = ("BAD_COORDINATE", "BAD_W", "NO_COORDINATES")
 #: A source of 64 by 64 texels of 8 bits, levels 2 to 5, of which the even ones are stored, from
 #: address 1024 on.
 MAP = [1024, 1, 2, 5, 3, 3]
@@ -221,9 +220,8 @@ def answers() -> dict:
     guest.call("NCC", 1, *NCC)
     guest.call("NCC_REGISTERS", 0, *NCC_WORDS)
     note("tables", first)
-    count = layout.load().constants["GLIDE_RESULTS"]
     note("texts", min([guest.ask("GLIDE_RESULT_TEXT", n, numbers=TEXT_LONGS)
-                       for n in range(count + 1)]))
+                       for n in range(len(RESULTS) + 1)]))
     found = guest.run()
     return {name: found[first:end] for name, (first, end) in ranges.items()} | {
         "made": calls.made, "words": words}
@@ -239,7 +237,7 @@ def test_calls_and_tools_set_the_same_registers(answers) -> None:
     assert registers(answers["calls"][0][1:5]) == registers(Words().words()), "as new"
     for (name, arguments, words, own), answer in zip(answers["made"], answers["calls"][1:],
                                                      strict=True):
-        assert results().get(answer[0]) == "DONE", (name, arguments, results().get(answer[0]))
+        assert RESULTS[answer[0]] == "DONE", (name, arguments, RESULTS[answer[0]])
         assert registers(answer[1:5]) == registers(words), (
             f"{name}{tuple(arguments)}: registers {registers(answer[1:5])}, expected "
             f"{registers(words)}")
@@ -251,7 +249,7 @@ def test_registers_round_trip(answers) -> None:
     """All fields are random, and so are the bits between them: only bit 31 of the first register is
     dropped."""
     for words, answer in zip(answers["words"], answers["round"], strict=True):
-        assert results().get(answer[0]) == "DONE", (registers(words), results().get(answer[0]))
+        assert RESULTS[answer[0]] == "DONE", (registers(words), RESULTS[answer[0]])
         assert registers(answer[1:5]) == registers(words), (
             f"set {registers(words)}, read {registers(answer[1:5])}")
     used = [0] * 4
@@ -265,11 +263,10 @@ def test_bad_arguments_change_nothing(answers) -> None:
     (_, *before, _), first, *found, last = answers["bad"]
     assert first == last, f"generations {first} became {last}"
     for (name, arguments, result), answer in zip(BAD, found, strict=True):
-        assert results().get(answer[0]) == result, (
-            f"{name}{tuple(arguments)}: expected {result}, found {results().get(answer[0])}")
+        assert RESULTS[answer[0]] == result, (
+            f"{name}{tuple(arguments)}: expected {result}, found {RESULTS[answer[0]]}")
         assert answer[1:5] == before, f"{name}{tuple(arguments)} changes registers"
-    everyone = {name for name in results().values() if name not in ("DONE", *OF_POLYGONS)}
-    assert {result for _, _, result in BAD} == everyone
+    assert {result for _, _, result in BAD} == {*RESULTS} - {"DONE", *OF_POLYGONS}
 
 
 def test_what_grows(answers) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from tests.glide.guest import LEVEL_NUMBERS, MASK, Guest, results, texture
+from tests.glide.guest import LEVEL_NUMBERS, MASK, RESULTS, Guest, texture
 from tmap.glide.words import (ASPECTS, LEVELS, level_bytes, level_size, memory_required, place,
                               texel_bytes)
 from tmap.vectors.vector_text import xorshift
@@ -154,7 +154,7 @@ class Replay:
         """Runs all operations and compares the answers."""
         for (what, numbers), answer in zip(self.expected, self.guest.run(), strict=True):
             if not numbers:
-                assert results().get(answer[0]) == "DONE", (what, results().get(answer[0]))
+                assert RESULTS[answer[0]] == "DONE", (what, RESULTS[answer[0]])
                 continue
             found = [value & MASK for value in answer]
             wrong = [n for n, number in enumerate(numbers) if found[n] != number]

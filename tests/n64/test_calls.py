@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from tests.n64.guest import BITS_16, RGBA, Guest, result_name
+from tests.n64.guest import BITS_16, RESULTS, RGBA, Guest
 from tests.helpers import vector_guest
 from tmap.build import layout
 from tmap.n64.combiner import ALPHA_NAMES, RGB_NAMES
@@ -143,7 +143,7 @@ def ask_call(guest: Guest, name: str, arguments: list[int], room: int = PAIRS) -
 
 def words_of(answer: list[int]) -> list[tuple[int, int]]:
     """The words that a call wrote."""
-    assert result_name(answer[0]) == "DONE"
+    assert RESULTS[answer[0]] == "DONE"
     halves = [half & 0xFFFFFFFF for half in answer[2:2 + 2 * answer[1]]]
     return list(zip(halves[::2], halves[1::2]))
 
@@ -228,7 +228,7 @@ def test_calls_and_tools_write_the_same_words(asked) -> None:
         assert [(hi & ANY, lo) for hi, lo in found] == words, (
             f"{name}{tuple(arguments)}: the call writes {text(found)}, the tools {text(words)}")
     for (name, *_), (code, count, *_) in zip(made, answers[len(made):], strict=True):
-        assert (result_name(code), count) == ("LIST_FULL", 0), name
+        assert (RESULTS[code], count) == ("LIST_FULL", 0), name
 
 
 def test_calls_and_tools_set_the_same_modes(asked) -> None:
@@ -243,7 +243,7 @@ def test_calls_and_tools_set_the_same_modes(asked) -> None:
             guest.ask("GENERATIONS", 0, numbers=3)
     answers = guest.run()
     generations = [answer[2] for answer in answers[1::2]]
-    assert all(result_name(answer[0]) == "DONE" for answer in answers[::2])
+    assert all(RESULTS[answer[0]] == "DONE" for answer in answers[::2])
     for n, (name, choice, _) in enumerate(changes.made):
         assert generations[2 * n + 2] == generations[2 * n + 1], \
             f"call {n}, {name} {choice!r}: the tools' word changes the modes that it left"

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import pytest
-from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RGBA, WRAPPED, YUV, Guest,
-                             modes, result_name)
+from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RESULTS, RGBA, WRAPPED, YUV,
+                             Guest, modes)
 from tests.helpers import vector_guest
 
 NEXT, CHROMA = 1, 2  # quads
@@ -135,7 +135,7 @@ def test_every_texel_and_quad(asked) -> None:
     that wrap at TMEM's end or have rows of an odd number of words."""
     every, answers = asked["everything"], asked["answers"]["everything"]
     for name, at in every.decoded:
-        assert (result_name(answers[at][0]), answers[at][3]) == ("DONE", 1), name
+        assert (RESULTS[answers[at][0]], answers[at][3]) == ("DONE", 1), name
     for each in every.asked:
         colour = answers[each.answer + 1]
         if each.name.startswith("YUV"):
@@ -171,7 +171,7 @@ def test_tiles_are_decoded_anew_only_after_a_change(asked) -> None:
     answers = asked["answers"]["steps"]
     for n, (change, quads, made) in enumerate(STEPS):
         code, columns, rows, found, _ = answers[n]
-        assert (result_name(code), found) == ("DONE", made), (n, change, quads)
+        assert (RESULTS[code], found) == ("DONE", made), (n, change, quads)
         assert (columns, rows) == (3 if 7 <= n < 12 else 4, 3), n
     assert answers[-1][4] == answers[3][4]  # the memory is reused
 
@@ -190,7 +190,7 @@ def ask_large() -> Guest:
 def test_tiles_that_cannot_be_decoded(asked) -> None:
     """A tile that repeats over more than TMEM can hold is refused; the tile decoded before is
     unharmed."""
-    names = [(result_name(answer[0]), answer[3]) for answer in asked["answers"]["large"]]
+    names = [(RESULTS[answer[0]], answer[3]) for answer in asked["answers"]["large"]]
     assert names == [("DONE", 1), ("DECODE_TOO_LARGE", 0), ("DONE", 0)]
 
 
