@@ -1,8 +1,8 @@
 """Random polygons drawn by the 68020: bit for bit the model, and near the ideal.
 
-2,800 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; 800 of them in
-frames of 16 and 32 bits. All runs of one machine share a boot. The guest itself checks the guard
-bands round the frame (4,096 bytes each side).
+1,000 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; test_wide.py has those
+of 16 and 32 bits, tests/accuracy/test_fuzz.py all other settings. All runs of one machine share a boot.
+The guest itself checks the guard bands round the frame (4,096 bytes each side).
 """
 
 from dataclasses import replace
@@ -20,18 +20,13 @@ from tmap.run.polygon_report import explain
 from tmap.scene_file import scene_file
 
 #: seed: (polygons, width, height)
-SCENES = {1: (1000, 320, 256), 2: (1000, 192, 144)}
-WIDE = {3: "rgba5551", 4: "rgba8888"}  # formats of the frames that are not chunky, by seed
-SCENES |= {3: (400, 320, 256), 4: (400, 192, 144)}
+SCENES = {1: (500, 320, 256), 2: (500, 192, 144)}
 USUAL = model.Settings()
 EXACT = model.Settings("exact")
-RUNS = [("addx", "a1200-fast", 1, USUAL), ("addx", "a1200-fast", 2, USUAL),
-        ("swap", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
-        ("addx", "a1200", 2, USUAL), ("c", "a1200-fast", 2, USUAL),
-        ("addx", "a1200-fast", 1, EXACT), ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices")),
-        ("addx", "a1200-fast", 2, replace(USUAL, clip="vertices")),
-        ("addx", "a1200-fast", 3, USUAL), ("addx", "a1200-fast", 4, EXACT),
-        ("swap", "a1200", 3, EXACT), ("addx", "a1200", 4, replace(USUAL, clip="vertices"))]
+RUNS = [("addx", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL), ("addx", "a1200", 2, USUAL),
+        ("c", "a1200-fast", 2, USUAL), ("addx", "a1200-fast", 1, EXACT),
+        ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices")),
+        ("addx", "a1200-fast", 2, replace(USUAL, clip="vertices"))]
 
 
 def called(run: tuple) -> str:
@@ -43,7 +38,7 @@ def called(run: tuple) -> str:
 @cache
 def scene(seed: int, settings: model.Settings = USUAL) -> scene_file.Scene:
     """The scene of a seed."""
-    made = random_polygons.scene(seed, *SCENES[seed], pixels=WIDE.get(seed, "chunky"))
+    made = random_polygons.scene(seed, *SCENES[seed])
     made.materials = [replace(m, edges=settings.edges, clip=settings.clip) for m in made.materials]
     return made
 
@@ -86,7 +81,7 @@ def test_every_polygon_is_the_models(run: tuple, drawn) -> None:
                     + explain(this, wrong[0], frame, f"seed {seed}, polygon {wrong[0]}", again))
 
 
-@pytest.mark.parametrize("seed", sorted(SCENES.keys() - WIDE))
+@pytest.mark.parametrize("seed", SCENES)
 def test_error_is_within_the_derived_bounds(seed: int) -> None:
     """Edges and texels are off the exact rational ideal by no more than tools/tmap/ideal/ideal.py
     derives. With exact edges the pixels are those of the rational polygon, however long, thin or
@@ -105,7 +100,7 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
                     f"{vertices}")
                 total.merge(found)
     # The scene tests what it should: much is drawn, and the bounds are nearly reached.
-    assert min(total.pixels for total in worst.values()) > 1_000_000
+    assert min(total.pixels for total in worst.values()) > 500_000
     assert worst[USUAL].edge_ratio > 0.9 and worst[USUAL].texel_ratio > 0.9
 
 
@@ -165,4 +160,4 @@ def test_scenes_hold_what_they_promise() -> None:
             thin += max(widths) <= 2
             wraps += polygon.texturing.wraps
     assert counts == set(range(3, 9))
-    assert off > 300 and thin > 50 and wraps > 20, (off, thin, wraps)
+    assert off > 150 and thin > 25 and wraps > 10, (off, thin, wraps)
