@@ -11,8 +11,8 @@ from tmap.vectors import vectors
 FILES = sorted((ROOT / "tests" / "vectors").glob("tmu*.txt.gz"))
 QUESTIONS = 1000  # in each file
 SHORT = 304  # lines of a file with a hundred questions
-#: What the data do not ask: with all gradients 0 the level is the least one, whatever the bias; with
-#: w = 0 the last one. White is multiplied by one more than the fraction of the level, in 1/256.
+#: What the data do not ask: with all gradients 0 the level is the least one, whatever the bias;
+#: with w = 0 the last one. White is multiplied by one more than the level's fraction, in 1/256.
 EXAMPLES = """\
 regs 06834000 00101800 00000000 0
 grad 1048576 0 0 0

@@ -23,11 +23,11 @@ LUT_CODES = dict(zip(TLUTS, (0, 2, 3)))
 FILTER_CODES = dict(zip(FILTERS, (0, 2, 3)))
 CONVERSION_CODES = dict(zip(CONVERTS, (6, 0, 5)))
 
-#: Calls and their words, computed by hand: those that change modes, whose form the tools do not write,
-#: and one of each other kind.
+#: Calls and their words, computed by hand: those that change modes, whose form the tools do not
+#: write, and one of each other kind.
 BY_HAND = {
-    # 32x32 RGBA 16, mirrored in s, clamped in t: image, format, size, width, height, sl, tl, sh, th,
-    # palette, then wrap, mask and shift of s and of t
+    # 32x32 RGBA 16, mirrored in s, clamped in t: image, format, size, width, height, sl, tl, sh,
+    # th, palette, then wrap, mask and shift of s and of t
     ("TEXTURE_BLOCK", 0x123450, RGBA, BITS_16, 32, 32, 0, 0, 0, 0, 0, 1, 5, 0, 2, 0, 0): (
         0xFD100000, 0x00123450, 0xF5100000, 0x07080150, 0xE6000000, 0, 0xF3000000, 0x073FF100,
         0xE7000000, 0, 0xF5101000, 0x00080150, 0xF2000000, 0x0007C07C),

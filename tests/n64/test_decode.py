@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import pytest
-from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RESULTS, RGBA, WRAPPED, YUV,
-                             Guest, modes)
+from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RESULTS, RGBA, WRAPPED,
+                             YUV, Guest, modes)
 from tests.helpers import vector_guest
 
 NEXT, CHROMA = 1, 2  # quads

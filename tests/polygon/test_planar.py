@@ -8,6 +8,8 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
 from tests.helpers.properties import Case, covers_once
 from tests.helpers.property_cases import HEIGHT, WIDTH, convex, uneven_case
 from tests.helpers.engine_scenes import compiled, save_noise
@@ -16,7 +18,6 @@ from tmap.guest import guest_frames
 from tmap.ideal import planarity
 from tmap.model import model
 from tmap.model.model import Settings
-from tmap.run import run
 from tmap.scene_file.scene_file import (IDENTITY, Material, Object, Scene, Texture, vertices_at,
                                         write)
 from tmap.setup import clip, planarity as model_planar
@@ -112,24 +113,20 @@ def test_a_scene_is_drawn_as_its_triangles(folder, name: str) -> None:
         assert (found != model.render(vouched, number)).sum() > 100
 
 
-@pytest.mark.parametrize("off", [None, "all"])
-def test_the_guest_draws_scenes_as_the_model(folder, off: str | None) -> None:
+def test_the_guest_draws_scenes_as_the_model(folder) -> None:
     """The guest draws the model's frames with and without rules of lowering, with the planar flags
-    of the file and with the test left to the set-up."""
-    scenes = [made(folder, name) for name in SCENES]
-    scenes += [replace(s, objects=[replace(obj, planar=0) for obj in s.objects]) for s in scenes]
-    drawn = guest_frames.draw([(s, "addx" + (f" OFF {off}" if off else "")) for s in scenes], "a1200-fast")
-    for name, scene, digests in zip([*SCENES, *SCENES], scenes, drawn):
-        for number, digest in enumerate(digests):
-            assert not digest["result"], name
-            assert guest_frames.is_models(model.render(scene, number), digest), (name, number, off)
-
-
-def test_triangles_are_counted(folder) -> None:
-    """`make run` counts what is drawn: two polygons for a quad that is not planar, each pixel
-    once."""
-    scene = made(folder, "affine")
-    found = run.render(scene, "a1200-fast", "addx")
+    of the file and with the test left to the set-up. `make run` counts what is drawn: two polygons
+    for a quad that is not planar, each pixel once."""
+    scenes = {name: made(folder, name) for name in SCENES}
+    unmarked = [replace(scene, objects=[replace(obj, planar=0) for obj in scene.objects])
+                for scene in scenes.values()]
+    asked = [Asked(scene, off, counted=scene is scenes["affine"] and not off)
+             for off in (None, "all") for scene in [*scenes.values(), *unmarked]]
+    drawn = guest_runs.draw(asked)
+    for name, each, found in zip([*SCENES] * 4, asked, drawn, strict=True):
+        assert not found.digests["result"].any(), name
+        guest_runs.check(name, each, found)
+    found, scene = drawn[list(SCENES).index("affine")], scenes["affine"]
     polygons = [model.prepare_polygon(scene, 0, part)
                 for number in (0, 1) for part in model.parts(vertices_at(
                     scene, scene.objects[0], number), scene.materials[0])]
@@ -226,16 +223,11 @@ def test_triangles_leave_no_gap(edges: str) -> None:
     assert fans > 300
 
 
-def uneven(count: int) -> list[Case]:
-    """Polygons that polygon_draw must test for planarity."""
-    return [uneven_case(random.Random(f"guest {k}"), f"number {k}") for k in range(count)]
-
-
-@pytest.mark.parametrize("form", ["addx", "swap", "addx OFF all"])
-def test_polygon_draw_is_the_model(form: str) -> None:
+def test_polygon_draw_is_the_model() -> None:
     """Any mapper, edges, gradients and perspective, no planar flag: the guest draws the model's
-    pixels."""
-    cases, layouts = uneven(300), {"arbitrary": "linear", "generated": "margins"}
+    pixels, in each form and without rules."""
+    cases = [uneven_case(random.Random(f"guest {k}"), f"number {k}") for k in range(300)]
+    layouts = {"arbitrary": "linear", "generated": "margins"}
     layouts |= {name: name for name in ("tiled", "columns")}
     names = ["page", "linear", "tiled", "columns", "margins", "light"]
     noise = np.random.default_rng(3)
@@ -252,10 +244,14 @@ def test_polygon_draw_is_the_model(form: str) -> None:
         vertices += case.vertices
     scene = Scene(WIDTH, HEIGHT, len(cases), 7, np.zeros((256, 3), np.uint8), maps, list(materials),
                   objects, np.array(vertices), np.array([IDENTITY]))
-    digests, = guest_frames.draw([(scene, form)], "a1200-fast")
-    for number, (case, digest) in enumerate(zip(cases, digests)):
-        assert not digest["result"] and guest_frames.is_models(model.render(scene, number), digest), \
-            case.complaint("it differs", ("?", "?"), "the model's pixels", "others")
+    forms = "addx", "swap", "addx OFF all"
+    drawn = guest_frames.draw([(scene, form) for form in forms], "a1200-fast")
+    for number, case in enumerate(cases):
+        right = guest_frames.digest_of(model.render(scene, number))
+        for form, digests in zip(forms, drawn):
+            found = tuple(int(digests[number][field]) for field in ("result", "sum", "hash"))
+            assert found == (0, *right), case.complaint(f"it differs, {form}", ("?", "?"),
+                                                        "the model's pixels", "others")
 
 
 def test_wrong_numbers_of_pieces_are_noticed() -> None:

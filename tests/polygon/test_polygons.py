@@ -1,8 +1,8 @@
 """Random polygons drawn by the 68020: bit for bit the model, and near the ideal.
 
-1,000 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; test_wide.py has those
-of 16 and 32 bits, tests/accuracy/test_fuzz.py all other settings. All runs of one machine share a boot.
-The guest itself checks the guard bands round the frame (4,096 bytes each side).
+1,000 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; test_wide.py has
+those of 16 and 32 bits, tests/accuracy/test_fuzz.py all other settings. All runs of one machine
+share a boot. The guest itself checks the guard bands round the frame (4,096 bytes each side).
 """
 
 from dataclasses import replace
@@ -23,8 +23,8 @@ from tmap.scene_file import scene_file
 SCENES = {1: (500, 320, 256), 2: (500, 192, 144)}
 USUAL = model.Settings()
 EXACT = model.Settings("exact")
-RUNS = [("addx", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL), ("addx", "a1200", 2, USUAL),
-        ("c", "a1200-fast", 2, USUAL), ("addx", "a1200-fast", 1, EXACT),
+RUNS = [("addx", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
+        ("addx", "a1200", 2, USUAL), ("c", "a1200-fast", 2, USUAL), ("addx", "a1200-fast", 1, EXACT),
         ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices")),
         ("addx", "a1200-fast", 2, replace(USUAL, clip="vertices"))]
 

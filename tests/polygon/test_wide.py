@@ -41,7 +41,8 @@ COPIES = {
     "mirrored": [[0, 0, -30, 64], [96, 0, 66, 64], [96, 64, 66, 0], [0, 64, -30, 0]],
     "slanted": [[20, 0, 276, 0], [90, 0, 346, 0], [40, 64, 296, 64]],
 }
-KINDS = {"chunky": "affine", "rgb565": "affine_16", "rgba5551": "affine_16", "rgba8888": "affine_32"}
+KINDS = {"chunky": "affine", "rgb565": "affine_16", "rgba5551": "affine_16",
+         "rgba8888": "affine_32"}
 #: Endings of the spans in chunky frames; the span for rows also draws what is one texel.
 CHUNKY = {"": "_addx", "_wrap": "_addx_wrap"}
 GENERAL = {"affine_addx", "affine_addx_wrap"}
@@ -61,11 +62,11 @@ EXAMPLES = {"wide": {"fill_32", "affine_32", "affine_32_wrap", "affine_32_row"},
 def spans_of(pixels: str) -> list[set[str]]:
     """The spans that may draw each shape: one, or for columns and fast ones, one of two."""
     kind, is_chunky = KINDS[pixels], pixels == "chunky"
-    ends = ["_row" if (kind, end) == ("affine_32", "_copy") else CHUNKY.get(end, end) if is_chunky else end
-            for end, some in SHAPES.items() for _ in some]
+    changed = CHUNKY if is_chunky else {"_copy": "_row"} if kind == "affine_32" else {}
+    ends = [changed.get(end, end) for end, some in SHAPES.items() for _ in some]
     either = GENERAL if is_chunky else {kind, f"{kind}_wrap"}
-    return [*({kind + end} for end in ends), *[{"affine_column"} if is_chunky else either] * len(COLUMNS),
-            either, either]
+    columns = {"affine_column"} if is_chunky else either
+    return [*({kind + end} for end in ends), *[columns] * len(COLUMNS), either, either]
 
 
 def shapes_text(pixels: str) -> str:
@@ -100,7 +101,8 @@ def test_spans_by_the_rules(drawn, pixels):
     asked, done = drawn[pixels, "addx"]
     guest_runs.check(pixels, asked, done)
     for number, (figure, spans) in enumerate(zip(done.figures, spans_of(pixels), strict=True)):
-        assert set() < set(figure["spans"]) <= spans, f"frame {number}: {figure['spans']}, not {spans}"
+        found = set(figure["spans"])
+        assert set() < found <= spans, f"frame {number}: {found}, not {spans}"
     for form in ("swap", "c"):
         guest_runs.check(pixels, *drawn[pixels, form])
     asked, done = drawn[pixels, "a1200"]
