@@ -7,33 +7,22 @@ import pytest
 
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
-from tests.helpers.engine_scenes import (check_refused, compiled, explain, run_command, save_noise,
-                                         scene_text)
+from tests.helpers.engine_scenes import check_refused, compiled, folder, scene_text  # noqa: F401
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.glide import images
 from tmap.glide.mipmap import levels
 from tmap.glide.words import FORMATS
-from tmap.guest import emulator, guest_frames
 from tmap.model import model
 from tmap.n64.images import read
-from tmap.run import run
 from tmap.scene_file import pipes, scene_file
 from tmap.scene_file.scene_file import Scene
 
 NAMES = ("dithered", "glide_aspects", "glide_floor", "glide_lightmap", "glide_wall", "glide_window")
-WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
 
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 256, 0], [32, 32, 256, 256], [0, 32, 0, 256]]"
 UNIT = 'image = "noise.png", format = "rgb565"'
 OWN = "st1 = [[0, 0], [8, 0], [8, 8], [0, 8]]"
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with pictures: noise 32x32, odd 24x20, long 64x4."""
-    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), long=(4, 64))
-    return tmp_path
 
 
 def text_of(glide: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
@@ -50,15 +39,6 @@ def units(*each: str) -> str:
     return "units = [" + ", ".join(f"{{ {unit} }}" for unit in each) + "]"
 
 
-def check_all(asked: dict[str, Asked], machine: str = "a1200-fast") -> list[guest_runs.Drawn]:
-    """Compares the guest's frames with the model's, in one boot; they must have many colours."""
-    found = guest_runs.draw([*asked.values()], machine)
-    for (name, each), drawn in zip(asked.items(), found):
-        for number, frame in enumerate(guest_runs.check(name, each, drawn, machine)):
-            assert len(np.unique(frame)) > 30, f"{name}, frame {number}: hardly any colours"
-    return found
-
-
 def shown(name: str, off: str | None) -> Scene:
     """A scene's first frame; without rules, which is slow, only its middle."""
     whole = compile_scene(SCENES / f"{name}.toml", 1)
@@ -70,25 +50,11 @@ def shown(name: str, off: str | None) -> Scene:
     return replace(whole, width=width, height=height, poses=poses)
 
 
-@pytest.fixture(scope="module")
-def drawn() -> dict[tuple, tuple]:
-    """By name and rules that are off: a scene and the guest's digest, all from one boot."""
-    scenes = {(name, off): shown(name, off) for off in WAYS for name in NAMES}
-    found = guest_frames.draw([(scene, WAYS[off]) for (_, off), scene in scenes.items()], "a1200-fast",
-                      patience=emulator.PATIENT_SECONDS)
-    return {key: (scene, digest) for (key, scene), digest in zip(scenes.items(), found)}
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("off", [None, "all"])
-def test_frames_are_the_models(name: str, off: str | None, drawn) -> None:
+def test_frames_are_the_models() -> None:
     """The first frame of each scene, with all rules of lowering and with none."""
-    scene, digests = drawn[name, off]
-    expected = model.render(scene, 0)
-    assert guest_frames.is_models(expected, digests[0]), explain(
-        name, expected, run.render(scene, "a1200-fast", "addx", off).frames[0],  # drawn once more
-        run_command(name, 1, off))
-    assert len(np.unique(expected)) > 30, f"{name}: hardly any colours"
+    guest_runs.check_all({
+        guest_runs.command(name, 1, off): Asked(shown(name, off), off, counted=False)
+        for name in NAMES for off in (None, "all")}, colours=30)
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -126,7 +92,8 @@ def test_units_divide_where_they_are_told_to(folder):
     deep = SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 5]") + "\n" + OWN
     scene = make(folder, "perspective = true, " + both, deep + "\nw1 = [1, 6, 9, 2]")
     assert [pipes.unit_of(scene, n).modes.subdivision for n in (0, 1)] == [8, 16]
-    check_all({f"rules off: {off}": Asked(scene, off) for off in (None, "all")})
+    guest_runs.check_all({f"rules off: {off}": Asked(scene, off, counted=False)
+                          for off in (None, "all")}, colours=30)
 
 
 def test_a_second_unit_has_its_own_coordinates(folder):
@@ -153,8 +120,8 @@ def test_projected(folder):
         scene = make(folder, "perspective = true, " + both,
                      SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 3]") + "\n"
                      + OWN + "\nw1 = [1, 2, -3, -1]", pixels="rgb565")
-        asked[form] = Asked(scene)
-    check_all(asked)
+        asked[form] = Asked(scene, counted=False)
+    guest_runs.check_all(asked, colours=30)
 
 
 def test_large_maps_with_chip_ram_alone(folder):
@@ -165,7 +132,7 @@ def test_large_maps_with_chip_ram_alone(folder):
         unit = units('image = "noise.png", format = "rgb565", width = 256, height = 256, '
                      f'mipmap = "none", min = "bilinear", mag = "bilinear", weights = {bits}')
         asked[f"weights of {bits} bits"] = Asked(make(folder, unit, SQUARE.replace("256", "250")))
-    for name, drawn in zip(asked, check_all(asked, "a1200")):
+    for name, drawn in guest_runs.check_all(asked, "a1200", 30).items():
         assert drawn.spans == {"glide_passes"}, (name, drawn.spans)
 
 

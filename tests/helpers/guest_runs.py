@@ -94,3 +94,22 @@ def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") ->
     wrong = wrong_frame(asked, drawn, expected, machine)
     assert not wrong, f"{what}, {asked.way}, {machine}: {wrong}"
     return expected
+
+
+def check_all(asked: dict[str, Asked], machine: str = "a1200-fast",
+              colours: int = 1) -> dict[str, Drawn]:
+    """Draws all in one boot, by name, and asserts that all frames are the model's, each of them of
+    more than ``colours`` colours."""
+    __tracebackhide__ = True
+    drawn = dict(zip(asked, draw([*asked.values()], machine), strict=True))
+    for name, each in asked.items():
+        for number, frame in enumerate(check(name, each, drawn[name], machine)):
+            found = len(np.unique(frame))
+            assert found > colours, f"{name}, frame {number}: {found} colours"
+    return drawn
+
+
+def command(name: str, frames: int, off: str | None) -> str:
+    """Returns the command that draws a scene of tests/scenes again."""
+    return (f"scripts/tmap run tests/scenes/{name}.toml --frames {frames}"
+            + (f" --off {off}" if off else ""))

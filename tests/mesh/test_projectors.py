@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal, check_within
-from tests.helpers.engine_scenes import check_refused, compiled, save_noise
+from tests.helpers.engine_scenes import check_refused, compiled, folder  # noqa: F401
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.bench.scenes import some_frames
@@ -55,13 +55,6 @@ OWN = 'own = true\nmipmap = "none"'
 CLAMPED = OWN + "\nclamp_w = true"
 SIDEWAYS = "[projectors.lamp]\neye = [0, 0, 1]\ntarget = [1, 0, 1]\nfov = 90\n"
 LAMP = 'projector = "lamp"'
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with a picture."""
-    save_noise(tmp_path, 4, noise=(32, 32))
-    return tmp_path
 
 
 def text_of(obj: str, projector: str = "", unit: str = OWN, frames: int = 1) -> str:

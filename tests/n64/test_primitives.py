@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from tests.n64.texts import ONE, SQUARE, TILE, make, scene_of
-from tests.helpers.engine_scenes import HEAD, check_refused, compiled, save_noise, scene_text
+from tests.helpers.engine_scenes import (HEAD, check_refused, compiled, folder,  # noqa: F401
+                                         scene_text)
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT
 from tmap.compiler.scene import compile_scene, parse
@@ -21,13 +22,6 @@ COPY = "cycles = 'copy', " + ONE
 CORNERS = "vertices = [[0, 0, 0, 0], [32, 0, 32, 0], [32, 32, 32, 32]]"
 COLOURS = "colours = ['#ff0000', '#00ff0080', '#0000ff']"
 BOX = "rectangle = [4, 6, 24, 22]"
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with a picture: noise 32x32."""
-    save_noise(tmp_path, 3, noise=(32, 32))
-    return tmp_path
 
 
 def picture(folder) -> np.ndarray:

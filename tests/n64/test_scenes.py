@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
 from tests.n64.texts import ONE, SQUARE, TILE, make, scene_of
-from tests.helpers.engine_scenes import HEAD, check_refused, explain, run_command, save_noise
+from tests.helpers.engine_scenes import HEAD, check_refused, folder  # noqa: F401
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT, SCENES
 from tmap.compiler.n64 import TEXELS
 from tmap.compiler.scene import compile_scene
-from tmap.guest import emulator, guest_frames
 from tmap.model import model
 from tmap.n64 import images
 from tmap.run import run
@@ -19,51 +20,14 @@ NAMES = ("n64_room", "n64_wall", "n64_ocean", "n64_floor", "n64_palettes", "n64_
 MOVING = ("n64_ocean", "n64_palettes")  # with a display list for each frame
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with pictures: noise 32x32, odd 24x20, wide 1030x4, palettes 16x16, half 16x5."""
-    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), wide=(4, 1030), palettes=(16, 16),
-               half=(5, 16))
-    return tmp_path
-
-
-WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
-
-
-@pytest.fixture(scope="module")
-def drawn() -> dict[str | None, dict[str, tuple]]:
-    """By the rules that are off, then by name: a scene, the model's frames and the guest's digests,
-    all from one boot."""
-    scenes = {name: compile_scene(SCENES / f"{name}.toml", 1 + (name in MOVING)) for name in NAMES}
-    right = {name: [model.render(scene, number) for number in range(scene.frames)]
-             for name, scene in scenes.items()}
-    found = iter(guest_frames.draw([(scene, way) for way in WAYS.values() for scene in scenes.values()],
-                           "a1200-fast", patience=emulator.PATIENT_SECONDS))
-    return {off: {name: (scene, right[name], next(found)) for name, scene in scenes.items()}
-            for off in WAYS}
-
-
-def check_frames(name: str, found: tuple, count: int, off: str | None) -> None:
-    """Compares the guest's first frames with the model's."""
-    scene, right, digests = found
-    for number, (expected, digest) in enumerate(zip(right[:count], digests, strict=True)):
-        assert guest_frames.is_models(expected, digest), explain(
-            f"{name}, frame {number}", expected,
-            run.render(scene, "a1200-fast", "addx", off).frames[number],  # drawn once more
-            run_command(name, scene.frames, off))
-        assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_frames_are_the_models(name: str, drawn) -> None:
-    """With all rules of lowering; two frames if lists run each frame."""
-    check_frames(name, drawn[None][name], 1 + (name in MOVING), None)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_frames_are_the_models_without_rules(name: str, drawn) -> None:
-    """The first frame only."""
-    check_frames(name, drawn["all"][name], 1, "all")
+def test_frames_are_the_models() -> None:
+    """With all rules of lowering, two frames if lists run each frame; the first without rules."""
+    asked = {}
+    for name in NAMES:
+        for off, frames in ((None, 1 + (name in MOVING)), ("all", 1)):
+            scene = compile_scene(SCENES / f"{name}.toml", frames)
+            asked[guest_runs.command(name, frames, off)] = Asked(scene, off, counted=False)
+    guest_runs.check_all(asked, colours=30)
 
 
 def test_a_frame_of_one_colour_fails():

@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from tests.helpers.engine_scenes import check_refused, compiled, save_noise, scene_text
+from tests.helpers.engine_scenes import check_refused, compiled, folder, scene_text  # noqa: F401
 from tmap.scene_file import scene_file
 
 LEAST, MOST, ONE = 1 / 256, 16384.0, 65536
@@ -28,12 +28,6 @@ def text_of(kind: str, w: float) -> str:
     material, triangle, pixels, _ = KINDS[kind]
     head = 'textures.noise.image = "noise.png"\n' if kind == "affine" else ""
     return head + scene_text(material, triangle.replace("W", repr(w)), pixels)
-
-
-@pytest.fixture
-def folder(tmp_path):
-    save_noise(tmp_path, 3, noise=(32, 32))
-    return tmp_path
 
 
 @pytest.mark.parametrize("w", [LEAST, MOST])

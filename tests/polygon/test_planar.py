@@ -12,7 +12,7 @@ from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
 from tests.helpers.properties import Case, covers_once
 from tests.helpers.property_cases import HEIGHT, WIDTH, convex, uneven_case
-from tests.helpers.engine_scenes import compiled, save_noise
+from tests.helpers.engine_scenes import compiled, folder  # noqa: F401
 from tmap.base.fixed import ONE, fix, mul
 from tmap.guest import guest_frames
 from tmap.ideal import planarity
@@ -65,13 +65,6 @@ SCENES = {
 }
 FORMATS = {"n64": "rgba8888", "colours": "rgba8888", "glide": "rgb565", "glide_divided": "rgb565",
            "glide_own": "rgba8888"}
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with a picture: noise 32x32."""
-    save_noise(tmp_path, 5, noise=(32, 32))
-    return tmp_path
 
 
 def made(folder, name: str) -> Scene:

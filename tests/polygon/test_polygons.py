@@ -24,7 +24,8 @@ SCENES = {1: (500, 320, 256), 2: (500, 192, 144)}
 USUAL = model.Settings()
 EXACT = model.Settings("exact")
 RUNS = [("addx", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
-        ("addx", "a1200", 2, USUAL), ("c", "a1200-fast", 2, USUAL), ("addx", "a1200-fast", 1, EXACT),
+        ("addx", "a1200", 2, USUAL), ("c", "a1200-fast", 2, USUAL),
+        ("addx", "a1200-fast", 1, EXACT),
         ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices")),
         ("addx", "a1200-fast", 2, replace(USUAL, clip="vertices"))]
 
