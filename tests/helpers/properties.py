@@ -146,67 +146,7 @@ def covers_once(case: Case, pieces) -> list[str]:
     return []
 
 
-# Exact coverage
-
-def coverage(case: Case) -> list[str]:
-    """The pixels are the ideal's. With rounded or cut edges they may differ only as near to an edge
-    as the rounding may move it (ideal.Crossing.slack)."""
-    if not case.keeps_shape():
-        return []
-    vertices = case.adapted()
-    wanted = ideal.coverage(vertices, case.width, case.height)
-    found = counted(case, [case.vertices])
-    for y, x in np.argwhere(wanted != found).tolist():
-        if not any(c.near(x, case.settings, case.width, case.height)
-                   for c in ideal.crossings(vertices, y)):
-            return [case.complaint("covered", (x, y), wanted[y, x], found[y, x])]
-    return []
-
-
-# No drift
-
-def drift(case: Case) -> list[str]:
-    """Edges, and u and v on the texture plane, are within their bounds everywhere."""
-    polygon, vertices, found = case.drawn(), case.adapted(), []
-    if polygon is None:
-        return []
-    if case.settings.edges != "exact":
-        found += [("edge", *error) for error in ideal.edge_errors(vertices, polygon)]
-    if polygon.texturing:
-        found += ideal.texel_errors(vertices, polygon)
-    return [case.complaint(f"error of {what}", (i, y), f"{bound} at most", error)
-            for what, i, y, error, bound in found if not 0 <= error <= bound][:1]
-
-
 # Inside
-
-def within(case: Case) -> list[str]:
-    """u and v of every pixel are in the range that their plane has on the polygon.
-
-    A pixel's centre is inside the polygon, or outside by at most the edge's slack along the line:
-    the range grows by that slack times the gradient, and by the bound of u or v.
-    """
-    polygon, vertices = case.drawn(), case.adapted()
-    if polygon is None:
-        return []
-    plane, three = polygon.texturing, [vertices[k] for k in ideal.corners(vertices)]
-    coordinates = [ideal.Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
-    ranges = [[exact.at(v[0], v[1]) for v in vertices] for exact in coordinates]
-    for y, line in rows(polygon).items():
-        slack = max((c.slack(case.settings, case.width, case.height)
-                     for c in ideal.crossings(vertices, y)), default=0)
-        stepped = model.coordinates(line, case.settings.mapper)
-        for exact, values, ends, cut in zip(coordinates, stepped, ranges, plane.cuts):
-            low, high = min(ends), max(ends)
-            for k, i in ((0, line.left), (-1, line.right - 1)):
-                room = exact.bound(i, y, plane, cut) / UNIT
-                room += float(slack) * abs(exact.nx / exact.d)
-                value = float(low) + model.signed(int(values[k]) - int(low))
-                if not low - room <= value <= high + room:
-                    return [case.complaint("u or v", (i, y), f"{float(low)} to {float(high)}, "
-                                           f"{room} more on either side", value)]
-    return []
-
 
 def held(case: Case) -> list[str]:
     """Every shade is in the vertices' range, every texel on the map, with no tolerance."""

@@ -7,9 +7,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 
-from tests.helpers.properties import (Case, clipping, coverage, covers_once, drift, held, monotone,
-                                      pieces, reversal, rotation, rows_kept, splitting,
-                                      translation, within, wrapping)
+from tests.helpers.properties import (Case, clipping, covers_once, held, monotone, pieces, reversal,
+                                      rotation, rows_kept, splitting, translation, wrapping)
 from tmap.corpus import random_meshes, random_polygons
 from tmap.model import model
 from tmap.scene_file.scene_file import ONE
@@ -98,21 +97,6 @@ def check_watertight(rng: random.Random, origin: str) -> list[str]:
                               clip=rng.choice(("scissor", "scissor", "vertices")), mapper="flat")
     return covers_once(Case(f"{origin} ({kind})", tuple(mesh.outline), WIDTH, HEIGHT, settings),
                        mesh.triangles)
-
-
-def check_coverage(rng: random.Random, origin: str) -> list[str]:
-    return coverage(any_case(rng, origin, mapper="flat", gradients="plane"))
-
-
-def check_drift(rng: random.Random, origin: str) -> list[str]:
-    side = rng.choice((72, 72, 1024))
-    points = long_triangle(rng, side) if rng.random() < 0.5 else convex(rng)
-    settings = model.Settings(rng.choice(("subpixel", "exact")))
-    return drift(Case(origin, textured(rng, points), side, side, settings))
-
-
-def check_within(rng: random.Random, origin: str) -> list[str]:
-    return within(any_case(rng, origin, gradients="plane", start="subtexel", mapper="affine"))
 
 
 def check_held(rng: random.Random, origin: str) -> list[str]:
