@@ -7,8 +7,8 @@ from tests.helpers.arrays import check_equal, check_within
 from tmap.base.errors import UserError
 from tmap.glide import images, ncc
 from tmap.glide.mipmap import levels, shape_of, store
-from tmap.glide.state import (A8, AP88, ARGB1555, ARGB4444, ARGB8332, AYIQ8422, FORMATS, P8,
-                              RGB332, RGB565, UNIT_MEMORY, YIQ422, Modes, Ncc, Unit)
+from tmap.glide.state import (A8, AP88, ARGB8332, AYIQ8422, FORMATS, P8, RGB332, RGB565,
+                              UNIT_MEMORY, YIQ422, Modes, Ncc, Unit)
 from tmap.glide.texels import decoded, fetch, level_size
 
 SIDES = [1 << n for n in range(9)]
@@ -115,30 +115,6 @@ def test_nearest_colours(form):
         least = abs(values - np.arange(256)[:, None]).min(1)
         check_equal(abs(shown[0, :, channel] - np.arange(256)), least,
                     f"channel {channel}, distance from the picture's value")
-
-
-@pytest.mark.parametrize("form, bits", [(RGB332, (3, 3, 2, 0)), (RGB565, (5, 6, 5, 0)),
-                                        (ARGB1555, (5, 5, 5, 1)), (ARGB4444, (4, 4, 4, 4)),
-                                        (ARGB8332, (3, 3, 2, 8))])
-def test_bounds_of_formats(form, bits):
-    """Bits are repeated to make 8: two neighbouring values differ by at most 255 / (2^bits - 1)
-    rounded up, so the nearest one is within half of that."""
-    picture = noise(64, 64)
-    shown = images.decode(images.encode([picture], form))[0].astype(int)
-    for channel, count in enumerate(bits):
-        if count:
-            most = -(-255 // ((1 << count) - 1)) // 2
-            check_within(shown[..., channel], picture[..., channel].astype(int), most,
-                         f"channel {channel}: row, column")
-        else:
-            check_equal(shown[..., channel], 255, f"channel {channel}: row, column")
-
-
-def test_alpha_alone():
-    """Alpha is exact, and the colours equal it."""
-    picture = noise(16, 16)
-    shown = images.decode(images.encode([picture], A8))[0]
-    check_equal(shown, picture[..., 3:])
 
 
 @pytest.mark.parametrize("form", [P8, AP88])

@@ -42,19 +42,14 @@ def memory(*textures: images.Texture) -> tuple[np.ndarray, list[int], list[int]]
     return np.frombuffer(bytes(dram) + bytes(1024), np.uint8), places, palettes
 
 
-def unit(texture: images.Texture, mode: str = "point", block: bool = True, s: Wrap | None = None,
+def unit(texture: images.Texture, mode: str = "point", s: Wrap | None = None,
          t: Wrap | None = None, cycle: Cycle = TEXEL0, **modes) -> State:
     """A unit with a texture in tile 0 that wraps, drawn unchanged in one-cycle mode."""
     dram, (place,), (palette,) = memory(texture)
     words = List()
     s, t = (given if given is not None else Wrap(mask=side.bit_length() - 1)
             for given, side in ((s, texture.width), (t, texture.height)))
-    if block:
-        words.load_texture_block(place, texture.form, texture.size, texture.width, texture.height,
-                                 0, s, t)
-    else:
-        words.load_texture_tile(place, texture.form, texture.size, texture.row_texels,
-                                (0, 0, texture.width - 1, texture.height - 1), 0, s, t)
+    words.load_texture_block(place, texture.form, texture.size, texture.width, texture.height, 0, s, t)
     if texture.form == CI:
         words.load_tlut(len(texture.tlut) // 2, 256, palette)
         words.texture_lut("ia16" if texture.ia else "rgba16")

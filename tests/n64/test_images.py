@@ -5,10 +5,9 @@ import pytest
 from PIL import Image
 
 from tests.helpers.arrays import check_equal, check_within
-from tests.n64.scene import memory, noise, smooth, unit
+from tests.n64.scene import memory, noise, smooth
 from tmap.base.errors import UserError
 from tmap.n64 import commands, images
-from tmap.n64.filters import sample
 from tmap.n64.mipmap import load_chain
 from tmap.n64.state import CI, I, IA, RGBA, YUV, State
 from tmap.n64.texels import fetch
@@ -70,30 +69,6 @@ def test_yuv_is_near():
     check_within(images.decode(images.encode(picture, YUV, 2)), picture, 1, "grey: row, column")
     pairs = np.repeat(smooth(32)[:, ::2], 2, 1)  # pairs of texels share their chroma
     check_within(images.decode(images.encode(pairs, YUV, 2)), pairs, 2, "row, column, channel")
-
-
-@pytest.mark.parametrize("form, size", [f for f in FORMATS if f[0] != YUV])
-@pytest.mark.parametrize("block", [True, False])
-def test_tmem_shows_what_dram_holds(form, size, block):
-    """Loaded by the macros and fetched texel by texel."""
-    texture = images.encode(grown(noise(32, 16)), form, size, ia=block)
-    state = unit(texture, block=block)
-    t, s = np.mgrid[:16, :32]
-    check_equal(fetch(state, state.tiles[0], s, t), images.decode(texture))
-
-
-def test_yuv_through_tmem():
-    """Samples of both loads, converted and multiplied in the combiner, are the texture's
-    colours."""
-    texture = images.encode(noise(32, 16), YUV, 2)
-    for block in (True, False):
-        state = unit(texture, block=block, filter0=0, filter1=0)
-        state.k = list(images.CONSTANTS)
-        t, s = np.mgrid[:16, :32]
-        found = sample(state, 0, s * 32, t * 32)
-        found = np.where(found >= 384, found - 512, found)[..., :3]
-        bright = np.clip((found - 114) * 42 + (found << 8) + 128 >> 8, 0, 255)
-        check_equal(bright, images.decode(texture)[..., :3], f"block {block}")
 
 
 def rms(shown: np.ndarray, picture: np.ndarray) -> float:

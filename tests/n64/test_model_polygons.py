@@ -41,7 +41,7 @@ def test_a_magnified_square_is_point_sampled(kind, perspective):
     state, found = unit(shown, perspective=perspective), frame(kind)
     corners = square(8, 0, 64, 16, 16)
     corners = [v._replace(s=v.s + N // 16, t=v.t + N // 16) for v in corners]
-    assert draw(state, found, corners) == 64 * 64
+    assert draw(state, found, corners) == 64 * 64 and state.pending
     want = np.kron(images.decode(shown), np.ones((4, 4, 1), np.uint8))
     check_equal(picture(found)[:, 8:72], want, "row, column - 8, channel")
     assert not found[:, :8].any() and not found[:, 72:].any()
@@ -109,61 +109,6 @@ def test_modes_that_draw_no_polygons():
     state.modes.tlut = 0
     with pytest.raises(Misuse, match="without a TLUT"):
         draw(state, frame(), square(0, 0, 8, 8, 8))
-
-
-def test_drawing_leaves_syncs_pending():
-    """If the unit is strict, the next load must begin with its syncs."""
-    state = unit(texture())
-    state.strict = True
-    draw(state, frame(), square(0, 0, 8, 8, 8))
-    words = List()
-    words.load_texture_block(64, RGBA, 2, 16, 16)
-    with pytest.raises(Misuse, match="command 1 .set tile 7.*without a tile sync"):
-        commands.replay(state, words.words)
-    words = List()
-    words.tile_sync()
-    words.load_texture_block(64, RGBA, 2, 16, 16)
-    commands.replay(state, words.words)
-
-
-@pytest.mark.parametrize("flip", [False, True])
-def test_rectangles(flip):
-    """Half a texel a pixel across and one down; flipped, so that s runs down; cut at the left and
-    upper border."""
-    shown = texture()
-    state, found = unit(shown), frame()
-    rectangle(state, found, (4, 8, 36, 24), 0, 2 * 32, 3 * 32, 0x200, 0x400, flip)
-    y, x = np.mgrid[:16, :32]
-    s, t = (2 + y / 2, 3 + x) if flip else (2 + x / 2, 3 + y)
-    want = images.decode(shown)[t.astype(int) % 16, s.astype(int) % 16]
-    check_equal(picture(found)[8:24, 4:36], want, "row - 8, column - 4, channel")
-    assert np.count_nonzero(found) == 16 * 32
-    cut = frame()
-    rectangle(state, cut, (-4, 0, 28, 16), 0, 2 * 32, 3 * 32, 0x200, 0x400, flip)
-    check_equal(cut[:16, :28], found[8:24, 8:36], "cut: row, column")
-
-
-def test_an_aligned_rectangle_averages():
-    """At fractions of one half each pixel is the mean of four texels."""
-    shown = texture(3, 8, 8)
-    state, found = unit(shown, "average"), frame()
-    rectangle(state, found, (0, 0, 4, 4), 0, 16, 16, 0x800, 0x800)
-    check_equal(picture(found)[:4, :4], images.chain(noise(8, 8), 2)[1], "row, column, channel")
-
-
-@pytest.mark.parametrize("form, size", [(RGBA, 2), (CI, 0), (CI, 1)])
-def test_copied_rectangles(form, size):
-    """Texels are copied unchanged to 16-bit frames; cut at the left border."""
-    shown = images.encode(noise(16, 16), form, size)
-    state, found = unit(shown), frame(np.uint16)
-    state.modes.cycle = COPY
-    rectangle(state, found, (3, 2, 33, 20), 0, 0, 0, 0x1000, 0x400)
-    y, x = np.mgrid[:18, :30]
-    check_equal(picture(found)[2:20, 3:33], images.decode(shown)[y % 16, x % 16],
-                "row - 2, column - 3, channel")
-    cut = frame(np.uint16)
-    rectangle(state, cut, (-2, 2, 28, 20), 0, 0, 0, 0x1000, 0x400)
-    check_equal(cut[2:20, :28], found[2:20, 5:33], "cut: row - 2, column")
 
 
 def test_rectangles_that_cannot_be():

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from tests.helpers.arrays import check_equal
 from tmap.base.errors import UserError
 from tmap.n64 import commands
 from tmap.n64.disassemble import line, listing
@@ -165,21 +164,3 @@ def test_random_words_are_read(operation):
             assert said.startswith(NAMES[operation]) and "\n" not in said, f"{hi:08x} {lo:08x}: {said}"
         else:
             assert said == f"{hi:08x} {lo:08x}"
-
-
-@pytest.mark.parametrize("form, size", [(RGBA, 2), (RGBA, 3), (CI, 1), (CI, 0), (IA, 2), (YUV, 2)])
-def test_block_and_tile_fill_tmem_alike(form, size):
-    """The two ways to load the same texels leave the same bytes."""
-    rng = np.random.default_rng(size)
-    dram = rng.integers(0, 256, 4096, np.uint8)
-    found = []
-    for how in ("block", "tile"):
-        state, words = State(dram=dram), List()
-        if how == "block":
-            words.load_texture_block(64, form, size, 32, 16)
-        else:
-            words.load_texture_tile(64, form, size, 32, (0, 0, 31, 15))
-        commands.replay(state, words.words)
-        found.append((state.tmem, state.tiles[0]))
-    check_equal(found[1][0], found[0][0], "byte of TMEM")
-    assert found[0][1] == found[1][1] and found[0][0].any()
