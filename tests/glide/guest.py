@@ -9,8 +9,6 @@ LEVEL_NUMBERS = {name: number for number, name in enumerate(LEVELS, 1)}  # in th
 
 
 class Guest(vector_guest.Guest):
-    """Sends operations to Glide's texture units."""
-
     def call(self, name: str, *values: int) -> int:
         """Adds a call; its answer is (result, four registers, its own value)."""
         number = layout.load().constants[f"VECTOR_GLIDE_CALL_{name}"]

@@ -27,7 +27,6 @@ class Calls:
         self.made: list[tuple[str, list[int], tuple[int, ...], int]] = []
 
     def add(self, name: str, arguments: list[int], own: int = 0) -> None:
-        """Adds a call, with the tools' registers at this point."""
         self.made.append((name, arguments, self.words.words(), own))
 
     def source(self) -> None:
@@ -49,7 +48,6 @@ class Calls:
         self.add("SOURCE", [start, *numbers])
 
     def modes(self) -> None:
-        """Adds one of the calls that set modes."""
         choose, words = self.random, self.words
         on, other, first, second = (choose.randrange(2) for _ in range(4))
         match choose.randrange(9):
@@ -91,12 +89,10 @@ class Calls:
 
 
 def registers(answer: list[int] | tuple[int, ...]) -> str:
-    """Registers as text, for messages."""
     return " ".join(f"{word & MASK:08x}" for word in answer)
 
 
 def random_registers(choose: random.Random) -> list[int]:
-    """Random words that are valid for a unit."""
     words = [choose.getrandbits(32), choose.getrandbits(23), choose.getrandbits(17),
              choose.getrandbits(29)]
     form = choose.choice(list(FORMATS.values()))
@@ -270,7 +266,6 @@ def test_bad_arguments_change_nothing(answers) -> None:
 
 
 def test_what_grows(answers) -> None:
-    """Each change increases only its own generation."""
     found = answers["generations"][::2]
     for n, ((name, _), which) in enumerate(zip(CHANGES, GROWTH, strict=True)):
         grown = [i for i in range(3) if found[n + 1][i] > found[n][i]]
@@ -288,7 +283,6 @@ def test_tables(answers) -> None:
 
 
 def test_results_have_texts(answers) -> None:
-    """All texts differ, and none is truncated."""
     texts = ["".join(chr(c) for c in answer if c) for answer in answers["texts"]]
     assert texts[0] == "done" and texts[-1] == "unknown result"
     assert len(set(texts)) == len(texts) and all(0 < len(text) < TEXT_LONGS for text in texts)

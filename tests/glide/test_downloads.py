@@ -36,15 +36,12 @@ class Map:
                 *texture(self.largest, self.smallest, self.aspect, self.form)]
 
     def places(self) -> dict[int, int]:
-        """The addresses of levels."""
         return place(self.start, self.levels, self.largest, self.smallest, self.aspect, self.form)
 
     def required(self) -> int:
-        """Bytes from the start on."""
         return memory_required(self.levels, self.largest, self.smallest, self.aspect, self.form)
 
     def texels(self, level: int) -> int:
-        """The number of texels of a level."""
         columns, rows = level_size(self.aspect, level)
         return columns * rows
 
@@ -151,7 +148,6 @@ class Replay:
                           source(seed, (last + 1 - first) * columns, of.form))
 
     def check(self) -> None:
-        """Runs all operations and compares the answers."""
         for (what, numbers), answer in zip(self.expected, self.guest.run(), strict=True):
             if not numbers:
                 assert RESULTS[answer[0]] == "DONE", (what, RESULTS[answer[0]])
@@ -164,7 +160,6 @@ class Replay:
 
 @pytest.fixture(scope="module")
 def replay() -> Replay:
-    """All downloads, for one boot."""
     choose, replay = random.Random(31), Replay(32)
     maps = whole_maps(choose)
     for of in maps:
@@ -199,6 +194,5 @@ def test_downloads_and_fetches(replay) -> None:
     (("odd", 6, 7, "1x1", "p8"), 8),
 ])
 def test_memory_required_by_hand(shape: tuple, size: int) -> None:
-    """Checks the function from which the tests take their expected sizes."""
     assert memory_required(*shape) == size
     assert level_bytes("8x1", "i8", 5) == 8 and level_bytes("1x8", "ai88", 8) == 8

@@ -16,7 +16,6 @@ SIZES = [(w, h) for w in SIDES for h in SIDES if max(w, h) <= 8 * min(w, h)]
 
 
 def noise(width: int, height: int, seed: int = 1) -> np.ndarray:
-    """A picture of random pixels."""
     return np.random.default_rng(seed).integers(0, 256, (height, width, 4)).astype(np.uint8)
 
 
@@ -137,13 +136,11 @@ def test_palettes(form):
 
 
 def rms(shown: np.ndarray, picture: np.ndarray) -> float:
-    """The root mean square error of colours."""
     off = shown[..., :3].astype(float) - picture[..., :3]
     return float(np.sqrt((off * off).mean()))
 
 
 def with_table(table: Ncc, picture: np.ndarray) -> float:
-    """The root mean square error of a picture's colours with a table."""
     return rms(ncc.colours_of(table)[ncc.indices(table, picture[..., :3])], picture)
 
 

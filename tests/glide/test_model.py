@@ -81,7 +81,6 @@ def test_tables_of_ncc():
 
 
 def signed(value: int) -> int:
-    """A number modulo 2^32, as signed."""
     return (value + (1 << 31)) % (1 << 32) - (1 << 31)
 
 

@@ -31,7 +31,6 @@ def text_of(glide: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
 
 
 def make(folder, *args, **kinds):
-    """The compiled scene of ``text_of``."""
     return compiled(folder, text_of(*args, **kinds))
 
 
@@ -209,7 +208,6 @@ MESSAGES = [
 
 @pytest.mark.parametrize("glide, message", MESSAGES)
 def test_refused(folder, glide, message):
-    """The error is one line that names file and field."""
     check_refused(folder, text_of(glide), f"materials.it.{message}")
 
 
@@ -243,5 +241,4 @@ def test_objects_refused(folder, kinds, message):
     (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8191.99609375 to 8191.99609375"),
 ])
 def test_coordinates_refused(folder, obj, message):
-    """Invalid coordinates of a second unit."""
     check_refused(folder, text_of(units(UNIT, UNIT + ", own = true"), obj), f"objects[0].{message}")

@@ -32,7 +32,6 @@ def numbers(first: int = 0) -> list[int]:
 
 
 def room(pixels: str, tiles: int) -> int:
-    """The bytes that the tiles take."""
     return tiles * FORMATS[pixels].bytes << 16
 
 

@@ -26,7 +26,6 @@ class Asked:
 
     @property
     def way(self) -> str:
-        """The arguments for render."""
         return f"FORM {self.form}" + (f" OFF {self.off}" if self.off else "")
 
 
@@ -41,12 +40,10 @@ class Drawn:
 
     @property
     def spans(self) -> set[str]:
-        """The spans that drew the scene."""
         return set(run.total(self.figures)["spans"])
 
     @property
     def rules(self) -> set[str]:
-        """The rules that applied."""
         return {rule for material in self.executed for rule in material["rules"]}
 
 

@@ -36,7 +36,6 @@ class Case:
         return model.adapt(self.vertices, self.settings, max(self.size))
 
     def drawn(self) -> model.Polygon | None:
-        """The polygon as the model sets it up."""
         return model.set_up(self.adapted(), self.width, self.height,
                             self.settings.mapper != "flat", self.settings, self.size)
 
@@ -63,13 +62,11 @@ def listed(vertices) -> list[str]:
 
 
 def rows(polygon: model.Polygon | None) -> dict[int, model.Line]:
-    """The lines that have pixels, by number."""
     lines = enumerate(polygon.lines, polygon.top) if polygon else ()
     return {y: line for y, line in lines if line.right > line.left}
 
 
 def lit(rows_: dict[int, model.Line]) -> set[tuple[int, int]]:
-    """The set of pixels of these lines."""
     return {(i, y) for y, line in rows_.items() for i in range(line.left, line.right)}
 
 

@@ -202,6 +202,5 @@ def check(name: str, seed: int, number: int) -> list[str]:
 
 
 def complaints(name: str, seed: int, count: int) -> Iterator[str]:
-    """Yields the complaints of ``count`` cases."""
     for number in range(count):
         yield from check(name, seed, number)

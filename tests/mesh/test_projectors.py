@@ -58,12 +58,10 @@ LAMP = 'projector = "lamp"'
 
 
 def text_of(obj: str, projector: str = "", unit: str = OWN, frames: int = 1) -> str:
-    """A scene of one object."""
     return HEAD.format(frames=frames) + projector + MATERIAL.format(unit=unit) + obj
 
 
 def make(folder, *args, **kinds):
-    """The compiled scene of ``text_of``."""
     return compiled(folder, text_of(*args, **kinds))
 
 

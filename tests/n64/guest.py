@@ -11,7 +11,6 @@ Words = tuple[int, int]
 
 
 def image(format: int, size: int, width: int, address: int) -> Words:
-    """Set texture image."""
     return 0xFD << 24 | format << 21 | size << 19 | width - 1, address
 
 
@@ -55,8 +54,6 @@ WRAPPED = (RGBA, BITS_16, 4, 0, 0, 0, 0, 4, 0, 0, 0, 3, 0, 0, 0, 60, 28)
 
 
 class Guest(vector_guest.Guest):
-    """Sends operations to the N64's texture engine."""
-
     def words(self, *words: Words) -> int:
         """Runs a display list; its answer is (result, command)."""
         return self.ask("LIST", *(half for pair in words for half in pair), numbers=2)

@@ -71,7 +71,6 @@ class Calls:
         return [wrap.clamp << 1 | wrap.mirror, wrap.mask, wrap.shift], wrap
 
     def textures(self) -> None:
-        """Both ways to load a texture."""
         form, size = self.random.choice(sorted(LEGAL))
         width, height = 16 << self.below(3), 1 + self.below(16)
         palette, tmem, tile = self.below(16), self.below(512), self.below(8)
@@ -95,7 +94,6 @@ class Calls:
                  address)
 
     def loads(self) -> None:
-        """Palettes, and commands of a single word."""
         address, palette, tile = 8 * self.below(1 << 21), self.below(16), self.below(8)
         edges = [self.below(4096) for _ in range(4)]
         count = self.below(256) + 1
@@ -120,7 +118,6 @@ class Calls:
         return codes, Cycle(*names)
 
     def colours(self) -> None:
-        """Combine mode, constants, syncs."""
         (first, names0), (second, names1) = self.cycle(), self.cycle()
         self.add("COMBINE", first[0] + second[0] + first[1] + second[1], List.combine_mode, names0,
                  names1)
@@ -142,14 +139,12 @@ def ask_call(guest: Guest, name: str, arguments: list[int], room: int = PAIRS) -
 
 
 def words_of(answer: list[int]) -> list[tuple[int, int]]:
-    """The words that a call wrote."""
     assert RESULTS[answer[0]] == "DONE"
     halves = [half & 0xFFFFFFFF for half in answer[2:2 + 2 * answer[1]]]
     return list(zip(halves[::2], halves[1::2]))
 
 
 def text(words: list[tuple[int, int]]) -> str:
-    """Words as text, for messages."""
     return " ".join(f"{hi:08x}:{lo:08x}" for hi, lo in words)
 
 

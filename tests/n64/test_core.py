@@ -15,7 +15,6 @@ OUTSIDE = 0x100000 - 8  # the last word of the DRAM
 
 
 def block(format: int, bits: int, texels: int, tmem: int = 0, at: int = AT) -> tuple:
-    """The words of a load block."""
     return (image(format, bits, 1, at), tile(7, format, bits, 0, tmem),
             edges(0xF3, 7, 0, 0, texels - 1, 0))
 
@@ -28,7 +27,6 @@ def rows(format: int, bits: int, columns: int, count: int, line: int, tmem: int 
 
 def tlut(entries: int, tmem: int = HALF, bits: int = BITS_16, tile_bits: int = BITS_4,
          last_row: int = 0) -> tuple:
-    """The words of a load TLUT."""
     return (image(RGBA, bits, 1, AT), tile(7, RGBA, tile_bits, 0, tmem),
             edges(0xF0, 7, 0, 0, entries - 1 << 2, last_row << 2))
 
@@ -324,7 +322,6 @@ def test_every_result_has_its_text(answers) -> None:
 
 @pytest.fixture(scope="module")
 def answers() -> dict[str, list[list[int]]]:
-    """Answers of all tests, from one boot."""
     return vector_guest.run_all({
         "loads": ask_loads(), "drawing": ask_drawing(), "mipmap": ask_mipmap(),
         "coordinates": ask_coordinates(), "syncs": ask_syncs(), "generations": ask_generations(),

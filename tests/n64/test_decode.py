@@ -88,7 +88,6 @@ class Everything:
         self.asked.append(Compared(name, s, t, which, mask, answer))
 
     def decode(self, name: str, quads: int) -> None:
-        """Decodes tile 0."""
         self.decoded.append((name, self.guest.ask("DECODE", 0, quads, numbers=5)))
 
     def add(self, name: str, more: dict[str, int], tile: tuple[int, ...],

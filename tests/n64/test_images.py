@@ -72,7 +72,6 @@ def test_yuv_is_near():
 
 
 def rms(shown: np.ndarray, picture: np.ndarray) -> float:
-    """The root mean square error of colours."""
     return np.sqrt(((shown.astype(float) - picture) ** 2).mean())
 
 

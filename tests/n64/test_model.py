@@ -62,7 +62,6 @@ ZERO = 7
 
 
 def combined(state, texel0=(0,) * 4, texel1=(0,) * 4, shade=None, fraction=0) -> list[int]:
-    """The combined colour of one pixel."""
     arrays = [np.array(c) for c in (texel0, texel1)]
     shade = None if shade is None else np.array(shade)
     return list(combine(state, Sources(*arrays, shade, np.array(fraction))))

@@ -108,7 +108,6 @@ def test_pages_keep_all_bits_of_u() -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys) -> None:
-    """The table has all modes."""
     mode_tables.check(tmp_path, capsys, "n64", list(EVERY.values()))
 
 

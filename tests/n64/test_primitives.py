@@ -92,7 +92,6 @@ def test_a_material_of_several_kinds_becomes_several(folder):
 
 
 def rectangle(more: str = "", box: str = BOX) -> str:
-    """A rectangle with another line."""
     return f"{box}\n{more}"
 
 
@@ -139,7 +138,6 @@ def rectangle(more: str = "", box: str = BOX) -> str:
      'materials.it.n64.tiles[0].format: "i8": copy mode is for rgba16, ia16, ci4, ci8'),
 ])
 def test_refused(folder, engine, obj, message):
-    """The error is one line that names file and field."""
     check_refused(folder, scene_of(engine, obj, pixels="rgba5551"), message)
 
 

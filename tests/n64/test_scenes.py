@@ -205,7 +205,6 @@ MESSAGES = [
 
 @pytest.mark.parametrize("engine, message", MESSAGES)
 def test_refused(folder, engine, message):
-    """The error is one line that names file and field."""
     check_refused(folder, scene_of(engine), f"materials.it.{message}")
 
 

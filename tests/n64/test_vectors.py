@@ -33,7 +33,6 @@ def test_the_reference_data_is_there() -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
 def test_every_answer_is_exact(path: Path, checked) -> None:
-    """No compared number differs."""
     file = checked[path.name]
     assert len(file.questions) == QUESTIONS
     assert not file.wrong, "\n".join([*vectors.report(file), f"again: scripts/tmap vectors {path}"])

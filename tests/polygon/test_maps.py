@@ -16,7 +16,6 @@ TEXELS = [np.dtype(np.uint8), maps.RGB565]
 
 
 def picture(width: int, height: int, texel: np.dtype) -> np.ndarray:
-    """A picture of random pixels."""
     noise = np.random.default_rng([width, height])
     return noise.integers(0, 256 ** texel.itemsize, (height, width)).astype(texel)
 

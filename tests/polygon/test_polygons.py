@@ -31,14 +31,12 @@ RUNS = [("addx", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
 
 
 def called(run: tuple) -> str:
-    """The name of a run in the tests' names."""
     form, machine, seed, settings = run
     return f"{form}-{machine}-{seed}-{settings.edges}-{settings.clip}"
 
 
 @cache
 def scene(seed: int, settings: model.Settings = USUAL) -> scene_file.Scene:
-    """The scene of a seed."""
     made = random_polygons.scene(seed, *SCENES[seed])
     made.materials = [replace(m, edges=settings.edges, clip=settings.clip) for m in made.materials]
     return made

@@ -169,12 +169,10 @@ def copy_trials(rng) -> list[Trial]:
 
 
 def steps_text(dudx: int, dvdx: int) -> str:
-    """Steps, for a title."""
     return values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
 
 
 def fill_trials(kernel: str, ground: Ground, long, rng) -> list[Trial]:
-    """Every colour."""
     return [span_trial(kernel, 0, 0, colour, size, rng, upwards, ground) for colour in COLOURS
             for size in (SHORT, long) for upwards in (False, True)]
 
@@ -187,7 +185,6 @@ def steps_of(rng) -> list[tuple[int, int]]:
 
 
 def span_trials(kernel: str, rng) -> list[Trial]:
-    """Steps of all kinds on short lines, some of them on long ones."""
     if kernel.startswith("span_fill"):
         if kernel == "span_fill":
             return fill_trials(kernel, picture_ground(), LONG, rng)
@@ -203,7 +200,6 @@ def span_trials(kernel: str, rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
              "span_affine_c", "span_affine_scanline", "span_fill_16", "span_affine_short",
              "span_affine_short_wrap")
