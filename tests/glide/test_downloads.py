@@ -2,7 +2,7 @@
 copy of the memory in Python."""
 
 import random
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -19,8 +19,7 @@ SPLIT_ASPECTS = ("4x1", "1x1", "1x8")  # of maps that hold every other level
 PARTS = 60  # number of maps of which one level or some rows are downloaded
 
 
-@dataclass(frozen=True)
-class Map:
+class Map(NamedTuple):
     """The arguments of the calls."""
 
     start: int
@@ -36,10 +35,7 @@ class Map:
                 *texture(self.largest, self.smallest, self.aspect, self.form)]
 
     def places(self) -> dict[int, int]:
-        return place(self.start, self.levels, self.largest, self.smallest, self.aspect, self.form)
-
-    def required(self) -> int:
-        return memory_required(self.levels, self.largest, self.smallest, self.aspect, self.form)
+        return place(*self)
 
     def texels(self, level: int) -> int:
         columns, rows = level_size(self.aspect, level)
@@ -119,7 +115,7 @@ class Replay:
             self.guest.one("SUM", level)
             self.expected.append((f"{of}: level {level}",
                                   [self.memory.total(of.form, address, of.texels(level))]))
-        for address in (of.start - 4 * AROUND, of.start + of.required()):
+        for address in (of.start - 4 * AROUND, of.start + memory_required(*of[1:])):
             address %= MEMORY
             self.guest.ask("GLIDE_BYTES_OF", address, AROUND, numbers=AROUND)
             self.expected.append((f"{of}: memory at {address}",

@@ -1,14 +1,13 @@
 """Glide's modes with prices: their pictures, their errors, and what costs nothing."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal
 from tests.helpers import mode_points, mode_tables
-from tmap.accuracy import engines, glide_errors
+from tmap.accuracy import glide_errors
 from tmap.base.paths import BASELINE
 from tmap.bench import bench
 from tmap.bench.modes import measure, modes
@@ -163,7 +162,4 @@ def test_only_what_is_called_for_costs(baseline, step) -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:
-    """Some modes; the bench draws all."""
-    few = {mode.name: mode for mode in MODES[:4]}
-    monkeypatch.setitem(engines.ENGINES, "glide", replace(engines.GLIDE, every=few))
-    mode_tables.check(tmp_path, capsys, "glide", list(few.values()))
+    mode_tables.check(tmp_path, capsys, monkeypatch, "glide", MODES[:4])

@@ -38,9 +38,7 @@ def assert_models(scenes: dict, results: tuple = (0,), part: float = 0.75,
     for (name, form), digests in zip(drawings, drawn, strict=True):
         for number, (frame, digest) in enumerate(zip(right[name], digests, strict=True)):
             which = f"{name}, frame {number}, form {form}"
-            assert guest_frames.is_models(frame, digest), (
-                f"{which} is not the model's; again: .deps/venv/bin/python -m pytest "
-                "tests/mesh/test_meshes.py")
+            assert guest_frames.is_models(frame, digest), f"{which} is not the model's"
             assert int(digest["result"]) in results, f"{which}: result {digest['result']}"
     shown = [(frame != frame[0, 0]).any() for frames in right.values() for frame in frames]
     assert sum(shown) >= part * len(shown)

@@ -49,7 +49,8 @@ def unit(texture: images.Texture, mode: str = "point", s: Wrap | None = None,
     words = List()
     s, t = (given if given is not None else Wrap(mask=side.bit_length() - 1)
             for given, side in ((s, texture.width), (t, texture.height)))
-    words.load_texture_block(place, texture.form, texture.size, texture.width, texture.height, 0, s, t)
+    words.load_texture_block(place, texture.form, texture.size, texture.width, texture.height,
+                             0, s, t)
     if texture.form == CI:
         words.load_tlut(len(texture.tlut) // 2, 256, palette)
         words.texture_lut("ia16" if texture.ia else "rgba16")
