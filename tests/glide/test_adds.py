@@ -85,14 +85,6 @@ def test_two_passes_are_one(folder, whole):
         assert (np.abs(part - colours[1]).max(-1) > 16).mean() > 0.3, f"pass {first + 1} alone"
 
 
-def test_frames_are_the_models(folder):
-    """Both frame formats, split and whole maps, by passes and pixel by pixel, in one boot."""
-    guest_runs.check_all({
-        f"{pixels}, whole maps: {whole}, off: {off}": Asked(
-            trilinear(folder, whole, 2, pixels), off, counted=False)
-        for pixels in PIXELS for whole in (False, True) for off in (None, "all")})
-
-
 def test_nothing_is_replaced(folder):
     """Polygons that pages, dithered points or tiles would draw if they were not added are drawn by
     passes; each is drawn twice, overlapping; in one boot."""

@@ -84,15 +84,13 @@ def test_levels_that_a_unit_shows(folder):
 
 
 def test_units_divide_where_they_are_told_to(folder):
-    """Two units of one material have different subdivisions, the second its own w: the guest's
-    frames are the model's, and the file has the scene's settings."""
+    """Two units of one material have different subdivisions, the second its own w: the file has the
+    scene's settings. That the guest draws such units as the model does: test_polygons.py."""
     both = units(UNIT + ', combine = { function = "blend", factor = "one_minus_local" }, '
                  'subdivision = 8', UNIT + ", own = true, subdivision = 16")
     deep = SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 5]") + "\n" + OWN
     scene = make(folder, "perspective = true, " + both, deep + "\nw1 = [1, 6, 9, 2]")
     assert [pipes.unit_of(scene, n).modes.subdivision for n in (0, 1)] == [8, 16]
-    guest_runs.check_all({f"rules off: {off}": Asked(scene, off, counted=False)
-                          for off in (None, "all")}, colours=30)
 
 
 def test_a_second_unit_has_its_own_coordinates(folder):
@@ -106,21 +104,6 @@ def test_a_second_unit_has_its_own_coordinates(folder):
     expected = images.decode(images.encode(chain, FORMATS["rgb565"]))[0][:4, :4]
     assert np.array_equal(found, np.kron(expected, np.ones((8, 8, 1), np.uint8)))
     assert len(scene.vertices) == 8 and scene.objects[0].vertices == 8
-
-
-def test_projected(folder):
-    """A second unit with separate w, partly behind the projector, with a palette and with an NCC
-    table: the guest's frame is the model's."""
-    asked = {}
-    for form in ("p8", "ayiq8422"):
-        both = units(UNIT + ', combine = { function = "blend", factor = "one_minus_local" }',
-                     f'image = "noise.png", format = "{form}", mag = "bilinear", clamp_w = true, '
-                     's = "clamp", own = true, weights = 8')
-        scene = make(folder, "perspective = true, " + both,
-                     SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 3]") + "\n"
-                     + OWN + "\nw1 = [1, 2, -3, -1]", pixels="rgb565")
-        asked[form] = Asked(scene, counted=False)
-    guest_runs.check_all(asked, colours=30)
 
 
 def test_large_maps_with_chip_ram_alone(folder):

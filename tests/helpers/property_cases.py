@@ -7,8 +7,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 
-from tests.helpers.properties import (Case, clipping, covers_once, held, monotone, pieces, reversal,
-                                      rotation, rows_kept, splitting, translation, wrapping)
+from tests.helpers.properties import (Case, covers_once, held, pieces, reversal, rotation, rows_kept,
+                                      splitting, translation, wrapping)
 from tmap.corpus import random_meshes, random_polygons
 from tmap.model import model
 from tmap.scene_file.scene_file import ONE
@@ -175,19 +175,6 @@ def uneven_case(rng: random.Random, origin: str) -> Case:
 
 def check_uneven(rng: random.Random, origin: str) -> list[str]:
     return pieces(uneven_case(rng, origin))
-
-
-def check_monotone(rng: random.Random, origin: str) -> list[str]:
-    vertices = textured(rng, convex(rng, 4))
-    settings = any_settings(rng, 4, edges=rng.choice(("subpixel", "exact")), mapper="flat")
-    return monotone(Case(origin, vertices, WIDTH, HEIGHT, settings),
-                    random_meshes.subset(rng, list(vertices)))
-
-
-def check_clipping(rng: random.Random, origin: str) -> list[str]:
-    vertices = planar(rng, convex(rng, 3, LATTICE))
-    edges = rng.choice(("subpixel", "exact"))
-    return clipping(Case(origin, vertices, WIDTH, HEIGHT, model.Settings(edges)))
 
 
 #: name: function that draws a random case and returns its complaints

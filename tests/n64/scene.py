@@ -10,9 +10,6 @@ from tmap.n64.words import Cycle, List, Wrap
 N = 65536
 TEXEL0 = Cycle(("0", "0", "0", "texel0"), ("0", "0", "0", "texel0"))
 TEXEL0_SHADE = Cycle(("texel0", "0", "shade", "0"), ("texel0", "0", "shade", "0"))
-COMBINED = Cycle(("0", "0", "0", "combined"), ("0", "0", "0", "combined"))
-TRILINEAR = Cycle(("texel1", "texel0", "lod fraction", "texel0"),
-                  ("texel1", "texel0", "lod fraction", "texel0"))
 
 
 def noise(width: int, height: int, seed: int = 0) -> np.ndarray:

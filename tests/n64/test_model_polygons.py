@@ -4,20 +4,18 @@ import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal, check_within
-from tests.n64.scene import (COMBINED, N, TEXEL0, TEXEL0_SHADE, TRILINEAR, floor, memory, noise,
-                             smooth, square, unit)
+from tests.n64.scene import N, TEXEL0, TEXEL0_SHADE, floor, noise, smooth, square, unit
 from tmap.base.errors import UserError
 from tmap.ideal import n64
 from tmap.ideal.texels import Coordinate, error
-from tmap.n64 import commands, images
+from tmap.n64 import images
 from tmap.n64.filters import sample
-from tmap.n64.mipmap import load_chain
 from tmap.n64.misuse import Misuse
 from tmap.n64.pixels import picture
 from tmap.n64.polygon import Vertex, draw, prepare, rectangle
-from tmap.n64.state import CI, COPY, RGBA, TWO_CYCLES, State
+from tmap.n64.state import CI, COPY, RGBA, State
 from tmap.n64.texels import fetch
-from tmap.n64.words import List, Wrap
+from tmap.n64.words import Wrap
 
 WIDTH, HEIGHT = 96, 64
 
@@ -126,23 +124,6 @@ def test_rectangles_that_cannot_be():
         rectangle(unit(texture(), cycle=TEXEL0_SHADE), frame(), (0, 0, 8, 8), 0, 0, 0, 1024, 1024)
 
 
-def mip_mapped(side: int, levels: int) -> State:
-    """A unit with a smooth picture and its levels, blended in two cycles."""
-    chain = [images.encode(p, RGBA, 2) for p in images.chain(smooth(side), levels)]
-    dram, places, _ = memory(*chain)
-    state, words = State(dram=dram), List()
-    load_chain(words, chain, places)
-    for call, choice in ((words.texture_filter, "bilerp"), (words.texture_convert, "filter"),
-                         (words.cycle_type, "two"), (words.texture_lod, True),
-                         (words.texture_perspective, True)):
-        call(choice)
-    words.combine_mode(TRILINEAR, COMBINED)
-    words.texture(levels - 1, 0)
-    commands.replay(state, words.words)
-    assert state.modes.cycle == TWO_CYCLES
-    return state
-
-
 def drawn(state: State, corners: list[Vertex]):
     """A polygon's pixels: columns, lines, colours."""
     found = frame()
@@ -200,19 +181,6 @@ def test_point_sampling_shows_the_exact_texel():
     assert inside.sum() > 1000
     wanted = n64.sample(state, 0, s, t, "point")
     check_equal(colours[inside], wanted[inside], "pixel among those, channel")
-
-
-def test_levels_of_detail_are_near_the_ideal():
-    """Between two levels of a smooth picture little is lost: the mean error is well below that of
-    the finest level alone, point sampled."""
-    state = mip_mapped(32, 5)
-    corners = floor(WIDTH, HEIGHT, 1, 8, 96)
-    x, y, colours = drawn(state, corners)
-    surface = n64.Surface(corners, True)
-    wanted = n64.levels(state, surface, x, y, "three-point")
-    assert np.unique(np.floor(np.log2(surface.distance(x, y)))).size >= 3
-    finest = n64.sample(state, 0, *surface.at(x, y), "point")
-    assert error(colours, wanted).rms < error(finest, wanted).rms / 4
 
 
 def test_ideal_coordinates():

@@ -10,7 +10,6 @@ import pytest
 
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
-from tests.helpers.properties import Case, covers_once
 from tests.helpers.property_cases import HEIGHT, WIDTH, convex, uneven_case
 from tests.helpers.engine_scenes import compiled, folder  # noqa: F401
 from tmap.base.fixed import ONE, fix, mul
@@ -128,16 +127,6 @@ def test_the_guest_draws_scenes_as_the_model(folder) -> None:
     assert found.executed[0]["polygons"] == 4
 
 
-def test_the_fourth_vertex_shows_its_own(folder) -> None:
-    """Computed by hand: below the diagonal from the first vertex s changes by -2 a pixel and 3 a
-    line, t by 1 a line."""
-    scene = made(folder, "affine")
-    scene.vertices[:, :4] = np.array([[4, 4, 0, 0], [44, 4, 40, 0], [44, 44, 40, 40], [4, 44, 120, 40]]) * ONE
-    frame, texels = model.render(scene, 0), scene.textures[0].texels
-    for x, y in ((4, 43), (5, 43), (9, 40), (20, 30)):
-        assert frame[y, x] == texels[y - 4, 3 * (y - 4) - 2 * (x - 4)], (x, y)
-
-
 def exact(rng: random.Random):
     """Returns a random plane as a function of x and y, with values in exact fractions of units."""
     steps = [Fraction(rng.choice((0, 1, -1, rng.uniform(-4, 4), rng.uniform(-40, 40)))) for _ in range(2)]
@@ -198,22 +187,6 @@ def test_what_is_planar_in_space_stays_in_one_piece() -> None:
                      round(far / n)) for (x, y), n in zip(points, near)]
         assert model.parts(vertices, Settings(perspective="every16")) == [vertices], number
     assert kept > 200
-
-
-@pytest.mark.parametrize("edges", ["integer", "subpixel", "exact"])
-def test_triangles_leave_no_gap(edges: str) -> None:
-    """The triangles cover the polygon as neighbours do. With exact edges each pixel is drawn once;
-    with the others no pixel inside is missing, and only a pixel beside a sliver is drawn twice."""
-    rng, fans = random.Random(f"gap {edges}"), 0
-    for number in range(600):
-        case = uneven_case(rng, f"{edges}, number {number}")
-        settings = replace(case.settings, edges=edges, clip=rng.choice(("scissor", "vertices")))
-        case = Case(case.origin, case.vertices, WIDTH, HEIGHT, replace(settings, mapper="flat"))
-        parts = model_planar.fan(list(case.vertices))
-        if case.keeps_shape():
-            fans += 1
-            assert not covers_once(case, parts), "\n".join(covers_once(case, parts))
-    assert fans > 300
 
 
 def test_polygon_draw_is_the_model() -> None:
