@@ -26,23 +26,13 @@ def smooth(side: int) -> np.ndarray:
     return np.rint(np.stack(channels, -1) * [100, 100, 100, 127] + 128).astype(np.uint8)
 
 
-def memory(*textures: images.Texture) -> tuple[np.ndarray, list[int], list[int]]:
-    """DRAM with textures, and the addresses of them and of their palettes."""
-    dram, places, palettes = bytearray(64), [], []
-    for texture in textures:
-        places.append(len(dram))
-        dram += texture.data
-        dram += bytes(-len(dram) % 8)
-        palettes.append(len(dram))
-        dram += texture.tlut
-        dram += bytes(-len(dram) % 8)
-    return np.frombuffer(bytes(dram) + bytes(1024), np.uint8), places, palettes
-
-
 def unit(texture: images.Texture, mode: str = "point", s: Wrap | None = None,
          t: Wrap | None = None, cycle: Cycle = TEXEL0, **modes) -> State:
     """A unit with a texture in tile 0 that wraps, drawn unchanged in one-cycle mode."""
-    dram, (place,), (palette,) = memory(texture)
+    place, palette = 64, 64 + -(-len(texture.data) // 8) * 8
+    dram = np.zeros(palette + 2048, np.uint8)
+    for at, stored in ((place, texture.data), (palette, texture.tlut)):
+        dram[at:at + len(stored)] = np.frombuffer(stored, np.uint8)
     words = List()
     s, t = (given if given is not None else Wrap(mask=side.bit_length() - 1)
             for given, side in ((s, texture.width), (t, texture.height)))
