@@ -6,6 +6,7 @@ from fractions import Fraction
 
 import pytest
 
+from tests.helpers import vector_guest
 from tests.glide.guest import LEVEL_NUMBERS, MASK, RESULTS, Guest, texture
 from tmap.glide.words import (ASPECTS, FACTORS, FIELDS, FILTERS, FORMATS, FUNCTIONS, MIPMAPS,
                               WRAPS, Words, memory_required)
@@ -180,47 +181,37 @@ TEXT_LONGS = 64
 
 @pytest.fixture(scope="module")
 def answers() -> dict:
-    """Answers of all tests, from one boot, in lists."""
-    guest, ranges = Guest(), {}
-
-    def note(name: str, first: int) -> None:
-        ranges[name] = (first, len(guest.lengths))
-
-    calls = Calls(21)
+    """Answers of all tests, from one boot, in lists; each begins with new units."""
+    calls, choose = Calls(21), random.Random(22)
     calls.source()
     for _ in range(ROUNDS):
         for _ in range(8):
             calls.modes()
         calls.source()
-    first = guest.call("INIT", MEMORY)
-    for name, arguments, _, _ in calls.made:
-        guest.call(name, *arguments)
-    note("calls", first)
-    choose = random.Random(22)
     words = [random_registers(choose) for _ in range(ROUNDS)]
-    note("round", min([guest.call("REGISTERS", *(word for word in four)) for four in words]))
-    guest.do("GLIDE_RESET", 4)
-    first = guest.call("SOURCE", *MAP)
-    guest.ask("GLIDE_GENERATIONS", numbers=3)
-    for name, arguments, _ in BAD:
-        guest.call(name, *arguments)
-    guest.ask("GLIDE_GENERATIONS", numbers=3)
-    note("bad", first)
-    first = guest.ask("GLIDE_GENERATIONS", numbers=3)
-    for name, arguments in CHANGES:
-        guest.call(name, *arguments)
+    guests = {name: Guest() for name in ("calls", "round", "bad", "generations", "tables", "texts")}
+    every, again, bad, changes, tables, texts = guests.values()
+    every.call("INIT", MEMORY)
+    for name, arguments, _, _ in calls.made:
+        every.call(name, *arguments)
+    for four in words:
+        again.call("REGISTERS", *four)
+    for guest, some in ((bad, [each[:2] for each in BAD]), (changes, CHANGES)):
+        guest.do("GLIDE_RESET", 4)
+        guest.call("SOURCE", *MAP)
         guest.ask("GLIDE_GENERATIONS", numbers=3)
-    note("generations", first)
-    first = guest.call("PALETTE", 0, 255, *PALETTE)
-    guest.call("PALETTE", 3, 4, 0xFF123456, 0x654321)
-    guest.call("NCC", 1, *NCC)
-    guest.call("NCC_REGISTERS", 0, *NCC_WORDS)
-    note("tables", first)
-    note("texts", min([guest.ask("GLIDE_RESULT_TEXT", n, numbers=TEXT_LONGS)
-                       for n in range(len(RESULTS) + 1)]))
-    found = guest.run()
-    return {name: found[first:end] for name, (first, end) in ranges.items()} | {
-        "made": calls.made, "words": words}
+        for name, arguments in some:
+            guest.call(name, *arguments)
+            if guest is changes:
+                guest.ask("GLIDE_GENERATIONS", numbers=3)
+    bad.ask("GLIDE_GENERATIONS", numbers=3)
+    tables.call("PALETTE", 0, 255, *PALETTE)
+    tables.call("PALETTE", 3, 4, 0xFF123456, 0x654321)
+    tables.call("NCC", 1, *NCC)
+    tables.call("NCC_REGISTERS", 0, *NCC_WORDS)
+    for n in range(len(RESULTS) + 1):
+        texts.ask("GLIDE_RESULT_TEXT", n, numbers=TEXT_LONGS)
+    return vector_guest.run_all(guests) | {"made": calls.made, "words": words}
 
 
 def weighed(values: list[int]) -> int:
@@ -266,7 +257,7 @@ def test_bad_arguments_change_nothing(answers) -> None:
 
 
 def test_what_grows(answers) -> None:
-    found = answers["generations"][::2]
+    found = answers["generations"][1::2]
     for n, ((name, _), which) in enumerate(zip(CHANGES, GROWTH, strict=True)):
         grown = [i for i in range(3) if found[n + 1][i] > found[n][i]]
         same = [i for i in range(3) if found[n + 1][i] == found[n][i]]

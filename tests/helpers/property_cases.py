@@ -7,8 +7,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 
-from tests.helpers.properties import (Case, covers_once, held, pieces, reversal, rotation, rows_kept,
-                                      splitting, translation, wrapping)
+from tests.helpers.properties import (Case, covers_once, held, pieces, reversal, rotation,
+                                      rows_kept, splitting, translation, wrapping)
 from tmap.corpus import random_meshes, random_polygons
 from tmap.model import model
 from tmap.scene_file.scene_file import ONE

@@ -2,7 +2,6 @@
 words; some words are computed by hand."""
 
 import random
-from dataclasses import dataclass
 
 import pytest
 
@@ -157,21 +156,12 @@ def ask_calls(calls: Calls) -> Guest:
     return guest
 
 
-@dataclass
-class Modes:
-    """Random calls that change modes: name, choice, the tools' words, which set all modes;
-    ``first``: the words that set the initial modes."""
-
-    guest: Guest
-    first: tuple[int, int]
-    made: list[tuple[str, object, list[tuple[int, int]]]]
-
-
-def ask_modes() -> Modes:
-    """Random calls, each of which sets only some modes; finally texture levels."""
+def ask_modes(guest: Guest) -> list[tuple[str, object, list[tuple[int, int]]]]:
+    """Random calls, each of which sets only some modes; finally texture levels: name, choice, the
+    tools' words, which set all modes. First are the words that set the initial modes."""
     chosen, words = random.Random(12), List()
     words.texture_convert("filter")
-    found = Modes(Guest(), words.words[0], [])
+    made = [("", "", words.words[:1])]
     for _ in range(4 * ROUNDS):
         name, method, codes = chosen.choice((
             ("CYCLE", words.cycle_type, CYCLES), ("DETAIL", words.texture_detail, DETAIL_CODES),
@@ -181,14 +171,14 @@ def ask_modes() -> Modes:
             ("CONVERSION", words.texture_convert, CONVERSION_CODES)))
         choice = chosen.choice(list(codes))
         method(choice)
-        found.made.append((name, choice, [words.words[-1]]))
-        ask_call(found.guest, name, [int(codes[choice])])
+        made.append((name, choice, [words.words[-1]]))
+        ask_call(guest, name, [int(codes[choice])])
     for level in range(8):
         texture = List()
         texture.texture(level, 7 - level)
-        found.made.append(("TEXTURE", level, texture.words))
-        ask_call(found.guest, "TEXTURE", [level, 7 - level])
-    return found
+        made.append(("TEXTURE", level, texture.words))
+        ask_call(guest, "TEXTURE", [level, 7 - level])
+    return made
 
 
 @pytest.fixture(scope="module")
@@ -199,12 +189,11 @@ def asked() -> dict:
         calls.textures()
         calls.loads()
         calls.colours()
-    changes = ask_modes()
-    by_hand = Guest()
+    by_hand, modes = Guest(), Guest()
     for name, *arguments in BY_HAND:
         ask_call(by_hand, name, arguments)
-    return {"calls": calls, "changes": changes} | {"answers": vector_guest.run_all({
-        "by hand": by_hand, "calls": ask_calls(calls), "modes": changes.guest})}
+    return {"calls": calls, "changes": ask_modes(modes)} | {"answers": vector_guest.run_all({
+        "by hand": by_hand, "calls": ask_calls(calls), "modes": modes})}
 
 
 def test_calls_write_the_manuals_words(asked) -> None:
@@ -229,17 +218,17 @@ def test_calls_and_tools_write_the_same_words(asked) -> None:
 def test_calls_and_tools_set_the_same_modes(asked) -> None:
     """The calls set some modes, the tools all of them: the tools' word after a call changes
     nothing, so the modes' generation stays the same."""
-    changes, guest = asked["changes"], Guest()
-    guest.words(changes.first)
+    ((*_, first), *changes), guest = asked["changes"], Guest()
+    guest.words(*first)
     guest.ask("GENERATIONS", 0, numbers=3)
-    for (_, _, expected), answer in zip(changes.made, asked["answers"]["modes"], strict=True):
+    for (_, _, expected), answer in zip(changes, asked["answers"]["modes"], strict=True):
         for run in (words_of(answer), expected):
             guest.words(*run)
             guest.ask("GENERATIONS", 0, numbers=3)
     answers = guest.run()
     generations = [answer[2] for answer in answers[1::2]]
     assert all(RESULTS[answer[0]] == "DONE" for answer in answers[::2])
-    for n, (name, choice, _) in enumerate(changes.made):
+    for n, (name, choice, _) in enumerate(changes):
         assert generations[2 * n + 2] == generations[2 * n + 1], \
             f"call {n}, {name} {choice!r}: the tools' word changes the modes that it left"
-    assert generations[-1] > len(changes.made) // 2  # most calls changed something
+    assert generations[-1] > len(changes) // 2  # most calls changed something

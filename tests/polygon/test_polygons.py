@@ -103,46 +103,6 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
     assert worst[USUAL].edge_ratio > 0.9 and worst[USUAL].texel_ratio > 0.9
 
 
-def from_far_above() -> scene_file.Scene:
-    """Edges that begin 16,384 lines above the frame, with exact slopes just beyond half a unit:
-    stepped from there, they would be off by 1/8 pixel. A right edge would leave the frame beside
-    the last column, a left one the map that its gradient follows."""
-    one = 65536
-    far, half = -16384 * one, 8341  # units: over 16,634 lines just above half a unit a line
-    right, left = 320 * one - one // 64, 200 * one + one // 5
-    vertices = [(right - half, far, 0, 0, 0, one), (right, 250 * one, 0, 0, 0, one),
-                (100 * one, 100 * one, 0, 0, 0, one),
-                (left, far, one // 16, 30 * one, 0, one),
-                (left - half, 250 * one, one // 16, 30 * one, 0, one),
-                (left + 60 * one, 100 * one, 234 * one, 30 * one, 0, one)]
-    noise = np.random.default_rng(1).integers(0, 256, (256, 256), dtype=np.uint8)
-    return scene_file.Scene(
-        320, 256, 2, 7, np.zeros((256, 3), np.uint8), [scene_file.Texture(noise, "linear")],
-        [scene_file.Material(colour=200), scene_file.Material("arbitrary", texture=0)],
-        [scene_file.Object(k, 3 * k, 3, 0, 1, k) for k in range(2)], np.array(vertices),
-        np.array([scene_file.IDENTITY]))
-
-
-def test_edges_from_far_above() -> None:
-    """Nothing is written outside the frame or read outside the map, wherever edges begin."""
-    this = from_far_above()
-    for number in range(2):
-        vertices = scene_file.vertices_at(this, this.objects[number], number)
-        polygon = model.set_up(vertices, 320, 256, False)
-        found = ideal.deviation(vertices, polygon, 320)
-        assert found.edge_ratio <= 1, f"polygon {number}: {found}"
-        assert all(edge.column(y) <= 320 for edge in polygon.right_edges
-                   for y in range(edge.top, edge.end)), f"polygon {number}"
-    digests, = guest_frames.draw([(this, "addx")], "a1200-fast")
-    for number, digest in enumerate(digests):
-        if not guest_frames.is_models(model.render(this, number), digest):
-            one = scenes.some_frames(this, [number])
-            pytest.fail(explain(this, number, guest_frames.frame_of(one, "addx", "a1200-fast"),
-                                f"far above, polygon {number}",
-                                ".deps/venv/bin/python -m pytest -q tests/polygon/test_polygons.py -k far"))
-    assert digests["result"].tolist() == [0, 0]
-
-
 def test_scenes_hold_what_they_promise() -> None:
     """The scenes have many thin polygons, many partly off screen, both wrap modes and every vertex
     count."""

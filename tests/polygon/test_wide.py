@@ -8,7 +8,6 @@ import pytest
 
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked, Drawn
-from tests.polygon.floors import FLOORS, turned
 from tests.helpers.engine_scenes import compiled, save_noise
 from tmap.base.paths import SCENES
 from tmap.base.pixel_formats import FORMATS
@@ -46,6 +45,22 @@ KINDS = {"chunky": "affine", "rgb565": "affine_16", "rgba5551": "affine_16",
 #: Endings of the spans in chunky frames; the span for rows also draws what is one texel.
 CHUNKY = {"": "_addx", "_wrap": "_addx_wrap"}
 GENERAL = {"affine_addx", "affine_addx_wrap"}
+
+#: Vertices [x, y, s, t] of floors: t depends on y alone, so v is constant along a line.
+FLOORS = {
+    "upright": [[3.3, 5.2, 10, 7], [90.1, 5.2, 70, 7], [90.1, 60.7, 70, 40], [3.3, 60.7, 10, 40]],
+    "mirrored": [[3, 5, 200, 90], [90, 5, 20, 90], [90, 60, 20, 40], [3, 60, 200, 40]],
+    "over v's wrap": [[3, 5, 10, 200], [90, 5, 700, 200], [90, 60, 700, 310], [3, 60, 10, 310]],
+    "62 texels a pixel": [[0, 0, 0, 0], [96, 0, 5951, 0], [96, 64, 5951, 99], [0, 64, 0, 99]],
+    "beyond the frame": [[-40, -9, 5, 3], [150, -9, 250, 3], [99, 80, 250, 99]],
+    "one texel": [[3, 5, 10, 7], [90, 5, 10, 7], [90, 60, 10, 7], [3, 60, 10, 7]],
+}
+
+
+def turned(corners: list[list[float]]) -> list[list[float]]:
+    """Exchanges s and t."""
+    return [[x, y, t, s] for x, y, s, t in corners]
+
 
 WRAPPING = [[0, 0, 0, 0], [96, 0, 700, 900], [96, 64, 100, 1300], [0, 64, -600, 400]]
 #: 63 texels a pixel along one axis alone: too many for the spans of chunky rows and columns.
