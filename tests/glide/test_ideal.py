@@ -187,17 +187,6 @@ def test_trilinear_samples():
                      f"weights of {bits} bits: place, channel")
 
 
-def test_trilinear_is_continuous():
-    """Samples just below a level, at it, and of that level alone agree."""
-    on, near = unit(), np.random.default_rng(3).integers(0, 1 << 27, (2, 100))
-    for level in range(1, 9):
-        at = np.full(100, float(level))
-        alone = glide.sample(on, *placed(*near), at, "bilinear")
-        check_equal(glide.sample(on, *placed(*near), at, "trilinear"), alone, f"level {level}")
-        below = glide.sample(on, *placed(*near), at - 2.0**-20, "trilinear")
-        check_within(below, alone, 255 * 2.0**-20 + ROUNDING, f"just below level {level}")
-
-
 @pytest.mark.parametrize("factor", FACTORS)
 @pytest.mark.parametrize("function", FUNCTIONS)
 def test_combine_unit(function, factor):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal
-from tests.helpers import mode_points, mode_tables
+from tests.helpers import mode_points
 from tmap.accuracy import glide_errors
 from tmap.base.paths import BASELINE
 from tmap.bench import bench
@@ -162,4 +162,4 @@ def test_only_what_is_called_for_costs(baseline, step) -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:
-    mode_tables.check(tmp_path, capsys, monkeypatch, "glide", MODES[:4])
+    mode_points.check_table(tmp_path, capsys, monkeypatch, "glide", MODES[:4])

@@ -99,10 +99,6 @@ def check_watertight(rng: random.Random, origin: str) -> list[str]:
                        mesh.triangles)
 
 
-def check_held(rng: random.Random, origin: str) -> list[str]:
-    return held(held_case(rng, origin))
-
-
 def row_case(rng: random.Random, origin: str) -> Case:
     """An upright rectangle whose lines cover one row of the map, or up to a texel more or less."""
     x, y = (rng.randrange(side // 2 * ONE) for side in (WIDTH, HEIGHT))
@@ -117,14 +113,6 @@ def row_case(rng: random.Random, origin: str) -> Case:
 
 def check_rows_kept(rng: random.Random, origin: str) -> list[str]:
     return rows_kept((any_case if rng.random() < 0.5 else row_case)(rng, origin))
-
-
-def check_rotation(rng: random.Random, origin: str) -> list[str]:
-    return rotation(any_case(rng, origin))
-
-
-def check_reversal(rng: random.Random, origin: str) -> list[str]:
-    return reversal(any_case(rng, origin))
 
 
 def check_translation(rng: random.Random, origin: str) -> list[str]:
@@ -173,13 +161,16 @@ def uneven_case(rng: random.Random, origin: str) -> Case:
     return Case(origin, tuple(vertices), WIDTH, HEIGHT, settings)
 
 
-def check_uneven(rng: random.Random, origin: str) -> list[str]:
-    return pieces(uneven_case(rng, origin))
+def holds(prop, case_of):
+    """A check of a property that has no arguments but its case."""
+    return lambda rng, origin: prop(case_of(rng, origin))
 
 
 #: name: function that draws a random case and returns its complaints
 CHECKS = {name.removeprefix("check_"): function for name, function in list(globals().items())
-          if name.startswith("check_")}
+          if name.startswith("check_")} | {
+    "held": holds(held, held_case), "rotation": holds(rotation, any_case),
+    "reversal": holds(reversal, any_case), "uneven": holds(pieces, uneven_case)}
 
 
 def check(name: str, seed: int, number: int) -> list[str]:

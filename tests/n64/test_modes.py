@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.helpers import mode_points, mode_tables
+from tests.helpers import mode_points
 from tmap.accuracy import n64_errors
 from tmap.base.errors import UserError
 from tmap.bench.modes import measure
@@ -107,7 +107,7 @@ def test_pages_keep_all_bits_of_u() -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:
-    mode_tables.check(tmp_path, capsys, monkeypatch, "n64", MODES[:4])
+    mode_points.check_table(tmp_path, capsys, monkeypatch, "n64", MODES[:4])
 
 
 def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:
