@@ -11,7 +11,7 @@ from tests.helpers.arrays import check_equal
 from tests.glide import reference
 from tests.glide.reference import FOLDER, only, questions
 from tmap.base.errors import UserError
-from tmap.glide.coordinates import TOO_LARGE, TOO_SMALL, coordinates, quotient, table_quotient
+from tmap.glide.coordinates import TOO_LARGE, TOO_SMALL, quotient, table_quotient
 from tmap.glide.filters import sample
 from tmap.glide.lod import LEAST, base, chosen, level_of_detail
 from tmap.glide.logarithm import log2
@@ -78,46 +78,6 @@ def test_tables_of_ncc():
             again = ncc_of(words_of_ncc(made))
             for name in ("y", "i", "q"):
                 check_equal(getattr(again, name), getattr(made, name), f"seed {seed}, {name}")
-
-
-def signed(value: int) -> int:
-    return (value + (1 << 31)) % (1 << 32) - (1 << 31)
-
-
-def pieces_of(line: list[int], size: int) -> list[int]:
-    """Interpolates a line of exact quotients between the ends of pieces."""
-    found, end = [], len(line) - 1
-    for first in range(0, len(line), size):
-        last = min(first + size, end)
-        way = signed(line[last] - line[first])
-        step = floor(Fraction(way, last - first)) if last > first else 0
-        found += [signed(line[first] + i * step) for i in range(min(size, len(line) - first))]
-    return found
-
-
-def test_pieces_of_lines():
-    """Pieces are counted from each line's first pixel; the last one ends at the line's last pixel;
-    s and t may wrap at 32 bits. Pieces are not used with quotients by the table, or without
-    perspective."""
-    random = np.random.default_rng(4)
-    counts = (1, 7, 8, 9, 17, 40, 2, 16)
-    s, t = random.integers(-1 << 31, 1 << 31, (2, sum(counts)))
-    w = random.integers(-1 << 30, 1 << 30, sum(counts))
-    w[3] = w[20] = 0
-    before = np.concatenate([np.arange(n) for n in counts])
-    sides = before, np.repeat(counts, counts) - 1 - before
-    for size in (8, 16):
-        for behind in (0, 1):
-            modes = Modes(perspective=1, subdivision=size, clamp_negative_w=behind)
-            exact = coordinates(replace(modes, subdivision=0), s, t, w)
-            for found, ends in zip(coordinates(modes, s, t, w, *sides), exact):
-                lines = np.split(ends, np.cumsum(counts)[:-1])
-                wanted = [value for line in lines for value in pieces_of(line.tolist(), size)]
-                check_equal(found, wanted, f"pieces of {size}, clamp_negative_w {behind}: pixel")
-    for others in ({"table_quotients": 1}, {"perspective": 0}):
-        modes = Modes(subdivision=8, **{"perspective": 1} | others)
-        check_equal(coordinates(modes, s, t, w, *sides),
-                    coordinates(replace(modes, subdivision=0), s, t, w), f"{others}: axis, pixel")
 
 
 def numbered(modes: Modes) -> Unit:

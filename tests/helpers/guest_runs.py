@@ -70,26 +70,18 @@ def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
     return drawn
 
 
-def wrong_frame(asked: Asked, drawn: Drawn, expected: list[np.ndarray],
-                machine: str = "a1200-fast") -> str:
-    """Returns which frame is the first that differs from the model's, and how; "" if none does. To
-    find out how, it draws that frame once more."""
+def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") -> list[np.ndarray]:
+    """Asserts that all frames are the model's; returns the model's frames. To say how the first
+    wrong one differs, it is drawn once more."""
+    __tracebackhide__ = True
+    expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
     for number, (right, digest) in enumerate(zip(expected, drawn.digests, strict=True)):
         if not guest_frames.is_models(right, digest):
             found = run.render(asked.scene, machine, asked.form, asked.off).frames[number]
             count = int((found != right).sum())
-            return f"frame {number}: " + (
+            raise AssertionError(f"{what}, {asked.way}, {machine}: frame {number}: " + (
                 f"{count} pixels are not the model's; {first_wrong(right, found)}" if count
-                else "it is not the model's, but drawn alone it is")
-    return ""
-
-
-def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") -> list[np.ndarray]:
-    """Asserts that all frames are the model's; returns the model's frames."""
-    __tracebackhide__ = True
-    expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
-    wrong = wrong_frame(asked, drawn, expected, machine)
-    assert not wrong, f"{what}, {asked.way}, {machine}: {wrong}"
+                else "it is not the model's, but drawn alone it is"))
     return expected
 
 

@@ -171,24 +171,6 @@ def test_what_is_planar_stays_in_one_piece(edges: str) -> None:
             assert model.parts(left, settings) == [left], number
 
 
-def test_what_is_planar_in_space_stays_in_one_piece() -> None:
-    """1/w, s/w and t/w are on planes, with every number rounded."""
-    rng, kept = random.Random("depths"), 0
-    for number in range(400):
-        points, planes = written(rng)
-        middle = [sum(p[k] for p in points) / len(points) for k in (0, 1)]
-        tilt = [Fraction(rng.uniform(-1, 1)) / (200 * ONE) for _ in range(2)]
-        far = Fraction(rng.choice((1, 4, 100))) * ONE
-        near = [1 + sum(t * (c - m) for t, c, m in zip(tilt, p, middle)) for p in points]
-        if min(near) < Fraction(1, 8):
-            continue
-        kept += 1
-        vertices = [(round(x), round(y), *(round(plane(x, y) / n) for plane in planes[:2]), 0,
-                     round(far / n)) for (x, y), n in zip(points, near)]
-        assert model.parts(vertices, Settings(perspective="every16")) == [vertices], number
-    assert kept > 200
-
-
 def test_polygon_draw_is_the_model() -> None:
     """Any mapper, edges, gradients and perspective, no planar flag: the guest draws the model's
     pixels, in each form and without rules."""
