@@ -6,18 +6,9 @@ import pytest
 
 from tests.helpers.arrays import check_equal, check_within
 from tmap.base.errors import UserError
-from tmap.glide.combine import combined, detail_factor
+from tmap.glide.combine import combined
 from tmap.glide.functions import FACTORS, FUNCTIONS, combination, combine, trilinear_pair
 from tmap.glide.state import Modes, packed, unpacked
-
-
-@pytest.mark.parametrize("bias, lod, want", [
-    (4, 0x280, 48), (4, 0, 128), (4, 0x433, 0), (8, 0x100, 200), (-3, 0, 0)])
-def test_detail_factor(bias, lod, want):
-    """(bias - level) times 2^scale, clamped from 0 to the limit; level and factor are in steps of
-    1/256."""
-    modes = Modes(detail_bias=bias, detail_scale=5, detail_max=200)
-    assert detail_factor(modes, np.array(lod)) == want
 
 
 #: Definitions of Glide's functions, with arguments: multiplication by the factor, other, local,

@@ -3,11 +3,9 @@ direction, or with an invalid number, is refused in one line."""
 
 import warnings
 
-import numpy as np
 import pytest
 from tests.mesh.test_space import OBJ, changed, folder, make, on_file, placed  # noqa: F401
 
-from tmap.compiler import space
 from tmap.base.errors import UserError
 
 #: The least positive number, one whose square is 0, ordinary ones, the largest coordinate.
@@ -72,12 +70,3 @@ def test_normals_without_direction_are_refused(folder, normal: str) -> None:
     (folder / "mesh.obj").write_text(OBJ.replace("vn 0 0 2", f"vn {normal}"))
     with pytest.raises(UserError, match=r"objects\[1\].mesh: mesh.obj: face 0 has a normal without"):
         tables(folder, on_file("glow"))
-
-
-def test_unit_vectors() -> None:
-    """Unit vectors have length 1 and the same direction, for any numbers that are not all 0."""
-    random = np.random.default_rng(1)
-    for _ in range(1000):
-        vector = random.uniform(-1, 1, 3)
-        made = space.unit(np.ldexp(vector, int(random.integers(-1000, 1000))))
-        assert abs(made @ made - 1) < 1e-15 and np.abs(np.cross(made, vector)).max() < 1e-15

@@ -45,15 +45,6 @@ def test_a_magnified_square_is_point_sampled(kind, perspective):
     assert not found[:, :8].any() and not found[:, 72:].any()
 
 
-def test_parts_beyond_the_frame_are_cut():
-    """The visible part equals the same part of the whole polygon."""
-    shown = texture()
-    state, whole, part = unit(shown), np.zeros((128, 128), np.uint32), frame()
-    draw(state, whole, square(32, 32, 64, 16, 16))
-    assert draw(state, part, square(-16, -20, 64, 16, 16)) == 48 * 44
-    check_equal(part[:44, :48], whole[52:96, 48:96], "row, column")
-
-
 def test_values_far_from_zero_wrap():
     """Iterators count modulo 2^32: they wrap after 2048 texels."""
     state, one, other = unit(texture()), frame(), frame()
