@@ -37,8 +37,8 @@ def check(mode, errors, kind: str, surface) -> None:
 
 
 def check_table(folder, capsys, monkeypatch, engine: str, modes: list) -> None:
-    """ENGINE.md has one line for each mode, with its errors, as drawn by the machine; only for these
-    modes: the bench draws all."""
+    """ENGINE.md has one line for each mode, with its errors, as drawn by the machine; only for
+    these modes: the bench draws all."""
     monkeypatch.setitem(engines.ENGINES, engine, replace(
         engines.ENGINES[engine], every={mode.name: mode for mode in modes}))
     assert accuracy.command(folder, [engine], "a1200-fast", False) == 0
