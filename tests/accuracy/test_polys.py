@@ -34,7 +34,7 @@ def test_a_wrong_picture_is_no_figure(monkeypatch) -> None:
         return [empty, full]
 
     monkeypatch.setattr(polys, "frames", wrong)
-    with pytest.raises(UserError, match="polys: flat on a1200-fast: frame 1 is not the model.s"):
+    with pytest.raises(UserError, match="polys: flat on a1200-fast: frame 1: 1 pixels are not the model's; pixel"):
         polys.measure("a1200-fast", count=2)
 
 

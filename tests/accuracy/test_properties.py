@@ -17,7 +17,7 @@ from tmap.scene_file.scene_file import ONE
 
 #: Number of cases of each property; those that compare texels pixel by pixel take longer.
 COUNTS = dict.fromkeys(property_cases.CHECKS, 1000)
-COUNTS |= dict.fromkeys(("drift", "splitting", "clipping"), 400)
+COUNTS["splitting"] = 400
 EDGES = scene_file.SETTINGS["edges"]
 
 

@@ -56,37 +56,37 @@ def in_list_order(right):
 #: Each mistake: module or class, name, the replacement of the right one, what must detect it.
 WRONG = {
     "ceil(x) is floor(x) + 1: a pixel or line exactly on an edge is left out": (
-        edges, "ceil16", lambda right: lambda x: (x >> 16) + 1, "watertight coverage bounds"),
+        edges, "ceil16", lambda right: lambda x: (x >> 16) + 1, "watertight bounds"),
     "pixels are those whose centre is nearest to the edge": (
         Edge, "column", lambda right: lambda e, y: e.at(y) + 0x8000 >> 16, "bounds"),
     "fill rule: the first pixel right of the right edge is drawn too": (
         polygon, "Line", lambda right: lambda left, end: right(left, end + (end > left)),
-        "watertight coverage within splitting bounds"),
+        "watertight splitting bounds"),
     "fill rule: the last line is repeated below": (
-        model, "set_up", with_last_line_twice, "watertight coverage splitting"),
+        model, "set_up", with_last_line_twice, "watertight splitting"),
     "the first line starts at the upper vertex's x": (
         Edge, "at", lambda right: lambda e, line: e.upper[0] + (line - e.top) * e.slope,
-        "watertight coverage drift monotone bounds"),
+        "watertight bounds"),
     "the first pixel's centre has the edge's u and v": (
         polygon, "edge_starts",
         lambda right: lambda t, e, settings: right(t, e, replace(settings, start="truncated")),
-        "drift splitting"),
+        "splitting"),
     "a line starts half a step too far": (
         texturing, "on_plane", lambda right: lambda t, *at: tuple(
             c + (step >> 1) for c, step in zip(right(t, *at), (t.dudx, t.dvdx))), "bounds"),
     "steps of u and v keep only 8 fraction bits": (
         texturing, "step", lambda right: lambda gradient, spare: right(gradient, spare) & ~0xFF,
-        "drift within splitting clipping bounds"),
+        "splitting bounds"),
     "slopes lose 8 bits, on every line": (
         Edge, "slope", lambda right: property(lambda e: right.func(e) & ~0xFF),
-        "watertight coverage drift bounds"),
+        "watertight bounds"),
     "steps lose 6 bits, in every pixel": (
-        model, "coordinates", drifting, "drift within splitting"),
+        model, "coordinates", drifting, "splitting"),
     "an edge starts at the end that comes first in the list: neighbours disagree": (
         polygon, "side", in_list_order, "watertight reversal"),
     "edges that run down to the left begin a pixel early: inner ones cross the outline": (
         Edge, "column", lambda right: lambda e, line: right(e, line) - (
-            e.lower[0] < e.upper[0] and line > e.top), "watertight coverage monotone"),
+            e.lower[0] < e.upper[0] and line > e.top), "watertight"),
     "the texture plane runs through the first vertices of the list": (
         polygon, "plane", lambda right: lambda vertices, corners, *rest: right(
             vertices, (0, 1, 2), *rest), "rotation reversal"),
@@ -112,7 +112,7 @@ WRONG = {
         polygon, "stays_in_row", lambda right: lambda line: right(line) or any(
             right(replace(line, u=line.u + way)) for way in (-ONE, ONE)), "rows_kept"),
     "new vertices at the border are moved to whole pixels": (
-        clip, "mul_div", lambda right: lambda *given: right(*given) & ~0xFFFF, "coverage clipping"),
+        clip, "mul_div", lambda right: lambda *given: right(*given) & ~0xFFFF, "watertight"),
     "the planes run through three corners, whatever values the other vertices have": (
         model, "parts", lambda right: lambda vertices, *rest: [vertices], "uneven"),
     "all polygons are drawn as triangles": (

@@ -9,8 +9,6 @@ LEVEL_NUMBERS = {name: number for number, name in enumerate(LEVELS, 1)}  # in th
 
 
 class Guest(vector_guest.Guest):
-    """Sends operations to Glide's texture units."""
-
     def call(self, name: str, *values: int) -> int:
         """Adds a call; its answer is (result, four registers, its own value)."""
         number = layout.load().constants[f"VECTOR_GLIDE_CALL_{name}"]
@@ -26,9 +24,5 @@ def texture(largest: int, smallest: int, aspect: str, form: str) -> list[int]:
     return [largest, smallest, ASPECTS.index(aspect), FORMATS[form]]
 
 
-def results() -> dict[int, str]:
-    """Names of results by number, without GLIDE_."""
-    constants = layout.load().constants
-    names = ("DONE", "OUTSIDE_MEMORY", "NO_LEVEL", "LEVEL_NOT_HELD",
-             *(name.removeprefix("GLIDE_") for name in constants if name.startswith("GLIDE_BAD_")))
-    return {constants[f"GLIDE_{name}"]: name for name in names}
+#: Results by number, without GLIDE_.
+RESULTS = vector_guest.results("GLIDE")

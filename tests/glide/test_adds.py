@@ -8,9 +8,8 @@ import pytest
 
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
-from tests.helpers.engine_scenes import compiled, save_noise, scene_text
+from tests.helpers.engine_scenes import compiled, folder, scene_text  # noqa: F401
 from tmap.glide.words import FIELDS, LEVELS
-from tmap.guest import guest_frames
 from tmap.model import model
 from tmap.scene_file.scene_file import Scene
 
@@ -20,13 +19,6 @@ FLOOR = ("vertices = [[0, 0, 0, 0, 1], [64, 0, 128, 0, 1], [64, 48, 900, 1800, 9
          "[0, 48, 0, 1800, 20]]")
 BOTH = 'image = "noise.png", format = "argb4444", min = "bilinear", mag = "bilinear"'
 SUM = 2  # units of a channel by which two passes may be darker
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with a picture of 32x32 texels."""
-    save_noise(tmp_path, 3, noise=(32, 32))
-    return tmp_path
 
 
 def unit(levels: str, whole: bool, combine: str = "") -> str:
@@ -93,16 +85,6 @@ def test_two_passes_are_one(folder, whole):
         assert (np.abs(part - colours[1]).max(-1) > 16).mean() > 0.3, f"pass {first + 1} alone"
 
 
-def test_frames_are_the_models(folder):
-    """Both frame formats, split and whole maps, by passes and pixel by pixel, in one boot."""
-    scenes = {(pixels, whole, off): trilinear(folder, whole, 2, pixels)
-              for pixels in PIXELS for whole in (False, True) for off in ("", " OFF all")}
-    found = guest_frames.draw([(scene, f"addx{off}") for (*_, off), scene in scenes.items()], "a1200-fast")
-    for (key, scene), digests in zip(scenes.items(), found):
-        assert guest_frames.is_models(model.render(scene, 0), digests[0]), (
-            f"pixels, whole maps, rules: {key}: the frame is not the model's")
-
-
 def test_nothing_is_replaced(folder):
     """Polygons that pages, dithered points or tiles would draw if they were not added are drawn by
     passes; each is drawn twice, overlapping; in one boot."""
@@ -115,8 +97,7 @@ def test_nothing_is_replaced(folder):
             text = scene_text(f'glide = {{ blend = "add", units = [{{ {texels} }}] }}', square, pixels)
             text += f'[[objects]]\nmaterial = "it"\n{square.replace("32", "47")}\n'
             asked[f"{texels}, {pixels}"] = Asked(compiled(folder, text))
-    for (name, each), drawn in zip(asked.items(), guest_runs.draw([*asked.values()])):
-        guest_runs.check(name, each, drawn)
+    for name, drawn in guest_runs.check_all(asked).items():
         assert "glide_passes" in drawn.rules, (name, drawn.rules)
         assert not drawn.rules & {"glide_plain", "glide_tiles"}, (name, drawn.rules)
         assert drawn.spans == {"glide_passes"}, (name, drawn.figures)

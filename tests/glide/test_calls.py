@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import pytest
 
-from tests.glide.guest import LEVEL_NUMBERS, MASK, Guest, results, texture
-from tmap.build import layout
+from tests.helpers import vector_guest
+from tests.glide.guest import LEVEL_NUMBERS, MASK, RESULTS, Guest, texture
 from tmap.glide.words import (ASPECTS, FACTORS, FIELDS, FILTERS, FORMATS, FUNCTIONS, MIPMAPS,
                               WRAPS, Words, memory_required)
 
@@ -28,7 +28,6 @@ class Calls:
         self.made: list[tuple[str, list[int], tuple[int, ...], int]] = []
 
     def add(self, name: str, arguments: list[int], own: int = 0) -> None:
-        """Adds a call, with the tools' registers at this point."""
         self.made.append((name, arguments, self.words.words(), own))
 
     def source(self) -> None:
@@ -50,7 +49,6 @@ class Calls:
         self.add("SOURCE", [start, *numbers])
 
     def modes(self) -> None:
-        """Adds one of the calls that set modes."""
         choose, words = self.random, self.words
         on, other, first, second = (choose.randrange(2) for _ in range(4))
         match choose.randrange(9):
@@ -92,12 +90,10 @@ class Calls:
 
 
 def registers(answer: list[int] | tuple[int, ...]) -> str:
-    """Registers as text, for messages."""
     return " ".join(f"{word & MASK:08x}" for word in answer)
 
 
 def random_registers(choose: random.Random) -> list[int]:
-    """Random words that are valid for a unit."""
     words = [choose.getrandbits(32), choose.getrandbits(23), choose.getrandbits(17),
              choose.getrandbits(29)]
     form = choose.choice(list(FORMATS.values()))
@@ -106,7 +102,7 @@ def random_registers(choose: random.Random) -> list[int]:
 
 
 #: Results of drawing polygons; no call returns them.
-OF_POLYGONS = ("BAD_COORDINATE", "BAD_W")
+OF_POLYGONS = ("BAD_COORDINATE", "BAD_W", "NO_COORDINATES")
 #: A source of 64 by 64 texels of 8 bits, levels 2 to 5, of which the even ones are stored, from
 #: address 1024 on.
 MAP = [1024, 1, 2, 5, 3, 3]
@@ -185,48 +181,37 @@ TEXT_LONGS = 64
 
 @pytest.fixture(scope="module")
 def answers() -> dict:
-    """Answers of all tests, from one boot, in lists."""
-    guest, ranges = Guest(), {}
-
-    def note(name: str, first: int) -> None:
-        ranges[name] = (first, len(guest.lengths))
-
-    calls = Calls(21)
+    """Answers of all tests, from one boot, in lists; each begins with new units."""
+    calls, choose = Calls(21), random.Random(22)
     calls.source()
     for _ in range(ROUNDS):
         for _ in range(8):
             calls.modes()
         calls.source()
-    first = guest.call("INIT", MEMORY)
-    for name, arguments, _, _ in calls.made:
-        guest.call(name, *arguments)
-    note("calls", first)
-    choose = random.Random(22)
     words = [random_registers(choose) for _ in range(ROUNDS)]
-    note("round", min([guest.call("REGISTERS", *(word for word in four)) for four in words]))
-    guest.do("GLIDE_RESET", 4)
-    first = guest.call("SOURCE", *MAP)
-    guest.ask("GLIDE_GENERATIONS", numbers=3)
-    for name, arguments, _ in BAD:
-        guest.call(name, *arguments)
-    guest.ask("GLIDE_GENERATIONS", numbers=3)
-    note("bad", first)
-    first = guest.ask("GLIDE_GENERATIONS", numbers=3)
-    for name, arguments in CHANGES:
-        guest.call(name, *arguments)
+    guests = {name: Guest() for name in ("calls", "round", "bad", "generations", "tables", "texts")}
+    every, again, bad, changes, tables, texts = guests.values()
+    every.call("INIT", MEMORY)
+    for name, arguments, _, _ in calls.made:
+        every.call(name, *arguments)
+    for four in words:
+        again.call("REGISTERS", *four)
+    for guest, some in ((bad, [each[:2] for each in BAD]), (changes, CHANGES)):
+        guest.do("GLIDE_RESET", 4)
+        guest.call("SOURCE", *MAP)
         guest.ask("GLIDE_GENERATIONS", numbers=3)
-    note("generations", first)
-    first = guest.call("PALETTE", 0, 255, *PALETTE)
-    guest.call("PALETTE", 3, 4, 0xFF123456, 0x654321)
-    guest.call("NCC", 1, *NCC)
-    guest.call("NCC_REGISTERS", 0, *NCC_WORDS)
-    note("tables", first)
-    count = layout.load().constants["GLIDE_RESULTS"]
-    note("texts", min([guest.ask("GLIDE_RESULT_TEXT", n, numbers=TEXT_LONGS)
-                       for n in range(count + 1)]))
-    found = guest.run()
-    return {name: found[first:end] for name, (first, end) in ranges.items()} | {
-        "made": calls.made, "words": words}
+        for name, arguments in some:
+            guest.call(name, *arguments)
+            if guest is changes:
+                guest.ask("GLIDE_GENERATIONS", numbers=3)
+    bad.ask("GLIDE_GENERATIONS", numbers=3)
+    tables.call("PALETTE", 0, 255, *PALETTE)
+    tables.call("PALETTE", 3, 4, 0xFF123456, 0x654321)
+    tables.call("NCC", 1, *NCC)
+    tables.call("NCC_REGISTERS", 0, *NCC_WORDS)
+    for n in range(len(RESULTS) + 1):
+        texts.ask("GLIDE_RESULT_TEXT", n, numbers=TEXT_LONGS)
+    return vector_guest.run_all(guests) | {"made": calls.made, "words": words}
 
 
 def weighed(values: list[int]) -> int:
@@ -239,7 +224,7 @@ def test_calls_and_tools_set_the_same_registers(answers) -> None:
     assert registers(answers["calls"][0][1:5]) == registers(Words().words()), "as new"
     for (name, arguments, words, own), answer in zip(answers["made"], answers["calls"][1:],
                                                      strict=True):
-        assert results().get(answer[0]) == "DONE", (name, arguments, results().get(answer[0]))
+        assert RESULTS[answer[0]] == "DONE", (name, arguments, RESULTS[answer[0]])
         assert registers(answer[1:5]) == registers(words), (
             f"{name}{tuple(arguments)}: registers {registers(answer[1:5])}, expected "
             f"{registers(words)}")
@@ -251,7 +236,7 @@ def test_registers_round_trip(answers) -> None:
     """All fields are random, and so are the bits between them: only bit 31 of the first register is
     dropped."""
     for words, answer in zip(answers["words"], answers["round"], strict=True):
-        assert results().get(answer[0]) == "DONE", (registers(words), results().get(answer[0]))
+        assert RESULTS[answer[0]] == "DONE", (registers(words), RESULTS[answer[0]])
         assert registers(answer[1:5]) == registers(words), (
             f"set {registers(words)}, read {registers(answer[1:5])}")
     used = [0] * 4
@@ -265,16 +250,14 @@ def test_bad_arguments_change_nothing(answers) -> None:
     (_, *before, _), first, *found, last = answers["bad"]
     assert first == last, f"generations {first} became {last}"
     for (name, arguments, result), answer in zip(BAD, found, strict=True):
-        assert results().get(answer[0]) == result, (
-            f"{name}{tuple(arguments)}: expected {result}, found {results().get(answer[0])}")
+        assert RESULTS[answer[0]] == result, (
+            f"{name}{tuple(arguments)}: expected {result}, found {RESULTS[answer[0]]}")
         assert answer[1:5] == before, f"{name}{tuple(arguments)} changes registers"
-    everyone = {name for name in results().values() if name not in ("DONE", *OF_POLYGONS)}
-    assert {result for _, _, result in BAD} == everyone
+    assert {result for _, _, result in BAD} == {*RESULTS} - {"DONE", *OF_POLYGONS}
 
 
 def test_what_grows(answers) -> None:
-    """Each change increases only its own generation."""
-    found = answers["generations"][::2]
+    found = answers["generations"][1::2]
     for n, ((name, _), which) in enumerate(zip(CHANGES, GROWTH, strict=True)):
         grown = [i for i in range(3) if found[n + 1][i] > found[n][i]]
         same = [i for i in range(3) if found[n + 1][i] == found[n][i]]
@@ -291,7 +274,6 @@ def test_tables(answers) -> None:
 
 
 def test_results_have_texts(answers) -> None:
-    """All texts differ, and none is truncated."""
     texts = ["".join(chr(c) for c in answer if c) for answer in answers["texts"]]
     assert texts[0] == "done" and texts[-1] == "unknown result"
     assert len(set(texts)) == len(texts) and all(0 < len(text) < TEXT_LONGS for text in texts)

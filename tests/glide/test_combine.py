@@ -1,28 +1,14 @@
 """The texture unit's combine unit and chains: Glide's functions, detail, trilinear filtering."""
 
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal, check_within
-from tests.glide.reference import only
 from tmap.base.errors import UserError
-from tmap.glide.chain import Point, chain_pixel, pixel
-from tmap.glide.combine import combined, detail_factor
-from tmap.glide.filters import sample
-from tmap.glide.functions import (FACTORS, FUNCTIONS, combination, combine, trilinear_pair,
-                                  trilinear_passes)
-from tmap.glide.state import ONE_W, UNIT_MEMORY, Modes, Unit, packed, unpacked
-
-
-@pytest.mark.parametrize("bias, lod, want", [
-    (4, 0x280, 48), (4, 0, 128), (4, 0x433, 0), (8, 0x100, 200), (-3, 0, 0)])
-def test_detail_factor(bias, lod, want):
-    """(bias - level) times 2^scale, clamped from 0 to the limit; level and factor are in steps of
-    1/256."""
-    modes = Modes(detail_bias=bias, detail_scale=5, detail_max=200)
-    assert detail_factor(modes, np.array(lod)) == want
+from tmap.glide.combine import combined
+from tmap.glide.functions import FACTORS, FUNCTIONS, combination, combine, trilinear_pair
+from tmap.glide.state import Modes, packed, unpacked
 
 
 #: Definitions of Glide's functions, with arguments: multiplication by the factor, other, local,
@@ -75,21 +61,6 @@ def test_colour_and_alpha_are_combined_each_by_its_own():
         combination("local", "two")
 
 
-def test_two_units():
-    """Decal over the colour from upstream, a multiplication, and a sum."""
-    random = np.random.default_rng(8)
-    units = [Unit(only(0, 0, format=12, rgb=combination("local"), alpha=combination("local")),
-                  random.integers(0, 256, UNIT_MEMORY).astype(np.uint8)) for _ in range(2)]
-    s, t = random.integers(-1 << 31, 1 << 31, (2, 300))
-    points = [Point(s, t), Point(t, s)]
-    near, far = (pixel(u, p, np.zeros(4, np.int64)) for u, p in zip(units, points))
-    check_equal(chain_pixel(units, points), near, "local: pixel, channel")
-    units[0].modes = combine(units[0].modes, "scale_other", "local")
-    check_equal(chain_pixel(units, points), far * (near + 1) // 256, "product: pixel, channel")
-    units[0].modes = combine(units[0].modes, "scale_other_add_local", "one")
-    check_equal(chain_pixel(units, points), np.minimum(far + near, 255), "sum: pixel, channel")
-
-
 def weight_odd(lod: np.ndarray) -> np.ndarray:
     """The odd level's weight at a level of detail."""
     return np.where(lod >> 8 & 1, 255 - (lod & 255), lod & 255)[..., None]
@@ -98,11 +69,9 @@ def weight_odd(lod: np.ndarray) -> np.ndarray:
 def test_trilinear_blends():
     """For all fractions of levels one pass is even + ((odd - even) (w + 1) >> 8) if the first unit
     has the even levels. If it has the odd ones, odd has the weight w instead of w + 1: the values
-    are less than 1 apart, so 1 after rounding down. In two passes each loses less than 1 and the
-    odd level has the weight w: 0 to 2 less."""
+    are less than 1 apart, so 1 after rounding down. Two passes: test_adds.py."""
     even, odd = (c[..., None] * np.ones(4, np.int64)
                  for c in np.meshgrid(np.arange(0, 256, 5), np.arange(0, 256, 5)))
-    dark = np.zeros(4, np.int64)
     for n in (0, 1):
         for fraction in range(256):
             lod = np.full(even.shape[:2], n << 8 | fraction)
@@ -112,27 +81,3 @@ def test_trilinear_blends():
             check_equal(combined(first, lod, even, odd), want, what)
             first, _ = trilinear_pair(Modes(), 1)
             check_within(combined(first, lod, odd, even), want, 1, f"odd first, {what}")
-            passes = trilinear_passes(Modes())
-            total = sum(combined(m, lod, c, dark) for m, c in zip(passes, (even, odd)))
-            check_within(total, want - 1, 1, f"two passes, {what}")
-
-
-@pytest.mark.parametrize("split", [0, 1])
-def test_trilinear_pixels(split):
-    """Whole pixels, through levels and filters, compared with two samples of one level each."""
-    random = np.random.default_rng(4)
-    memory = random.integers(0, 256, UNIT_MEMORY).astype(np.uint8)
-    s, t = random.integers(-1 << 31, 1 << 31, (2, 400))
-    lod = random.integers(0, 0x701, 400)
-    modes = Modes(minify=1, magnify=1, format=8, split=split)
-    levels = [combine(replace(modes, split=split, trilinear=1, odd=odd), "local")
-              for odd in (0, 1)]
-    even, odd = (sample(Unit(m, memory), s, t, lod) for m in levels)
-    want = even + ((odd - even) * (weight_odd(lod) + 1) >> 8)
-    point = Point(s, t, ONE_W, lod)
-    dark = np.zeros(4, np.int64)
-    if split:
-        pair = [Unit(m, memory) for m in trilinear_pair(modes)]
-        check_equal(chain_pixel(pair, [point, point]), want, "one pass: pixel, channel")
-    total = sum(pixel(Unit(m, memory), point, dark) for m in trilinear_passes(modes))
-    check_within(total, want - 1, 1, "two passes, 0 to 2 less: pixel, channel")

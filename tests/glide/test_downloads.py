@@ -2,12 +2,12 @@
 copy of the memory in Python."""
 
 import random
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import pytest
 
-from tests.glide.guest import LEVEL_NUMBERS, MASK, Guest, results, texture
+from tests.glide.guest import LEVEL_NUMBERS, MASK, RESULTS, Guest, texture
 from tmap.glide.words import (ASPECTS, LEVELS, level_bytes, level_size, memory_required, place,
                               texel_bytes)
 from tmap.vectors.vector_text import xorshift
@@ -19,8 +19,7 @@ SPLIT_ASPECTS = ("4x1", "1x1", "1x8")  # of maps that hold every other level
 PARTS = 60  # number of maps of which one level or some rows are downloaded
 
 
-@dataclass(frozen=True)
-class Map:
+class Map(NamedTuple):
     """The arguments of the calls."""
 
     start: int
@@ -36,15 +35,9 @@ class Map:
                 *texture(self.largest, self.smallest, self.aspect, self.form)]
 
     def places(self) -> dict[int, int]:
-        """The addresses of levels."""
-        return place(self.start, self.levels, self.largest, self.smallest, self.aspect, self.form)
-
-    def required(self) -> int:
-        """Bytes from the start on."""
-        return memory_required(self.levels, self.largest, self.smallest, self.aspect, self.form)
+        return place(*self)
 
     def texels(self, level: int) -> int:
-        """The number of texels of a level."""
         columns, rows = level_size(self.aspect, level)
         return columns * rows
 
@@ -122,7 +115,7 @@ class Replay:
             self.guest.one("SUM", level)
             self.expected.append((f"{of}: level {level}",
                                   [self.memory.total(of.form, address, of.texels(level))]))
-        for address in (of.start - 4 * AROUND, of.start + of.required()):
+        for address in (of.start - 4 * AROUND, of.start + memory_required(*of[1:])):
             address %= MEMORY
             self.guest.ask("GLIDE_BYTES_OF", address, AROUND, numbers=AROUND)
             self.expected.append((f"{of}: memory at {address}",
@@ -151,10 +144,9 @@ class Replay:
                           source(seed, (last + 1 - first) * columns, of.form))
 
     def check(self) -> None:
-        """Runs all operations and compares the answers."""
         for (what, numbers), answer in zip(self.expected, self.guest.run(), strict=True):
             if not numbers:
-                assert results().get(answer[0]) == "DONE", (what, results().get(answer[0]))
+                assert RESULTS[answer[0]] == "DONE", (what, RESULTS[answer[0]])
                 continue
             found = [value & MASK for value in answer]
             wrong = [n for n, number in enumerate(numbers) if found[n] != number]
@@ -164,7 +156,6 @@ class Replay:
 
 @pytest.fixture(scope="module")
 def replay() -> Replay:
-    """All downloads, for one boot."""
     choose, replay = random.Random(31), Replay(32)
     maps = whole_maps(choose)
     for of in maps:
@@ -199,6 +190,5 @@ def test_downloads_and_fetches(replay) -> None:
     (("odd", 6, 7, "1x1", "p8"), 8),
 ])
 def test_memory_required_by_hand(shape: tuple, size: int) -> None:
-    """Checks the function from which the tests take their expected sizes."""
     assert memory_required(*shape) == size
     assert level_bytes("8x1", "i8", 5) == 8 and level_bytes("1x8", "ai88", 8) == 8

@@ -97,21 +97,6 @@ def test_levels_are_biased_and_limited():
     assert glide.limited(modes, np.array([-np.inf, 1, 3, 9])).tolist() == [0.5, 0.5, 1.5, 5]
 
 
-@pytest.mark.parametrize("clamp", [0, 1])
-@pytest.mark.parametrize("level", [0, 3, 7, 8])
-def test_texel_centres(level, clamp):
-    """At texel centres nothing is blended: point, bilinear and the unit agree."""
-    on = unit(lod_min=4 * level, lod_max=4 * level, aspect=2, wide=1, clamp_s=clamp, clamp_t=clamp)
-    half = (ONE << level) // 2
-    i, j = np.random.default_rng(1).integers(-300, 300, (2, 200))
-    s, t = (2 * i + 1) * half, (2 * j + 1) * half
-    drawn = sample(on, s, t, np.full(200, 256 * level))
-    at = [Coordinate(c >> 18, (c & ONE - 1) / ONE) for c in (s, t)]
-    for linear in (False, True):
-        check_equal(drawn, glide.sample_level(on, *at, level, linear),
-                    f"{('point', 'bilinear')[linear]}: place, channel")
-
-
 def placed(s: np.ndarray, t: np.ndarray) -> list[Coordinate]:
     """Exact coordinates of 14.18."""
     return [Coordinate(c >> 18, (c & ONE - 1) / ONE) for c in (s, t)]
@@ -200,17 +185,6 @@ def test_trilinear_samples():
         inside = lod < 0x800  # after level 8 there is no level: the unit of odd levels is undefined
         check_within(drawn[inside], wanted[inside], weights_error(bits) + 255 / 256 + 1,
                      f"weights of {bits} bits: place, channel")
-
-
-def test_trilinear_is_continuous():
-    """Samples just below a level, at it, and of that level alone agree."""
-    on, near = unit(), np.random.default_rng(3).integers(0, 1 << 27, (2, 100))
-    for level in range(1, 9):
-        at = np.full(100, float(level))
-        alone = glide.sample(on, *placed(*near), at, "bilinear")
-        check_equal(glide.sample(on, *placed(*near), at, "trilinear"), alone, f"level {level}")
-        below = glide.sample(on, *placed(*near), at - 2.0**-20, "trilinear")
-        check_within(below, alone, 255 * 2.0**-20 + ROUNDING, f"just below level {level}")
 
 
 @pytest.mark.parametrize("factor", FACTORS)

@@ -1,14 +1,13 @@
 """Glide's modes with prices: their pictures, their errors, and what costs nothing."""
 
 import json
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal
-from tests.helpers import mode_points, mode_tables
-from tmap.accuracy import engines, glide_errors
+from tests.helpers import mode_points
+from tmap.accuracy import glide_errors
 from tmap.base.paths import BASELINE
 from tmap.bench import bench
 from tmap.bench.modes import measure, modes
@@ -107,32 +106,6 @@ def test_bilinear_errors_are_those_of_weights(name, steps) -> None:
         assert 0 < off.rms < off.most <= steps * slope + CUT, (kind, off)
 
 
-@pytest.mark.parametrize("name", [names[1] for names in FORMATS.values()])
-def test_bilinear_errors_of_formats(name) -> None:
-    """Noise: texels differ by up to 255 in any format."""
-    assert 0 < glide_errors.error_of(EVERY[name], "noise").most <= STEP * 255 + CUT
-
-
-@pytest.mark.parametrize("name, has_factor", [
-    ("glide_modulate", 1), ("glide_modulate_perspective", 1), ("glide_projected", 1), ("glide_add", 0),
-    ("glide_blend", 1)])
-def test_errors_of_two_units(name, has_factor) -> None:
-    """The errors of both units' texels add up if they are multiplied or added. A blend has the
-    error of one or the other, and its factor, an alpha, has the error of texels, times a difference
-    of 255 at most. A factor (m + 1) / 256 is off by 1/256 of 255; a combine unit cuts once more."""
-    texels = 2 * (STEP * 255 + CUT)
-    off = glide_errors.error_of(EVERY[name], "noise")
-    assert 0 < off.most <= texels + has_factor * 255 / 256 + CUT, off
-
-
-def test_trilinear_error_of_one_level() -> None:
-    """The larger of both levels' errors, as they are mixed; the level rounded to 1/256, and as much
-    for the weight w + 1 instead of w; one cut (tests/glide/test_ideal.py:
-    test_trilinear_samples)."""
-    off = glide_errors.error_of(EVERY["glide_trilinear_level"], "noise")
-    assert 0 < off.most <= STEP * 255 + CUT + 2 * 255 / 256 + CUT, off
-
-
 @pytest.mark.parametrize("name", [
     "glide_copy", "glide_point", "glide_point_clamp", "glide_point_inside", "glide_level_point",
     "glide_point_565", *(names[0] for names in FORMATS.values())])
@@ -169,7 +142,6 @@ def test_pictures_are_what_they_say() -> None:
 
 @pytest.fixture(scope="module")
 def baseline() -> dict:
-    """The committed figures."""
     return json.loads(BASELINE.read_text())
 
 
@@ -190,7 +162,4 @@ def test_only_what_is_called_for_costs(baseline, step) -> None:
 
 
 def test_accuracy_tells_of_modes(tmp_path, capsys, monkeypatch) -> None:
-    """Some modes; the bench draws all."""
-    few = {mode.name: mode for mode in MODES[:4]}
-    monkeypatch.setitem(engines.ENGINES, "glide", replace(engines.GLIDE, every=few))
-    mode_tables.check(tmp_path, capsys, "glide", list(few.values()))
+    mode_points.check_table(tmp_path, capsys, monkeypatch, "glide", MODES[:4])

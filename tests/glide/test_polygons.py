@@ -23,7 +23,6 @@ MOST = 15  # polygons in a scene: the decoded levels of each, for the passes, st
 
 
 def lines(each: Case) -> list[str]:
-    """Describes a polygon completely."""
     return [f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}, "
             f"added {each.adds}, kind {each.kind}", *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
             *vertex_lines(each.vertices)]

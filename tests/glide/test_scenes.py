@@ -7,33 +7,22 @@ import pytest
 
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
-from tests.helpers.engine_scenes import (check_refused, compiled, explain, run_command, save_noise,
-                                         scene_text)
+from tests.helpers.engine_scenes import check_refused, compiled, folder, scene_text  # noqa: F401
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.glide import images
 from tmap.glide.mipmap import levels
 from tmap.glide.words import FORMATS
-from tmap.guest import emulator, guest_frames
 from tmap.model import model
 from tmap.n64.images import read
-from tmap.run import run
 from tmap.scene_file import pipes, scene_file
 from tmap.scene_file.scene_file import Scene
 
 NAMES = ("dithered", "glide_aspects", "glide_floor", "glide_lightmap", "glide_wall", "glide_window")
-WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
 
 SQUARE = "vertices = [[0, 0, 0, 0], [32, 0, 256, 0], [32, 32, 256, 256], [0, 32, 0, 256]]"
 UNIT = 'image = "noise.png", format = "rgb565"'
 OWN = "st1 = [[0, 0], [8, 0], [8, 8], [0, 8]]"
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with pictures: noise 32x32, odd 24x20, long 64x4."""
-    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), long=(4, 64))
-    return tmp_path
 
 
 def text_of(glide: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
@@ -42,21 +31,11 @@ def text_of(glide: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
 
 
 def make(folder, *args, **kinds):
-    """The compiled scene of ``text_of``."""
     return compiled(folder, text_of(*args, **kinds))
 
 
 def units(*each: str) -> str:
     return "units = [" + ", ".join(f"{{ {unit} }}" for unit in each) + "]"
-
-
-def check_all(asked: dict[str, Asked], machine: str = "a1200-fast") -> list[guest_runs.Drawn]:
-    """Compares the guest's frames with the model's, in one boot; they must have many colours."""
-    found = guest_runs.draw([*asked.values()], machine)
-    for (name, each), drawn in zip(asked.items(), found):
-        for number, frame in enumerate(guest_runs.check(name, each, drawn, machine)):
-            assert len(np.unique(frame)) > 30, f"{name}, frame {number}: hardly any colours"
-    return found
 
 
 def shown(name: str, off: str | None) -> Scene:
@@ -70,25 +49,11 @@ def shown(name: str, off: str | None) -> Scene:
     return replace(whole, width=width, height=height, poses=poses)
 
 
-@pytest.fixture(scope="module")
-def drawn() -> dict[tuple, tuple]:
-    """By name and rules that are off: a scene and the guest's digest, all from one boot."""
-    scenes = {(name, off): shown(name, off) for off in WAYS for name in NAMES}
-    found = guest_frames.draw([(scene, WAYS[off]) for (_, off), scene in scenes.items()], "a1200-fast",
-                      patience=emulator.PATIENT_SECONDS)
-    return {key: (scene, digest) for (key, scene), digest in zip(scenes.items(), found)}
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("off", [None, "all"])
-def test_frames_are_the_models(name: str, off: str | None, drawn) -> None:
+def test_frames_are_the_models() -> None:
     """The first frame of each scene, with all rules of lowering and with none."""
-    scene, digests = drawn[name, off]
-    expected = model.render(scene, 0)
-    assert guest_frames.is_models(expected, digests[0]), explain(
-        name, expected, run.render(scene, "a1200-fast", "addx", off).frames[0],  # drawn once more
-        run_command(name, 1, off))
-    assert len(np.unique(expected)) > 30, f"{name}: hardly any colours"
+    guest_runs.check_all({
+        guest_runs.command(name, 1, off): Asked(shown(name, off), off, counted=False)
+        for name in NAMES for off in (None, "all")}, colours=30)
 
 
 @pytest.mark.parametrize("form", FORMATS)
@@ -119,14 +84,13 @@ def test_levels_that_a_unit_shows(folder):
 
 
 def test_units_divide_where_they_are_told_to(folder):
-    """Two units of one material have different subdivisions, the second its own w: the guest's
-    frames are the model's, and the file has the scene's settings."""
+    """Two units of one material have different subdivisions, the second its own w: the file has the
+    scene's settings. That the guest draws such units as the model does: test_polygons.py."""
     both = units(UNIT + ', combine = { function = "blend", factor = "one_minus_local" }, '
                  'subdivision = 8', UNIT + ", own = true, subdivision = 16")
     deep = SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 5]") + "\n" + OWN
     scene = make(folder, "perspective = true, " + both, deep + "\nw1 = [1, 6, 9, 2]")
     assert [pipes.unit_of(scene, n).modes.subdivision for n in (0, 1)] == [8, 16]
-    check_all({f"rules off: {off}": Asked(scene, off) for off in (None, "all")})
 
 
 def test_a_second_unit_has_its_own_coordinates(folder):
@@ -142,21 +106,6 @@ def test_a_second_unit_has_its_own_coordinates(folder):
     assert len(scene.vertices) == 8 and scene.objects[0].vertices == 8
 
 
-def test_projected(folder):
-    """A second unit with separate w, partly behind the projector, with a palette and with an NCC
-    table: the guest's frame is the model's."""
-    asked = {}
-    for form in ("p8", "ayiq8422"):
-        both = units(UNIT + ', combine = { function = "blend", factor = "one_minus_local" }',
-                     f'image = "noise.png", format = "{form}", mag = "bilinear", clamp_w = true, '
-                     's = "clamp", own = true, weights = 8')
-        scene = make(folder, "perspective = true, " + both,
-                     SQUARE.replace(", 0]", ", 0, 1]").replace(", 256]", ", 256, 3]") + "\n"
-                     + OWN + "\nw1 = [1, 2, -3, -1]", pixels="rgb565")
-        asked[form] = Asked(scene)
-    check_all(asked)
-
-
 def test_large_maps_with_chip_ram_alone(folder):
     """The quads of 256x256 texels, 2 MB, do not fit: texels are filtered while drawing, still by a
     pass, to the same picture, with weights of 4 and 8 bits."""
@@ -165,7 +114,7 @@ def test_large_maps_with_chip_ram_alone(folder):
         unit = units('image = "noise.png", format = "rgb565", width = 256, height = 256, '
                      f'mipmap = "none", min = "bilinear", mag = "bilinear", weights = {bits}')
         asked[f"weights of {bits} bits"] = Asked(make(folder, unit, SQUARE.replace("256", "250")))
-    for name, drawn in zip(asked, check_all(asked, "a1200")):
+    for name, drawn in guest_runs.check_all(asked, "a1200", 30).items():
         assert drawn.spans == {"glide_passes"}, (name, drawn.spans)
 
 
@@ -194,56 +143,49 @@ MESSAGES = [
     ("units = []", "glide.units: must have 1 to 2 entries, not 0"),
     (units(UNIT, UNIT, UNIT), "glide.units: must have 1 to 2 entries, not 3"),
     ("perspective = 1, " + units(UNIT), "glide.perspective: must be true or false"),
-    ('blend = "multiply", ' + units(UNIT),
-     "glide.blend: 'multiply' is not one of replace, add"),
-    (units('format = "p8"'), "glide.units[0].image: is missing"),
+    ('blend = "multiply", ' + units(UNIT), "glide.blend: 'multiply' is not one of replace, add"),
+    (units('format = "p8"'), "image: is missing"),
     (units('image = "noise.png", format = "rgb555"'),
-     "glide.units[0].format: 'rgb555' is not one of rgb332, yiq422"),
-    (units('image = "no.png", format = "p8"'), "glide.units[0].image: no.png: no such file"),
+     "format: 'rgb555' is not one of rgb332, yiq422"),
+    (units('image = "no.png", format = "p8"'), "image: no.png: no such file"),
     (units('image = "odd.png", format = "p8"'),
-     "glide.units[0].image: odd.png: 24x20 pixels; a map's sides are powers of two up to 256, one "
+     "image: odd.png: 24x20 pixels; a map's sides are powers of two up to 256, one "
      "at most 8 times the other"),
-    (units('image = "long.png", format = "p8"'), "glide.units[0].image: long.png: 64x4 pixels; "),
-    (units(UNIT + ", width = 512"), "glide.units[0].width: must be from 1 to 256"),
+    (units('image = "long.png", format = "p8"'), "image: long.png: 64x4 pixels; "),
+    (units(UNIT + ", width = 512"), "width: must be from 1 to 256"),
     (units(UNIT + ', mipmap = "cubic"'),
-     "glide.units[0].mipmap: 'cubic' is not one of none, box, lanczos, kaiser"),
-    (units(UNIT + ', mipmap = "none", levels = "even"'),
-     'glide.units[0].mipmap: "none": there is one level only'),
-    (units(UNIT + ', min = "trilinear"'),
-     "glide.units[0].min: 'trilinear' is not one of point, bilinear"),
-    (units(UNIT + ', s = "mirror"'), "glide.units[0].s: 'mirror' is not one of wrap, clamp"),
-    (units(UNIT + ", lod_bias = 8"), "glide.units[0].lod_bias: must be from -8 to 7.75"),
-    (units(UNIT + ", lod_bias = 0.3"), "glide.units[0].lod_bias: must be a multiple of 1/4"),
-    (units(UNIT + ", min_level = 9"), "glide.units[0].min_level: must be from 0 to 8"),
-    (units(UNIT + ", min_level = 2"),
-     "glide.units[0].min_level: 32x32 texels have levels 3 to 8"),
-    (units(UNIT + ", min_level = 5, max_level = 4"),
-     "glide.units[0].max_level: is below min_level, 5"),
-    (units(UNIT + ", detail = { bias = 40 }"),
-     "glide.units[0].detail.bias: must be from -32 to 31"),
-    (units(UNIT + ", detail = { scale = 8 }"), "glide.units[0].detail.scale: must be from 0 to 7"),
-    (units(UNIT + ", detail = { max = 2 }"), "glide.units[0].detail.max: must be from 0 to 1"),
+     "mipmap: 'cubic' is not one of none, box, lanczos, kaiser"),
+    (units(UNIT + ', mipmap = "none", levels = "even"'), 'mipmap: "none": there is one level only'),
+    (units(UNIT + ', min = "trilinear"'), "min: 'trilinear' is not one of point, bilinear"),
+    (units(UNIT + ', s = "mirror"'), "s: 'mirror' is not one of wrap, clamp"),
+    (units(UNIT + ", lod_bias = 8"), "lod_bias: must be from -8 to 7.75"),
+    (units(UNIT + ", lod_bias = 0.3"), "lod_bias: must be a multiple of 1/4"),
+    (units(UNIT + ", min_level = 9"), "min_level: must be from 0 to 8"),
+    (units(UNIT + ", min_level = 2"), "min_level: 32x32 texels have levels 3 to 8"),
+    (units(UNIT + ", min_level = 5, max_level = 4"), "max_level: is below min_level, 5"),
+    (units(UNIT + ", detail = { bias = 40 }"), "detail.bias: must be from -32 to 31"),
+    (units(UNIT + ", detail = { scale = 8 }"), "detail.scale: must be from 0 to 7"),
+    (units(UNIT + ", detail = { max = 2 }"), "detail.max: must be from 0 to 1"),
     (units(UNIT + ', combine = { function = "mix" }'),
-     "glide.units[0].combine.function: 'mix' is not one of zero, local"),
+     "combine.function: 'mix' is not one of zero, local"),
     (units(UNIT + ', combine = { factor = "half" }'),
-     "glide.units[0].combine.factor: 'half' is not one of zero, local"),
-    (units(UNIT + ", weights = 5"), "glide.units[0].weights: must be 4 or 8"),
-    (units(UNIT + ", subdivision = 4"), "glide.units[0].subdivision: must be 0 or 8 or 16"),
-    (units(UNIT + ', levels = "all"'), "glide.units[0].levels: 'all' is not one of even, odd"),
+     "combine.factor: 'half' is not one of zero, local"),
+    (units(UNIT + ", weights = 5"), "weights: must be 4 or 8"),
+    (units(UNIT + ", subdivision = 4"), "subdivision: must be 0 or 8 or 16"),
+    (units(UNIT + ', levels = "all"'), "levels: 'all' is not one of even, odd"),
     (units(UNIT + ", trilinear = true"),
-     'glide.units[0].trilinear: needs "levels" even or odd: another unit blends the others in'),
-    (units(UNIT + ", own = true"),
-     "glide.units[0].own: is for the second unit: the first goes by the vertices"),
+     'trilinear: needs "levels" even or odd: another unit blends the others in'),
+    (units(UNIT + ", own = true"), "own: is for the second unit: the first goes by the vertices"),
     (units(UNIT + ', width = 1, height = 1, levels = "odd"'),
-     'glide.units[0].levels: "odd": there is level 8 only'),
-    (units(UNIT + ", filter = 1"), "glide.units[0].filter: unknown field; known are image, "),
+     'levels: "odd": there is level 8 only'),
+    (units(UNIT + ", filter = 1"), "filter: unknown field; known are image, "),
 ]
 
 
 @pytest.mark.parametrize("glide, message", MESSAGES)
 def test_refused(folder, glide, message):
-    """The error is one line that names file and field."""
-    check_refused(folder, text_of(glide), f"materials.it.{message}")
+    place = "" if message.startswith("glide.") else "glide.units[0]."
+    check_refused(folder, text_of(glide), f"materials.it.{place}{message}")
 
 
 @pytest.mark.parametrize("kinds, message", [
@@ -276,5 +218,4 @@ def test_objects_refused(folder, kinds, message):
     (SQUARE + "\n" + OWN.replace("8", "8192"), "st1[1][0]: must be from -8191.99609375 to 8191.99609375"),
 ])
 def test_coordinates_refused(folder, obj, message):
-    """Invalid coordinates of a second unit."""
     check_refused(folder, text_of(units(UNIT, UNIT + ", own = true"), obj), f"objects[0].{message}")

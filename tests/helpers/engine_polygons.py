@@ -7,14 +7,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
+from tests.helpers import guest_runs
 from tests.helpers.arrays import first_wrong
+from tmap.guest import guest_frames
 from tmap.model import model
 from tmap.run import run
 from tmap.scene_file.scene_file import ONE, Scene
 
 MOST = 100  # polygons in a scene: engines keep decoded fills, which take memory
+MACHINE = "a1200-fast"
 NAMES = ("x", "y", "s", "t", "shade", "w")
 
 
@@ -55,9 +56,12 @@ class Polygons:
         count = int(self.asked("COUNT") or self.count)
         return list(range(count) if off is None else range(count, count + count // 4))
 
-    def explain(self, number: int, pixels: str, each, expected: np.ndarray,
-                found: np.ndarray) -> str:
-        """Describes a failure: seed, case, first wrong pixel and the command to draw it again."""
+    def explain(self, number: int, pixels: str, off: str | None) -> str:
+        """Draws a polygon once more and describes the failure: seed, case, first wrong pixel and
+        the command to draw it again."""
+        each = self.case(self.seed, number, pixels)
+        made = self.scene([each], self.seed, pixels)
+        expected, found = model.render(made, 0), run.render(made, MACHINE, "addx", off).frames[0]
         height, width = expected.shape
         count = int((found != expected).sum())
         first = first_wrong(expected, found) if count else "drawn once more it is right"
@@ -68,20 +72,16 @@ class Polygons:
             f".deps/venv/bin/python -m pytest tests/{self.engine.lower()}/test_polygons.py -k {pixels}"])
 
     def check(self, pixels: str, off: str | None = None) -> tuple[set[str], set[str]]:
-        """Asserts that all frames are the model's, many in a boot; returns the rules and the spans
+        """Asserts that all frames are the model's, all in a boot; returns the rules and the spans
         that drew them."""
         numbers = self.numbers(off)
-        wrong, rules, spans = [], set(), set()
-        for k in range(0, len(numbers), self.scene_size):
-            some = numbers[k:k + self.scene_size]
-            cases = [self.case(self.seed, number, pixels) for number in some]
-            made = self.scene(cases, self.seed, pixels)
-            done = run.render(made, "a1200-fast", "addx", off)
-            rules |= {rule for material in done.executed for rule in material["rules"]}
-            spans |= set(run.total(done.figures)["spans"])
-            for frame, (number, each, found) in enumerate(zip(some, cases, done.frames, strict=True)):
-                expected = model.render(made, frame)
-                if not np.array_equal(found, expected):
-                    wrong.append(self.explain(number, pixels, each, expected, found))
-        assert not wrong, f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n{wrong[0]}"
-        return rules, spans
+        parts = [numbers[k:k + self.scene_size] for k in range(0, len(numbers), self.scene_size)]
+        cases = [[self.case(self.seed, number, pixels) for number in some] for some in parts]
+        asked = [guest_runs.Asked(self.scene(some, self.seed, pixels), off) for some in cases]
+        drawn = guest_runs.draw(asked, MACHINE)
+        wrong = [number for some, each, found in zip(parts, asked, drawn)
+                 for frame, (number, digest) in enumerate(zip(some, found.digests, strict=True))
+                 if not guest_frames.is_models(model.render(each.scene, frame), digest)]
+        assert not wrong, (f"{len(wrong)} of {len(numbers)} polygons are wrong; the first:\n"
+                           + self.explain(wrong[0], pixels, off))
+        return set().union(*(d.rules for d in drawn)), set().union(*(d.spans for d in drawn))

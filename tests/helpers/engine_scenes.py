@@ -1,10 +1,9 @@
-"""Small scene files of texture engines, and checks of them and of their frames."""
+"""Small scene files of texture engines, and checks of their errors."""
 
 import numpy as np
 import pytest
 from PIL import Image
 
-from tests.helpers.arrays import first_wrong
 from tmap.base.errors import UserError
 from tmap.compiler.scene import compile_scene
 from tmap.scene_file.scene_file import Scene
@@ -24,6 +23,15 @@ def save_noise(folder, seed: int, **sizes: tuple[int, int]) -> None:
     for name, size in sizes.items():
         pixels = rng.integers(0, 256, (*size, 3), np.uint8)
         Image.fromarray(pixels).save(folder / f"{name}.png")
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A directory with pictures of noise: noise 32x32, odd 24x20, long 64x4, wide 1030x4, palettes
+    16x16, half 16x5."""
+    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), long=(4, 64), wide=(4, 1030),
+               palettes=(16, 16), half=(5, 16))
+    return tmp_path
 
 
 def scene_text(material: str, obj: str, pixels: str = "rgba8888", frames: int = 1) -> str:
@@ -52,17 +60,3 @@ def check_refused(folder, text: str, message: str) -> None:
     said = str(caught.value)
     assert said.startswith(f"{folder / 'scene.toml'}: {message}"), said
     assert "\n" not in said
-
-
-def explain(what: str, expected: np.ndarray, found: np.ndarray, again: str) -> str:
-    """Says how a frame, or a part of one, differs from the model's, and which command draws it
-    again."""
-    count = int((found != expected).sum())
-    first = f"; {first_wrong(expected, found)}" if count else ""
-    return f"{what}: {count} pixels are not the model's{first}; again: {again}"
-
-
-def run_command(name: str, frames: int, off: str | None) -> str:
-    """Returns the command that draws a scene of tests/scenes again."""
-    return (f"scripts/tmap run tests/scenes/{name}.toml --frames {frames}"
-            + (f" --off {off}" if off else ""))

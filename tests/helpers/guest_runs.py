@@ -26,7 +26,6 @@ class Asked:
 
     @property
     def way(self) -> str:
-        """The arguments for render."""
         return f"FORM {self.form}" + (f" OFF {self.off}" if self.off else "")
 
 
@@ -41,12 +40,10 @@ class Drawn:
 
     @property
     def spans(self) -> set[str]:
-        """The spans that drew the scene."""
         return set(run.total(self.figures)["spans"])
 
     @property
     def rules(self) -> set[str]:
-        """The rules that applied."""
         return {rule for material in self.executed for rule in material["rules"]}
 
 
@@ -73,24 +70,35 @@ def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
     return drawn
 
 
-def wrong_frame(asked: Asked, drawn: Drawn, expected: list[np.ndarray],
-                machine: str = "a1200-fast") -> str:
-    """Returns which frame is the first that differs from the model's, and how; "" if none does. To
-    find out how, it draws that frame once more."""
+def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") -> list[np.ndarray]:
+    """Asserts that all frames are the model's; returns the model's frames. To say how the first
+    wrong one differs, it is drawn once more."""
+    __tracebackhide__ = True
+    expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
     for number, (right, digest) in enumerate(zip(expected, drawn.digests, strict=True)):
         if not guest_frames.is_models(right, digest):
             found = run.render(asked.scene, machine, asked.form, asked.off).frames[number]
             count = int((found != right).sum())
-            return f"frame {number}: " + (
+            raise AssertionError(f"{what}, {asked.way}, {machine}: frame {number}: " + (
                 f"{count} pixels are not the model's; {first_wrong(right, found)}" if count
-                else "it is not the model's, but drawn alone it is")
-    return ""
-
-
-def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") -> list[np.ndarray]:
-    """Asserts that all frames are the model's; returns the model's frames."""
-    __tracebackhide__ = True
-    expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
-    wrong = wrong_frame(asked, drawn, expected, machine)
-    assert not wrong, f"{what}, {asked.way}, {machine}: {wrong}"
+                else "it is not the model's, but drawn alone it is"))
     return expected
+
+
+def check_all(asked: dict[str, Asked], machine: str = "a1200-fast",
+              colours: int = 1) -> dict[str, Drawn]:
+    """Draws all in one boot, by name, and asserts that all frames are the model's, each of them of
+    more than ``colours`` colours."""
+    __tracebackhide__ = True
+    drawn = dict(zip(asked, draw([*asked.values()], machine), strict=True))
+    for name, each in asked.items():
+        for number, frame in enumerate(check(name, each, drawn[name], machine)):
+            found = len(np.unique(frame))
+            assert found > colours, f"{name}, frame {number}: {found} colours"
+    return drawn
+
+
+def command(name: str, frames: int, off: str | None) -> str:
+    """Returns the command that draws a scene of tests/scenes again."""
+    return (f"scripts/tmap run tests/scenes/{name}.toml --frames {frames}"
+            + (f" --off {off}" if off else ""))

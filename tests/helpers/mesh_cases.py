@@ -31,7 +31,6 @@ def box(half: int, corners: int = 4) -> tuple[list, list, list, list]:
 
 
 def turned(random) -> np.ndarray:
-    """Returns a random rotation."""
     q = np.linalg.qr(random.normal(size=(3, 3)))[0]
     return q * np.sign(np.linalg.det(q))
 

@@ -1,8 +1,11 @@
-"""Point samples of texture units' modes: they may be wrong only where rounding of the planes
-explains it."""
+"""Point samples of texture units' modes, which may be wrong only where rounding of the planes
+explains it; and the table that ``tmap accuracy`` writes of modes."""
+
+from dataclasses import replace
 
 import numpy as np
 
+from tmap.accuracy import accuracy, engines
 from tmap.bench.modes.measure import HEIGHT, WIDTH
 from tmap.ideal import ideal
 from tmap.model import model
@@ -31,3 +34,16 @@ def check(mode, errors, kind: str, surface) -> None:
         assert below[0] <= may[0] or below[1] <= may[1], (
             f"mode {mode.name}, {kind}, pixel ({x}, {y}): expected {meant[k]}, found {drawn[k]}; s and t "
             f"are {below} texels below the next ones and raised by {may}")
+
+
+def check_table(folder, capsys, monkeypatch, engine: str, modes: list) -> None:
+    """ENGINE.md has one line for each mode, with its errors, as drawn by the machine; only for
+    these modes: the bench draws all."""
+    monkeypatch.setitem(engines.ENGINES, engine, replace(
+        engines.ENGINES[engine], every={mode.name: mode for mode in modes}))
+    assert accuracy.command(folder, [engine], "a1200-fast", False) == 0
+    text = (folder / f"{engine}.md").read_text()
+    lines = [line for line in text.splitlines() if line.startswith("| ")]
+    assert len(lines) == 1 + len(modes) and lines[1] in capsys.readouterr().out
+    for mode, line in zip(modes, lines[1:]):
+        assert line.startswith(f"| {mode.title} | ") and line.count("|") == 7

@@ -36,7 +36,6 @@ class Case:
         return model.adapt(self.vertices, self.settings, max(self.size))
 
     def drawn(self) -> model.Polygon | None:
-        """The polygon as the model sets it up."""
         return model.set_up(self.adapted(), self.width, self.height,
                             self.settings.mapper != "flat", self.settings, self.size)
 
@@ -63,13 +62,11 @@ def listed(vertices) -> list[str]:
 
 
 def rows(polygon: model.Polygon | None) -> dict[int, model.Line]:
-    """The lines that have pixels, by number."""
     lines = enumerate(polygon.lines, polygon.top) if polygon else ()
     return {y: line for y, line in lines if line.right > line.left}
 
 
 def lit(rows_: dict[int, model.Line]) -> set[tuple[int, int]]:
-    """The set of pixels of these lines."""
     return {(i, y) for y, line in rows_.items() for i in range(line.left, line.right)}
 
 
@@ -146,67 +143,7 @@ def covers_once(case: Case, pieces) -> list[str]:
     return []
 
 
-# Exact coverage
-
-def coverage(case: Case) -> list[str]:
-    """The pixels are the ideal's. With rounded or cut edges they may differ only as near to an edge
-    as the rounding may move it (ideal.Crossing.slack)."""
-    if not case.keeps_shape():
-        return []
-    vertices = case.adapted()
-    wanted = ideal.coverage(vertices, case.width, case.height)
-    found = counted(case, [case.vertices])
-    for y, x in np.argwhere(wanted != found).tolist():
-        if not any(c.near(x, case.settings, case.width, case.height)
-                   for c in ideal.crossings(vertices, y)):
-            return [case.complaint("covered", (x, y), wanted[y, x], found[y, x])]
-    return []
-
-
-# No drift
-
-def drift(case: Case) -> list[str]:
-    """Edges, and u and v on the texture plane, are within their bounds everywhere."""
-    polygon, vertices, found = case.drawn(), case.adapted(), []
-    if polygon is None:
-        return []
-    if case.settings.edges != "exact":
-        found += [("edge", *error) for error in ideal.edge_errors(vertices, polygon)]
-    if polygon.texturing:
-        found += ideal.texel_errors(vertices, polygon)
-    return [case.complaint(f"error of {what}", (i, y), f"{bound} at most", error)
-            for what, i, y, error, bound in found if not 0 <= error <= bound][:1]
-
-
 # Inside
-
-def within(case: Case) -> list[str]:
-    """u and v of every pixel are in the range that their plane has on the polygon.
-
-    A pixel's centre is inside the polygon, or outside by at most the edge's slack along the line:
-    the range grows by that slack times the gradient, and by the bound of u or v.
-    """
-    polygon, vertices = case.drawn(), case.adapted()
-    if polygon is None:
-        return []
-    plane, three = polygon.texturing, [vertices[k] for k in ideal.corners(vertices)]
-    coordinates = [ideal.Plane([v[:2] for v in three], [v[k] for v in three]) for k in (2, 3)]
-    ranges = [[exact.at(v[0], v[1]) for v in vertices] for exact in coordinates]
-    for y, line in rows(polygon).items():
-        slack = max((c.slack(case.settings, case.width, case.height)
-                     for c in ideal.crossings(vertices, y)), default=0)
-        stepped = model.coordinates(line, case.settings.mapper)
-        for exact, values, ends, cut in zip(coordinates, stepped, ranges, plane.cuts):
-            low, high = min(ends), max(ends)
-            for k, i in ((0, line.left), (-1, line.right - 1)):
-                room = exact.bound(i, y, plane, cut) / UNIT
-                room += float(slack) * abs(exact.nx / exact.d)
-                value = float(low) + model.signed(int(values[k]) - int(low))
-                if not low - room <= value <= high + room:
-                    return [case.complaint("u or v", (i, y), f"{float(low)} to {float(high)}, "
-                                           f"{room} more on either side", value)]
-    return []
-
 
 def held(case: Case) -> list[str]:
     """Every shade is in the vertices' range, every texel on the map, with no tolerance."""
@@ -327,42 +264,3 @@ def pieces(case: Case) -> list[str]:
     if found:
         return [case.complaint(found, ("see there", "see there"), "within its bounds", parts)]
     return covers_once(case, parts)
-
-
-# Monotone
-
-def monotone(case: Case, part) -> list[str]:
-    """A polygon made of some of a convex polygon's vertices lights only pixels of the larger one.
-
-    With rounded edges a pixel may be lit if an edge of each polygon, with different upper vertices,
-    is as near to it as the larger of both slacks. Edges from one vertex have the order of their
-    exact slopes in their first x and in their slopes: rounding to the nearest never reverses two
-    numbers, so these edges never cross.
-    """
-    inner = replace(case, vertices=tuple(part))
-    for i, y in sorted(lit(rows(inner.drawn())) - lit(rows(case.drawn()))):
-        pairs = [(a, b) for a in ideal.crossings(inner.vertices, y)
-                 for b in ideal.crossings(case.vertices, y) if a.upper != b.upper]
-        for a, b in pairs:
-            slack = max(c.slack(case.settings, case.width, case.height) for c in (a, b))
-            if slack and max(c.distance(i) for c in (a, b)) <= slack:
-                break
-        else:
-            return [inner.complaint("lit outside the larger polygon", (i, y), "not lit", "lit")
-                    + "\n the larger polygon:\n" + "\n".join(listed(case.vertices))]
-    return []
-
-
-# Clipping
-
-def clipping(case: Case) -> list[str]:
-    """Cut vertices and cut lines light the same pixels, except as near to an edge as the new
-    vertices may move it; u and v on the plane are within their bounds."""
-    cut = replace(case, settings=replace(case.settings, clip="vertices"))
-    scissor = replace(case, settings=replace(case.settings, clip="scissor"))
-    vertices = case.adapted()
-    for i, y in sorted(lit(rows(cut.drawn())) ^ lit(rows(scissor.drawn()))):
-        if not any(c.near(i, cut.settings, case.width, case.height)
-                   for c in ideal.crossings(vertices, y)):
-            return [case.complaint("lit by cut vertices or by cut lines", (i, y), "both", "one")]
-    return two_planes(case, "vertices cut", scissor, cut)

@@ -7,9 +7,8 @@ import random
 from collections.abc import Iterator
 from dataclasses import replace
 
-from tests.helpers.properties import (Case, clipping, coverage, covers_once, drift, held, monotone,
-                                      pieces, reversal, rotation, rows_kept, splitting,
-                                      translation, within, wrapping)
+from tests.helpers.properties import (Case, covers_once, held, pieces, reversal, rotation,
+                                      rows_kept, splitting, translation, wrapping)
 from tmap.corpus import random_meshes, random_polygons
 from tmap.model import model
 from tmap.scene_file.scene_file import ONE
@@ -100,25 +99,6 @@ def check_watertight(rng: random.Random, origin: str) -> list[str]:
                        mesh.triangles)
 
 
-def check_coverage(rng: random.Random, origin: str) -> list[str]:
-    return coverage(any_case(rng, origin, mapper="flat", gradients="plane"))
-
-
-def check_drift(rng: random.Random, origin: str) -> list[str]:
-    side = rng.choice((72, 72, 1024))
-    points = long_triangle(rng, side) if rng.random() < 0.5 else convex(rng)
-    settings = model.Settings(rng.choice(("subpixel", "exact")))
-    return drift(Case(origin, textured(rng, points), side, side, settings))
-
-
-def check_within(rng: random.Random, origin: str) -> list[str]:
-    return within(any_case(rng, origin, gradients="plane", start="subtexel", mapper="affine"))
-
-
-def check_held(rng: random.Random, origin: str) -> list[str]:
-    return held(held_case(rng, origin))
-
-
 def row_case(rng: random.Random, origin: str) -> Case:
     """An upright rectangle whose lines cover one row of the map, or up to a texel more or less."""
     x, y = (rng.randrange(side // 2 * ONE) for side in (WIDTH, HEIGHT))
@@ -133,14 +113,6 @@ def row_case(rng: random.Random, origin: str) -> Case:
 
 def check_rows_kept(rng: random.Random, origin: str) -> list[str]:
     return rows_kept((any_case if rng.random() < 0.5 else row_case)(rng, origin))
-
-
-def check_rotation(rng: random.Random, origin: str) -> list[str]:
-    return rotation(any_case(rng, origin))
-
-
-def check_reversal(rng: random.Random, origin: str) -> list[str]:
-    return reversal(any_case(rng, origin))
 
 
 def check_translation(rng: random.Random, origin: str) -> list[str]:
@@ -189,26 +161,16 @@ def uneven_case(rng: random.Random, origin: str) -> Case:
     return Case(origin, tuple(vertices), WIDTH, HEIGHT, settings)
 
 
-def check_uneven(rng: random.Random, origin: str) -> list[str]:
-    return pieces(uneven_case(rng, origin))
-
-
-def check_monotone(rng: random.Random, origin: str) -> list[str]:
-    vertices = textured(rng, convex(rng, 4))
-    settings = any_settings(rng, 4, edges=rng.choice(("subpixel", "exact")), mapper="flat")
-    return monotone(Case(origin, vertices, WIDTH, HEIGHT, settings),
-                    random_meshes.subset(rng, list(vertices)))
-
-
-def check_clipping(rng: random.Random, origin: str) -> list[str]:
-    vertices = planar(rng, convex(rng, 3, LATTICE))
-    edges = rng.choice(("subpixel", "exact"))
-    return clipping(Case(origin, vertices, WIDTH, HEIGHT, model.Settings(edges)))
+def holds(prop, case_of):
+    """A check of a property that has no arguments but its case."""
+    return lambda rng, origin: prop(case_of(rng, origin))
 
 
 #: name: function that draws a random case and returns its complaints
 CHECKS = {name.removeprefix("check_"): function for name, function in list(globals().items())
-          if name.startswith("check_")}
+          if name.startswith("check_")} | {
+    "held": holds(held, held_case), "rotation": holds(rotation, any_case),
+    "reversal": holds(reversal, any_case), "uneven": holds(pieces, uneven_case)}
 
 
 def check(name: str, seed: int, number: int) -> list[str]:
@@ -218,6 +180,5 @@ def check(name: str, seed: int, number: int) -> list[str]:
 
 
 def complaints(name: str, seed: int, count: int) -> Iterator[str]:
-    """Yields the complaints of ``count`` cases."""
     for number in range(count):
         yield from check(name, seed, number)

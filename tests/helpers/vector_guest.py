@@ -1,5 +1,6 @@
 """Sends operations to the guest's texture engines, step by step."""
 
+from tmap.build import layout
 from tmap.vectors import vector_file
 
 
@@ -43,3 +44,10 @@ def run_all(guests: dict[str, Guest]) -> dict[str, list[list[int]]]:
     found = vector_file.ask_all([guest.operations for guest in guests.values()])
     return {name: guest.parts(numbers.tolist())
             for (name, guest), numbers in zip(guests.items(), found, strict=True)}
+
+
+def results(engine: str) -> list[str]:
+    """The names of an engine's results, without its own, in the order of their numbers."""
+    names = list(layout.load().constants)
+    some = names[names.index(f"{engine}_DONE"):names.index(f"{engine}_RESULTS")]
+    return [name.removeprefix(f"{engine}_") for name in some]

@@ -3,11 +3,9 @@ direction, or with an invalid number, is refused in one line."""
 
 import warnings
 
-import numpy as np
 import pytest
-from tests.mesh.test_space import GOOD, OBJ, changed, folder, make, on_file, placed  # noqa: F401
+from tests.mesh.test_space import OBJ, changed, folder, make, on_file, placed  # noqa: F401
 
-from tmap.compiler import space
 from tmap.base.errors import UserError
 
 #: The least positive number, one whose square is 0, ordinary ones, the largest coordinate.
@@ -53,7 +51,6 @@ def test_length_does_not_matter(folder, text, most: float, length: float) -> Non
     ("0.0", ": must have a length"), ("nan", "[1]: must be from "), ("inf", "[1]: must be from "),
     ("-inf", "[1]: must be from "), ("1e200", "[1]: must be from "), ("-1e300", "[1]: must be from ")])
 def test_no_direction_is_refused(folder, text, field: str, number: str, said: str) -> None:
-    """The error is one line with file and field."""
     with pytest.raises(UserError) as caught:
         tables(folder, text(f"[0, {number}, 0]"))
     line = str(caught.value)
@@ -73,20 +70,3 @@ def test_normals_without_direction_are_refused(folder, normal: str) -> None:
     (folder / "mesh.obj").write_text(OBJ.replace("vn 0 0 2", f"vn {normal}"))
     with pytest.raises(UserError, match=r"objects\[1\].mesh: mesh.obj: face 0 has a normal without"):
         tables(folder, on_file("glow"))
-
-
-@pytest.mark.parametrize("apart, said", [("0, 0, 1e-9", "eye and target are in one place"),
-                                         ("0, 1e-3, 0", "eye, target and up are on one line")])
-def test_a_camera_needs_a_view(folder, apart: str, said: str) -> None:
-    """The camera's orientation needs both target and up."""
-    with pytest.raises(UserError, match=f"camera: {said} in frame 0"):
-        tables(folder, changed("[0, 0, 10]", f"[{apart}]"))
-
-
-def test_unit_vectors() -> None:
-    """Unit vectors have length 1 and the same direction, for any numbers that are not all 0."""
-    random = np.random.default_rng(1)
-    for _ in range(1000):
-        vector = random.uniform(-1, 1, 3)
-        made = space.unit(np.ldexp(vector, int(random.integers(-1000, 1000))))
-        assert abs(made @ made - 1) < 1e-15 and np.abs(np.cross(made, vector)).max() < 1e-15

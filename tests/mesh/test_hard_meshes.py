@@ -37,7 +37,6 @@ UNSURE = {"mesh_wall_4_units_aside_askew"}
 
 
 def chosen(case) -> list:
-    """The combinations to draw."""
     ways = combinations(case)
     return [(case, s) for s in random.Random(case.name).sample(ways, ceil(len(ways) / PART))]
 

@@ -7,13 +7,11 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from tmap.compiler import mesh_build, objects
-from tmap.compiler.mesh_file import Shape
+from tmap.compiler import objects
 from tmap.ideal import mesh
 from tmap.model import mesh as model_mesh
 
 ONE = 65536
-UNIT = 1 << 30
 
 
 def about(guard: int = 9, near: int = 256) -> SimpleNamespace:
@@ -54,21 +52,6 @@ def test_projection_is_within_its_bound(reach, away):
                 assert off <= bound, (k, point)
                 worst, seen = max(worst, float(off / Fraction(bound))), seen + 1
     assert seen > 100 and worst > 0.1  # the bound is not too wide to test anything
-
-
-def test_environment_and_shade_are_within_their_bound():
-    random = np.random.default_rng(8)
-    for radius in (127.0, 255.0, 3.0):
-        vectors = turned(random) * radius
-        normals = random.normal(size=(300, 3))
-        normals /= np.linalg.norm(normals, axis=1)[:, None]
-        stored = [(*objects.rounded(n, 14), 0) for n in normals]
-        for vector in vectors:
-            factors = objects.rounded(vector, objects.FACTOR_BITS)
-            found = model_mesh.looks(stored, factors, 128 * ONE, -1 << 31, (1 << 31) - 1)
-            error = abs(np.array(found) / ONE - 128 - normals @ vector).max()
-            assert error <= mesh.look_error(radius)
-            assert error > mesh.look_error(radius) / 20
 
 
 def random_face(random, most: float, count: int) -> list[tuple]:
@@ -124,39 +107,3 @@ def test_whatever_is_cut_lies_inside_and_on_the_screen(near):
             if cut:
                 widest = max(widest, max(v[5] for v in cut) / min(v[5] for v in cut))
     assert widest > 10000
-
-
-def test_shared_edges_are_cut_at_the_same_points():
-    """Two triangles share an edge, which runs in the opposite direction in the second."""
-    random, shared = np.random.default_rng(3), 0
-    for _ in range(400):
-        a, b, c, d = random_face(random, 20, 4)
-        first, second = (set(model_mesh.clip(face, ONE)) for face in ([a, b, c], [c, b, d]))
-        inner = [min(model_mesh.depths(v[0], v[1], v[5], ONE)) >= 0 for v in (b, c)]
-        if inner[0] == inner[1]:
-            continue
-        ends = {b if inner[0] else c}
-        new = (first & second) - ends
-        assert ends <= first & second and new, (a, b, c, d)
-        shared += 1
-    assert shared > 40
-
-
-def test_back_faces_of_a_cube():
-    """From any place outside, one to three faces of a cube are visible: those whose planes the eye
-    is beyond."""
-    random = np.random.default_rng(4)
-    corners = [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
-    made = mesh_build.build(Shape(np.array(corners, float), faces), mesh_build.Wishes(1.5), "x")
-    counts = set()
-    for _ in range(300):
-        eye = random.normal(size=3) * 10 ** random.uniform(0.4, 4)
-        if max(abs(eye)) <= 1.5 or min(abs(abs(eye) - 1.5)) < mesh.seen_error(eye, 1.5):
-            continue
-        row = [0] * 12 + objects.rounded(eye, 16)
-        seen = [model_mesh.is_seen(face, row) for face in made.faces.tolist()]
-        middles = [np.array(corners, float)[face].mean(axis=0) for face in faces]
-        assert seen == [bool(m @ eye > 1.5) for m in middles]
-        counts.add(sum(seen))
-    assert counts == {1, 2, 3}

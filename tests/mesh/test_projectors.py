@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal, check_within
-from tests.helpers.engine_scenes import check_refused, compiled, save_noise
+from tests.helpers.engine_scenes import check_refused, compiled, folder  # noqa: F401
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.bench.scenes import some_frames
@@ -57,20 +57,11 @@ SIDEWAYS = "[projectors.lamp]\neye = [0, 0, 1]\ntarget = [1, 0, 1]\nfov = 90\n"
 LAMP = 'projector = "lamp"'
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with a picture."""
-    save_noise(tmp_path, 4, noise=(32, 32))
-    return tmp_path
-
-
 def text_of(obj: str, projector: str = "", unit: str = OWN, frames: int = 1) -> str:
-    """A scene of one object."""
     return HEAD.format(frames=frames) + projector + MATERIAL.format(unit=unit) + obj
 
 
 def make(folder, *args, **kinds):
-    """The compiled scene of ``text_of``."""
     return compiled(folder, text_of(*args, **kinds))
 
 
@@ -230,21 +221,21 @@ def test_too_many_corners(folder):
 
 
 @pytest.mark.parametrize("obj, projector, unit, message", [
-    (WALL, "", OWN, "objects[0]: material 'it' has a unit with coordinates of its own: needs "
+    (WALL, "", OWN, ": material 'it' has a unit with coordinates of its own: needs "
                     "exactly one of uvs1, projector"),
     (WALL + LAMP + "\nuvs1 = [[[0, 0], [1, 0], [1, 1], [0, 1]]]", SIDEWAYS, OWN,
-     "objects[0]: material 'it' has a unit with coordinates of its own: needs exactly one of"),
-    (WALL + LAMP, "", OWN, "objects[0].projector: there is no projector 'lamp'"),
-    (WALL + LAMP, SIDEWAYS, "", "objects[0].projector: material 'it' has no second unit with "
+     ": material 'it' has a unit with coordinates of its own: needs exactly one of"),
+    (WALL + LAMP, "", OWN, ".projector: there is no projector 'lamp'"),
+    (WALL + LAMP, SIDEWAYS, "", ".projector: material 'it' has no second unit with "
                                 "coordinates of its own"),
     (WALL + "uvs1 = [[[0, 0], [1, 0], [1, 1]]]", "", OWN,
-     "objects[0].uvs1[0]: must have 4 entries, one a corner of face 0; not 3"),
+     ".uvs1[0]: must have 4 entries, one a corner of face 0; not 3"),
     (WALL + "uvs1 = [[[0, 0], [9000, 0], [1, 1], [0, 1]]]", "", OWN,
-     "objects[0].uvs1: s must be above -8192 and below 8192"),
+     ".uvs1: s must be above -8192 and below 8192"),
     (WALL + LAMP + '\nmapping = "environment"', SIDEWAYS, OWN,
-     "objects[0].mapping: material 'it' has a unit with coordinates of its own, which go with"),
+     ".mapping: material 'it' has a unit with coordinates of its own, which go with"),
     (RIGHT + LAMP, SIDEWAYS, OWN,
-     "objects[0].projector: a corner of face 0 is too near the plane that 'lamp' stands on, in "
+     ".projector: a corner of face 0 is too near the plane that 'lamp' stands on, in "
      "frame 0: its s or t reaches 8192; clamp_w of the second unit would let it be cut there"),
     (WALL + LAMP, SIDEWAYS.replace("90", "180"), OWN, "projectors.lamp.fov: must be from 1 to 170"),
     (WALL + LAMP, SIDEWAYS.replace("target", "aim"), OWN, "projectors.lamp.aim: unknown field; "),
@@ -254,4 +245,5 @@ def test_too_many_corners(folder):
      "projectors.lamp.keys[1].frame: must be above 3, the key's before"),
 ])
 def test_refused(folder, obj, projector, unit, message):
-    check_refused(folder, text_of(obj, projector, unit), message)
+    place = "" if message.startswith("projectors") else "objects[0]"
+    check_refused(folder, text_of(obj, projector, unit), place + message)

@@ -92,7 +92,6 @@ def on_file(material: str, line: str = "") -> str:
 
 
 def test_content(folder):
-    """Meshes, faces, corners and views of GOOD."""
     made = make(folder)
     assert (made.guard, made.near_plane) == (6, ONE // 8) and not made.objects
     square, mesh = made.meshes
@@ -131,7 +130,6 @@ def test_texture_coordinates_of_a_file(folder):
 
 
 def test_same_meshes_are_stored_once(folder):
-    """A mesh is stored once, however often it is placed."""
     made = make(folder, GOOD + GOOD[GOOD.index("[[objects]]"):])
     assert len(made.instances) == 4 and len(made.meshes) == 2
 
@@ -227,7 +225,6 @@ def test_rotations_take_the_shortest_way():
 
 
 def test_double_sided_faces_are_seen_from_behind(folder):
-    """Double-sided faces are seen from behind, others are not."""
     behind = changed("eye = [0, 0, 10]", "eye = [0, 0, -10]")
     assert model_mesh.polygons_at(make(folder, behind), 0) == []
     both = make(folder, behind + "two_sided = true\n")
@@ -326,7 +323,6 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
      "objects[0]: needs exactly one of sides, vertices, rectangle, mesh, points"),
 ])
 def test_refused(folder, text, prepare, message):
-    """The error is one line that names file and field."""
     if prepare:
         prepare(folder)
     with pytest.raises(UserError) as caught:

@@ -18,7 +18,6 @@ def with_engine(scene: Scene) -> Scene:
 
 
 def primitives() -> Scene:
-    """A rectangle and a coloured triangle of the texture engine."""
     vertices = np.full((6, 6), 65536)
     vertices[:, 2:4] = 7
     materials = [*(Material("n64", unit=0, primitive=kind) for kind in KINDS), Material()]

@@ -1,7 +1,6 @@
 """Builds command words by hand, and sends operations to the guest's texture engine."""
 
 from tests.helpers import vector_guest
-from tmap.build import layout
 
 RGBA, YUV, CI, IA, I = range(5)
 BITS_4, BITS_8, BITS_16, BITS_32 = range(4)
@@ -12,7 +11,6 @@ Words = tuple[int, int]
 
 
 def image(format: int, size: int, width: int, address: int) -> Words:
-    """Set texture image."""
     return 0xFD << 24 | format << 21 | size << 19 | width - 1, address
 
 
@@ -55,36 +53,11 @@ def texture(max_level: int, first: int) -> Words:
 WRAPPED = (RGBA, BITS_16, 4, 0, 0, 0, 0, 4, 0, 0, 0, 3, 0, 0, 0, 60, 28)
 
 
-def packed(colour: list[int]) -> int:
-    """R G B A as one signed long, the form of answers."""
-    value = int.from_bytes(bytes(colour), "big")
-    return value - (1 << 32) if value >> 31 else value
-
-
 class Guest(vector_guest.Guest):
-    """Sends operations to the N64's texture engine."""
-
     def words(self, *words: Words) -> int:
         """Runs a display list; its answer is (result, command)."""
         return self.ask("LIST", *(half for pair in words for half in pair), numbers=2)
 
 
-def result(name: str) -> int:
-    """A result's number; ``name`` without N64_."""
-    return layout.load().constants[f"N64_{name}"]
-
-
-def result_name(number: int) -> str:
-    """The name of a result, for messages."""
-    numbers = [name for name in RESULTS if result(name) == number]
-    return numbers[0] if numbers else str(number)
-
-
-#: All results, to distinguish them from other constants with the same number.
-RESULTS = (
-    "DONE", "UNKNOWN_COMMAND", "ILLEGAL_PAIR", "IMAGE_MISALIGNED", "IMAGE_4_BIT", "OUTSIDE_DRAM",
-    "LOAD_BACKWARDS", "BLOCK_TOO_LARGE", "LOAD_TOO_LARGE", "TLUT_IMAGE", "TLUT_TILE", "TLUT_ROWS",
-    "TLUT_ENTRIES", "TLUT_LOW", "INDEX_HIGH", "SPLIT_HIGH", "TLUT_MODE", "TILE_TOO_LARGE",
-    "TILE_OUTSIDE", "TILE_EDGES", "COMBINE_INPUT", "CYCLE_TYPE", "COORDINATE_RANGE",
-    "NO_LOAD_SYNC", "NO_TILE_SYNC", "NO_PIPE_SYNC", "LIST_FULL", "NO_MEMORY", "DECODE_TOO_LARGE",
-    "RECTANGLE_MODES")
+#: Results by number, without N64_.
+RESULTS = vector_guest.results("N64")

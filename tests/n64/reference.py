@@ -25,12 +25,10 @@ FIELDS = {"persp_tex_en": "perspective", "detail_tex_en": "detail", "sharpen_tex
 
 
 def big_endian(values: np.ndarray, kind: str = ">u4") -> np.ndarray:
-    """Numbers as bytes."""
     return np.frombuffer(values.astype(kind).tobytes(), np.uint8)
 
 
 def fnv(data: bytes) -> int:
-    """FNV-1a, 32 bits."""
     value = 0x811C9DC5
     for byte in data:
         value = (value ^ byte) * 0x01000193 & 0xFFFFFFFF

@@ -10,9 +10,6 @@ from tmap.n64.words import Cycle, List, Wrap
 N = 65536
 TEXEL0 = Cycle(("0", "0", "0", "texel0"), ("0", "0", "0", "texel0"))
 TEXEL0_SHADE = Cycle(("texel0", "0", "shade", "0"), ("texel0", "0", "shade", "0"))
-COMBINED = Cycle(("0", "0", "0", "combined"), ("0", "0", "0", "combined"))
-TRILINEAR = Cycle(("texel1", "texel0", "lod fraction", "texel0"),
-                  ("texel1", "texel0", "lod fraction", "texel0"))
 
 
 def noise(width: int, height: int, seed: int = 0) -> np.ndarray:
@@ -29,32 +26,18 @@ def smooth(side: int) -> np.ndarray:
     return np.rint(np.stack(channels, -1) * [100, 100, 100, 127] + 128).astype(np.uint8)
 
 
-def memory(*textures: images.Texture) -> tuple[np.ndarray, list[int], list[int]]:
-    """DRAM with textures, and the addresses of them and of their palettes."""
-    dram, places, palettes = bytearray(64), [], []
-    for texture in textures:
-        places.append(len(dram))
-        dram += texture.data
-        dram += bytes(-len(dram) % 8)
-        palettes.append(len(dram))
-        dram += texture.tlut
-        dram += bytes(-len(dram) % 8)
-    return np.frombuffer(bytes(dram) + bytes(1024), np.uint8), places, palettes
-
-
-def unit(texture: images.Texture, mode: str = "point", block: bool = True, s: Wrap | None = None,
+def unit(texture: images.Texture, mode: str = "point", s: Wrap | None = None,
          t: Wrap | None = None, cycle: Cycle = TEXEL0, **modes) -> State:
     """A unit with a texture in tile 0 that wraps, drawn unchanged in one-cycle mode."""
-    dram, (place,), (palette,) = memory(texture)
+    place, palette = 64, 64 + -(-len(texture.data) // 8) * 8
+    dram = np.zeros(palette + 2048, np.uint8)
+    for at, stored in ((place, texture.data), (palette, texture.tlut)):
+        dram[at:at + len(stored)] = np.frombuffer(stored, np.uint8)
     words = List()
     s, t = (given if given is not None else Wrap(mask=side.bit_length() - 1)
             for given, side in ((s, texture.width), (t, texture.height)))
-    if block:
-        words.load_texture_block(place, texture.form, texture.size, texture.width, texture.height,
-                                 0, s, t)
-    else:
-        words.load_texture_tile(place, texture.form, texture.size, texture.row_texels,
-                                (0, 0, texture.width - 1, texture.height - 1), 0, s, t)
+    words.load_texture_block(place, texture.form, texture.size, texture.width, texture.height,
+                             0, s, t)
     if texture.form == CI:
         words.load_tlut(len(texture.tlut) // 2, 256, palette)
         words.texture_lut("ia16" if texture.ia else "rgba16")

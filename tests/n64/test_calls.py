@@ -2,11 +2,10 @@
 words; some words are computed by hand."""
 
 import random
-from dataclasses import dataclass
 
 import pytest
 
-from tests.n64.guest import BITS_16, BITS_32, BITS_8, CI, I, IA, RGBA, YUV, Guest, result_name
+from tests.n64.guest import BITS_16, RESULTS, RGBA, Guest
 from tests.helpers import vector_guest
 from tmap.build import layout
 from tmap.n64.combiner import ALPHA_NAMES, RGB_NAMES
@@ -23,52 +22,18 @@ LUT_CODES = dict(zip(TLUTS, (0, 2, 3)))
 FILTER_CODES = dict(zip(FILTERS, (0, 2, 3)))
 CONVERSION_CODES = dict(zip(CONVERTS, (6, 0, 5)))
 
-#: Arguments of a texture: image, format, size, width, height, sl, tl, sh, th, palette, then wrap,
-#: mask and shift of s and of t, tmem, tile.
-TEXTURES = {
-    # 32x32 RGBA 16, mirrored in s, clamped in t
+#: Calls and their words, computed by hand: those that change modes, whose form the tools do not
+#: write, and one of each other kind.
+BY_HAND = {
+    # 32x32 RGBA 16, mirrored in s, clamped in t: image, format, size, width, height, sl, tl, sh,
+    # th, palette, then wrap, mask and shift of s and of t
     ("TEXTURE_BLOCK", 0x123450, RGBA, BITS_16, 32, 32, 0, 0, 0, 0, 0, 1, 5, 0, 2, 0, 0): (
         0xFD100000, 0x00123450, 0xF5100000, 0x07080150, 0xE6000000, 0, 0xF3000000, 0x073FF100,
         0xE7000000, 0, 0xF5101000, 0x00080150, 0xF2000000, 0x0007C07C),
-    # 64x16 I 8 as tile 2 from word 16 on, mask 6 and 4, shifts 1 and 15
-    ("TEXTURE_BLOCK", 0x1000, I, BITS_8, 64, 16, 0, 0, 0, 0, 0, 0, 6, 1, 0, 4, 15, 16, 2): (
-        0xFD900000, 0x00001000, 0xF5900010, 0x07013C61, 0xE6000000, 0, 0xF3000000, 0x071FF100,
-        0xE7000000, 0, 0xF5881010, 0x02013C61, 0xF2000000, 0x020FC03C),
-    # 16x16 RGBA 32: half of a row's bytes in each half of TMEM
-    ("TEXTURE_BLOCK", 0x1000, RGBA, BITS_32, 16, 16): (
-        0xFD180000, 0x00001000, 0xF5180000, 0x07000000, 0xE6000000, 0, 0xF3000000, 0x070FF100,
-        0xE7000000, 0, 0xF5180800, 0x00000000, 0xF2000000, 0x0003C03C),
-    # 16x8 YUV
-    ("TEXTURE_BLOCK", 0x1000, YUV, BITS_16, 16, 8): (
-        0xFD300000, 0x00001000, 0xF5300000, 0x07000000, 0xE6000000, 0, 0xF3000000, 0x0707F200,
-        0xE7000000, 0, 0xF5300400, 0x00000000, 0xF2000000, 0x0003C01C),
-    # 32x32 CI 4, palette 3
-    ("TEXTURE_BLOCK_4B", 0x1000, CI, 0, 32, 32, 0, 0, 0, 0, 3): (
-        0xFD500000, 0x00001000, 0xF5500000, 0x07000000, 0xE6000000, 0, 0xF3000000, 0x070FF400,
-        0xE7000000, 0, 0xF5400400, 0x00300000, 0xF2000000, 0x0007C07C),
-    # columns 8 to 23, rows 4 to 11 of a 64 columns wide IA 16 image
-    ("TEXTURE_TILE", 0x1000, IA, BITS_16, 64, 64, 8, 4, 23, 11): (
-        0xFD70003F, 0x00001000, 0xF5700800, 0x07000000, 0xE6000000, 0, 0xF4020010, 0x0705C02C,
-        0xE7000000, 0, 0xF5700800, 0x00000000, 0xF2020010, 0x0005C02C),
-    # the same of an I 4 image
-    ("TEXTURE_TILE_4B", 0x1000, I, 0, 64, 64, 8, 4, 23, 11): (
-        0xFD88001F, 0x00001000, 0xF5880200, 0x07000000, 0xE6000000, 0, 0xF4010010, 0x0702E02C,
-        0xE7000000, 0, 0xF5800200, 0x00000000, 0xF2020010, 0x0005C02C),
-}
-#: Further calls: arguments to words.
-BY_HAND = TEXTURES | {
     ("TLUT_16", 3, 0x2000): (
         0xFD100000, 0x00002000, 0xE8000000, 0, 0xF5000130, 0x07000000, 0xE6000000, 0,
         0xF0000000, 0x0703C000, 0xE7000000, 0),
-    ("TLUT_256", 0x2000): (
-        0xFD100000, 0x00002000, 0xE8000000, 0, 0xF5000100, 0x07000000, 0xE6000000, 0,
-        0xF0000000, 0x073FC000, 0xE7000000, 0),
-    ("IMAGE", IA, BITS_8, 320, 0xABCDE8): (0xFD68013F, 0x00ABCDE8),
-    ("TILE", CI, BITS_8, 4, 2, 1, 0, 3, 5, 1, 1, 4, 2): (0xF5480802, 0x010D4542),
-    ("TILE_SIZE", 3, 1, 2, 4, 8): (0xF2001002, 0x03004008),
     ("LOAD_BLOCK", 7, 0, 0, 5000, 256): (0xF3000000, 0x07FFF100),  # too large stays too large
-    ("LOAD_TILE", 7, 4, 8, 60, 64): (0xF4004008, 0x0703C040),
-    ("LOAD_TLUT", 7, 255): (0xF0000000, 0x073FC000),
     ("TEXTURE", 5, 2): (0xD7002A02, 0xFFFFFFFF),
     ("CYCLE", 1): (0xE3000A01, 0x00100000),
     ("PERSPECTIVE", 1): (0xE3000C00, 0x00080000),
@@ -77,13 +42,8 @@ BY_HAND = TEXTURES | {
     ("LUT", 3): (0xE3001001, 0x0000C000),
     ("FILTER", 2): (0xE3001201, 0x00002000),
     ("CONVERSION", 6): (0xE3001402, 0x00000C00),
-    ("CONVERT", 175, -43, -89, 222, 114, 42): (0xEC15FD5D, 0x3B78E42A),
     # texel 0 times shade, alpha too, in both cycles
     ("COMBINE", 1, 15, 4, 7, 1, 15, 4, 7, 1, 7, 4, 7, 1, 7, 4, 7): (0xFC121824, 0xFF33FFFF),
-    ("PRIMITIVE", 3, 128, 0x11223344): (0xFA000380, 0x11223344),
-    ("ENVIRONMENT", 0x11223344): (0xFB000000, 0x11223344),
-    ("LOAD_SYNC",): (0xE6000000, 0), ("PIPE_SYNC",): (0xE7000000, 0),
-    ("TILE_SYNC",): (0xE8000000, 0), ("FULL_SYNC",): (0xE9000000, 0),
 }
 
 
@@ -110,7 +70,6 @@ class Calls:
         return [wrap.clamp << 1 | wrap.mirror, wrap.mask, wrap.shift], wrap
 
     def textures(self) -> None:
-        """Both ways to load a texture."""
         form, size = self.random.choice(sorted(LEGAL))
         width, height = 16 << self.below(3), 1 + self.below(16)
         palette, tmem, tile = self.below(16), self.below(512), self.below(8)
@@ -134,7 +93,6 @@ class Calls:
                  address)
 
     def loads(self) -> None:
-        """Palettes, and commands of a single word."""
         address, palette, tile = 8 * self.below(1 << 21), self.below(16), self.below(8)
         edges = [self.below(4096) for _ in range(4)]
         count = self.below(256) + 1
@@ -159,7 +117,6 @@ class Calls:
         return codes, Cycle(*names)
 
     def colours(self) -> None:
-        """Combine mode, constants, syncs."""
         (first, names0), (second, names1) = self.cycle(), self.cycle()
         self.add("COMBINE", first[0] + second[0] + first[1] + second[1], List.combine_mode, names0,
                  names1)
@@ -181,49 +138,30 @@ def ask_call(guest: Guest, name: str, arguments: list[int], room: int = PAIRS) -
 
 
 def words_of(answer: list[int]) -> list[tuple[int, int]]:
-    """The words that a call wrote."""
-    assert result_name(answer[0]) == "DONE"
+    assert RESULTS[answer[0]] == "DONE"
     halves = [half & 0xFFFFFFFF for half in answer[2:2 + 2 * answer[1]]]
     return list(zip(halves[::2], halves[1::2]))
 
 
 def text(words: list[tuple[int, int]]) -> str:
-    """Words as text, for messages."""
     return " ".join(f"{hi:08x}:{lo:08x}" for hi, lo in words)
 
 
-def ask_by_hand() -> Guest:
-    """Each of BY_HAND, then again with room for one pair less than it writes."""
-    guest = Guest()
-    for (name, *arguments), words in BY_HAND.items():
-        for room in (PAIRS, len(words) // 2 - 1):
-            ask_call(guest, name, arguments, room)
-    return guest
-
-
 def ask_calls(calls: Calls) -> Guest:
-    """The calls one after the other."""
+    """The calls one after the other, then each with room for one pair less than it writes."""
     guest = Guest()
-    for name, arguments, _ in calls.made:
-        ask_call(guest, name, arguments)
+    for less in (False, True):
+        for name, arguments, words in calls.made:
+            ask_call(guest, name, arguments, len(words) - 1 if less else PAIRS)
     return guest
 
 
-@dataclass
-class Modes:
-    """Random calls that change modes: name, choice, the tools' words, which set all modes;
-    ``first``: the words that set the initial modes."""
-
-    guest: Guest
-    first: tuple[int, int]
-    made: list[tuple[str, object, list[tuple[int, int]]]]
-
-
-def ask_modes() -> Modes:
-    """Random calls, each of which sets only some modes; finally texture levels."""
+def ask_modes(guest: Guest) -> list[tuple[str, object, list[tuple[int, int]]]]:
+    """Random calls, each of which sets only some modes; finally texture levels: name, choice, the
+    tools' words, which set all modes. First are the words that set the initial modes."""
     chosen, words = random.Random(12), List()
     words.texture_convert("filter")
-    found = Modes(Guest(), words.words[0], [])
+    made = [("", "", words.words[:1])]
     for _ in range(4 * ROUNDS):
         name, method, codes = chosen.choice((
             ("CYCLE", words.cycle_type, CYCLES), ("DETAIL", words.texture_detail, DETAIL_CODES),
@@ -233,14 +171,14 @@ def ask_modes() -> Modes:
             ("CONVERSION", words.texture_convert, CONVERSION_CODES)))
         choice = chosen.choice(list(codes))
         method(choice)
-        found.made.append((name, choice, [words.words[-1]]))
-        ask_call(found.guest, name, [int(codes[choice])])
+        made.append((name, choice, [words.words[-1]]))
+        ask_call(guest, name, [int(codes[choice])])
     for level in range(8):
         texture = List()
         texture.texture(level, 7 - level)
-        found.made.append(("TEXTURE", level, texture.words))
-        ask_call(found.guest, "TEXTURE", [level, 7 - level])
-    return found
+        made.append(("TEXTURE", level, texture.words))
+        ask_call(guest, "TEXTURE", [level, 7 - level])
+    return made
 
 
 @pytest.fixture(scope="module")
@@ -251,46 +189,46 @@ def asked() -> dict:
         calls.textures()
         calls.loads()
         calls.colours()
-    changes = ask_modes()
-    return {"calls": calls, "changes": changes} | {"answers": vector_guest.run_all({
-        "by hand": ask_by_hand(), "calls": ask_calls(calls), "modes": changes.guest})}
+    by_hand, modes = Guest(), Guest()
+    for name, *arguments in BY_HAND:
+        ask_call(by_hand, name, arguments)
+    return {"calls": calls, "changes": ask_modes(modes)} | {"answers": vector_guest.run_all({
+        "by hand": by_hand, "calls": ask_calls(calls), "modes": modes})}
 
 
 def test_calls_write_the_manuals_words(asked) -> None:
-    """Loads with their syncs, tiles, modes, colours: the words are those computed by hand. With
-    room for one pair less nothing is written."""
-    answers = asked["answers"]["by hand"]
-    for n, (call, words) in enumerate(BY_HAND.items()):
-        assert words_of(answers[2 * n]) == list(zip(words[::2], words[1::2])), (
-            f"{call} writes {text(words_of(answers[2 * n]))}")
-        code, count, *_ = answers[2 * n + 1]
-        assert (result_name(code), count) == ("LIST_FULL", 0), call
+    for (call, words), answer in zip(BY_HAND.items(), asked["answers"]["by hand"], strict=True):
+        assert words_of(answer) == list(zip(words[::2], words[1::2])), (
+            f"{call} writes {text(words_of(answer))}")
 
 
 def test_calls_and_tools_write_the_same_words(asked) -> None:
-    """Random loads, tiles, constants; the calls set both upper bits of a first word."""
-    for (name, arguments, words), answer in zip(asked["calls"].made, asked["answers"]["calls"],
-                                                strict=True):
+    """Random loads, tiles, constants; the calls set both upper bits of a first word. With room for
+    one pair less nothing is written."""
+    made, answers = asked["calls"].made, asked["answers"]["calls"]
+    for (name, arguments, words), answer in zip(made, answers[:len(made)], strict=True):
         found = words_of(answer)
         assert all(hi >> 30 == 3 for hi, _ in found), (name, text(found))
         assert [(hi & ANY, lo) for hi, lo in found] == words, (
             f"{name}{tuple(arguments)}: the call writes {text(found)}, the tools {text(words)}")
+    for (name, *_), (code, count, *_) in zip(made, answers[len(made):], strict=True):
+        assert (RESULTS[code], count) == ("LIST_FULL", 0), name
 
 
 def test_calls_and_tools_set_the_same_modes(asked) -> None:
     """The calls set some modes, the tools all of them: the tools' word after a call changes
     nothing, so the modes' generation stays the same."""
-    changes, guest = asked["changes"], Guest()
-    guest.words(changes.first)
+    ((*_, first), *changes), guest = asked["changes"], Guest()
+    guest.words(*first)
     guest.ask("GENERATIONS", 0, numbers=3)
-    for (_, _, expected), answer in zip(changes.made, asked["answers"]["modes"], strict=True):
+    for (_, _, expected), answer in zip(changes, asked["answers"]["modes"], strict=True):
         for run in (words_of(answer), expected):
             guest.words(*run)
             guest.ask("GENERATIONS", 0, numbers=3)
     answers = guest.run()
     generations = [answer[2] for answer in answers[1::2]]
-    assert all(result_name(answer[0]) == "DONE" for answer in answers[::2])
-    for n, (name, choice, _) in enumerate(changes.made):
+    assert all(RESULTS[answer[0]] == "DONE" for answer in answers[::2])
+    for n, (name, choice, _) in enumerate(changes):
         assert generations[2 * n + 2] == generations[2 * n + 1], \
             f"call {n}, {name} {choice!r}: the tools' word changes the modes that it left"
-    assert generations[-1] > len(changes.made) // 2  # most calls changed something
+    assert generations[-1] > len(changes) // 2  # most calls changed something

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import pytest
-from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RGBA, WRAPPED, YUV,
-                             Guest, modes, packed, result_name)
+from tests.n64.guest import (BITS_16, BITS_32, BITS_4, BITS_8, CI, I, IA, RESULTS, RGBA, WRAPPED,
+                             YUV, Guest, modes)
 from tests.helpers import vector_guest
 
 NEXT, CHROMA = 1, 2  # quads
@@ -88,7 +88,6 @@ class Everything:
         self.asked.append(Compared(name, s, t, which, mask, answer))
 
     def decode(self, name: str, quads: int) -> None:
-        """Decodes tile 0."""
         self.decoded.append((name, self.guest.ask("DECODE", 0, quads, numbers=5)))
 
     def add(self, name: str, more: dict[str, int], tile: tuple[int, ...],
@@ -135,7 +134,7 @@ def test_every_texel_and_quad(asked) -> None:
     that wrap at TMEM's end or have rows of an odd number of words."""
     every, answers = asked["everything"], asked["answers"]["everything"]
     for name, at in every.decoded:
-        assert (result_name(answers[at][0]), answers[at][3]) == ("DONE", 1), name
+        assert (RESULTS[answers[at][0]], answers[at][3]) == ("DONE", 1), name
     for each in every.asked:
         colour = answers[each.answer + 1]
         if each.name.startswith("YUV"):
@@ -144,60 +143,6 @@ def test_every_texel_and_quad(asked) -> None:
         if expected != found:
             pytest.fail(f"{each.name}: {'quad' if each.which else 'texel'} at s {each.s / 32}, t "
                         f"{each.t / 32} is {found:08x}, expected {expected:08x}", pytrace=False)
-
-
-#: Tiles, as the fields after n in a vector line: format, size, line, tmem, palette, clamp, mirror,
-#: mask, shift of s, of t, sl, tl, sh, th.
-TILES = {
-    "wrapped RGBA 16": WRAPPED,
-    "mirrored IA 8": (IA, BITS_8, 3, 16, 0, 0, 1, 3, 0, 0, 1, 4, 0, 0, 0, 60, 28),
-    "clamped I 4": (I, BITS_4, 2, 32, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 88, 40),
-    "clamped and mirrored IA 4": (IA, BITS_4, 2, 32, 0, 1, 1, 3, 0, 1, 1, 2, 0, 12, 6, 150, 90),
-    "shifted IA 16": (IA, BITS_16, 4, 48, 0, 0, 0, 4, 1, 0, 1, 3, 14, 5, 9, 60, 28),
-    "RGBA 32": (RGBA, BITS_32, 5, 48, 0, 1, 0, 0, 0, 0, 0, 3, 0, 0, 0, 76, 28),
-    "one texel": (RGBA, BITS_16, 1, 200, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0),
-    "long mask": (I, BITS_4, 64, 0, 0, 0, 0, 10, 0, 0, 0, 4, 0, 0, 0, 0, 0),
-}
-TLUT_TILES = {
-    "CI 4": (CI, BITS_4, 2, 32, 5, 0, 0, 5, 0, 0, 1, 3, 0, 0, 0, 88, 40),
-    "CI 8": (CI, BITS_8, 4, 32, 0, 1, 1, 4, 0, 1, 0, 5, 0, 0, 0, 100, 130),
-}
-RANDOM_PLACES = 60  # for each tile
-
-
-def ask_places() -> tuple[Guest, list[tuple[str, int, int, int]]]:
-    """Tiles at random places, some far outside; returns for each its name, s, t and first
-    answer."""
-    chosen, guest, asked = random.Random(5), Guest(), []
-    guest.do("TMEM_RANDOM", 99)
-    guest.do("TLUT_RANDOM", 98)
-    for tlut, some in ((0, TILES), (1, TLUT_TILES)):
-        guest.words(modes(tlut=tlut))
-        for n, (name, tile) in enumerate(some.items()):
-            guest.do("TILE", n, *tile)
-            guest.ask("DECODE", n, NEXT, numbers=5)
-            for _ in range(RANDOM_PLACES):
-                s, t = (chosen.choice((chosen.randrange(-32768, 32768), chosen.randrange(1024),
-                                       chosen.randrange(32) * 32 + 16)) for _ in "st")
-                asked.append((name, s, t, len(guest.lengths)))
-                for mid in (0, 1):
-                    guest.words(modes(tlut=tlut, quad=1, mid=mid))
-                    guest.ask("DECODED", n, s, t, numbers=2)
-                    guest.ask("SAMPLE", n, s, t, 0, numbers=4)
-                guest.words(modes(tlut=tlut))
-                guest.ask("SAMPLE", n, s, t, 0, numbers=4)
-    return guest, asked
-
-
-def test_places_far_and_near(asked) -> None:
-    """At random coordinates texels equal those of point sampling, and quads' results those of the
-    filter, three-point and average; for wrap, mirror, clamp, shifts, TLUT, all formats."""
-    for name, s, t, first in asked["places"]:
-        _, plain, filtered, _, middle, average, _, point = (
-            asked["answers"]["places"][first:first + 8])
-        for what, found, expected in (("texel", plain[0], point), ("three points", plain[1], filtered),
-                                      ("average", middle[1], average)):
-            assert found == packed(expected), f"{name}: {what} at s {s / 32}, t {t / 32}"
 
 
 #: Change before decoding, or None; whether quads are needed; whether the tile is decoded again.
@@ -225,7 +170,7 @@ def test_tiles_are_decoded_anew_only_after_a_change(asked) -> None:
     answers = asked["answers"]["steps"]
     for n, (change, quads, made) in enumerate(STEPS):
         code, columns, rows, found, _ = answers[n]
-        assert (result_name(code), found) == ("DONE", made), (n, change, quads)
+        assert (RESULTS[code], found) == ("DONE", made), (n, change, quads)
         assert (columns, rows) == (3 if 7 <= n < 12 else 4, 3), n
     assert answers[-1][4] == answers[3][4]  # the memory is reused
 
@@ -244,13 +189,13 @@ def ask_large() -> Guest:
 def test_tiles_that_cannot_be_decoded(asked) -> None:
     """A tile that repeats over more than TMEM can hold is refused; the tile decoded before is
     unharmed."""
-    names = [(result_name(answer[0]), answer[3]) for answer in asked["answers"]["large"]]
+    names = [(RESULTS[answer[0]], answer[3]) for answer in asked["answers"]["large"]]
     assert names == [("DONE", 1), ("DECODE_TOO_LARGE", 0), ("DONE", 0)]
 
 
 @pytest.fixture(scope="module")
 def asked() -> dict:
     """The questions of all tests and their answers, from one boot."""
-    every, (guest, places) = Everything(), ask_places()
-    return {"everything": every, "places": places, "answers": vector_guest.run_all({
-        "everything": every.guest, "places": guest, "steps": ask_steps(), "large": ask_large()})}
+    every = Everything()
+    return {"everything": every, "answers": vector_guest.run_all({
+        "everything": every.guest, "steps": ask_steps(), "large": ask_large()})}

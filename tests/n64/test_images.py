@@ -5,14 +5,10 @@ import pytest
 from PIL import Image
 
 from tests.helpers.arrays import check_equal, check_within
-from tests.n64.scene import memory, noise, smooth, unit
+from tests.n64.scene import noise, smooth
 from tmap.base.errors import UserError
-from tmap.n64 import commands, images
-from tmap.n64.filters import sample
-from tmap.n64.mipmap import load_chain
-from tmap.n64.state import CI, I, IA, RGBA, YUV, State
-from tmap.n64.texels import fetch
-from tmap.n64.words import List
+from tmap.n64 import images
+from tmap.n64.state import CI, I, IA, RGBA, YUV
 
 FORMATS = [(RGBA, 2), (RGBA, 3), (CI, 0), (CI, 1), (IA, 0), (IA, 1), (IA, 2), (I, 0), (I, 1),
            (YUV, 2)]
@@ -72,32 +68,7 @@ def test_yuv_is_near():
     check_within(images.decode(images.encode(pairs, YUV, 2)), pairs, 2, "row, column, channel")
 
 
-@pytest.mark.parametrize("form, size", [f for f in FORMATS if f[0] != YUV])
-@pytest.mark.parametrize("block", [True, False])
-def test_tmem_shows_what_dram_holds(form, size, block):
-    """Loaded by the macros and fetched texel by texel."""
-    texture = images.encode(grown(noise(32, 16)), form, size, ia=block)
-    state = unit(texture, block=block)
-    t, s = np.mgrid[:16, :32]
-    check_equal(fetch(state, state.tiles[0], s, t), images.decode(texture))
-
-
-def test_yuv_through_tmem():
-    """Samples of both loads, converted and multiplied in the combiner, are the texture's
-    colours."""
-    texture = images.encode(noise(32, 16), YUV, 2)
-    for block in (True, False):
-        state = unit(texture, block=block, filter0=0, filter1=0)
-        state.k = list(images.CONSTANTS)
-        t, s = np.mgrid[:16, :32]
-        found = sample(state, 0, s * 32, t * 32)
-        found = np.where(found >= 384, found - 512, found)[..., :3]
-        bright = np.clip((found - 114) * 42 + (found << 8) + 128 >> 8, 0, 255)
-        check_equal(bright, images.decode(texture)[..., :3], f"block {block}")
-
-
 def rms(shown: np.ndarray, picture: np.ndarray) -> float:
-    """The root mean square error of colours."""
     return np.sqrt(((shown.astype(float) - picture) ** 2).mean())
 
 
@@ -133,29 +104,6 @@ def test_transparency_of_palettes():
         check_equal(images.decode(images.encode(picture, CI, size))[..., 3], picture[..., 3])
 
 
-def test_sixteen_palettes():
-    """Sixteen palettes fit into one TLUT, each read by a separate tile; a 17th is refused, as is
-    any format but CI 4."""
-    textures = [images.encode(noise(4, 4, seed), CI, 0) for seed in range(16)]
-    tlut = images.join_palettes(textures)
-    dram, places, _ = memory(*textures)
-    palette = len(dram)
-    dram = np.concatenate([dram, np.frombuffer(tlut, np.uint8)])
-    state, words = State(dram=dram), List()
-    words.load_tlut(256, 256, palette)
-    words.texture_lut("rgba16")
-    for n, (texture, place) in enumerate(zip(textures, places)):
-        words.load_texture_tile(place, CI, 0, texture.row_texels, (0, 0, 3, 3), n, tmem=4 * n)
-        start, words.words = words.words, []
-        commands.replay(state, start)
-        t, s = np.mgrid[:4, :4]
-        check_equal(fetch(state, state.tiles[0], s, t), images.decode(texture), f"palette {n}")
-    with pytest.raises(UserError, match="17 palettes"):
-        images.join_palettes(textures + textures[:1])
-    with pytest.raises(UserError, match="only 4-bit"):
-        images.join_palettes([images.encode(noise(4, 4), I, 0)])
-
-
 def test_levels_are_means_of_four():
     """Of two if a side has only one texel; other sides must be even."""
     levels = images.chain(noise(8, 2), 4)
@@ -165,36 +113,6 @@ def test_levels_are_means_of_four():
     check_equal(levels[2][0, 0], levels[1][0, :2].astype(int).sum(0) + 1 >> 1, "level 2")
     with pytest.raises(UserError, match="6 x 3 texels has no half"):
         images.chain(noise(12, 6), 3)
-
-
-@pytest.mark.parametrize("form, size", [(RGBA, 2), (I, 0), (CI, 1)])
-def test_levels_in_tmem(form, size):
-    """Each level is in a separate tile with the shift of its level; CI levels as indices."""
-    textures = [images.encode(p, form, size) for p in images.chain(noise(32, 16), 6)]
-    dram, places, _ = memory(*textures)
-    state, words = State(dram=dram), List()
-    load_chain(words, textures, places, 1)
-    commands.replay(state, words.words)
-    for n, texture in enumerate(textures):
-        tile = state.tiles[1 + n]
-        assert (tile.s.shift, tile.s.mask) == (n, texture.width.bit_length() - 1)
-        t, s = np.mgrid[:texture.height, :texture.width]
-        found = fetch(state, tile, s, t)
-        if form == CI:
-            want = np.frombuffer(texture.data, np.uint8).reshape(texture.height, -1)
-            want = np.repeat(want[:, :texture.width, None], 4, -1)
-        else:
-            want = images.decode(texture)
-        check_equal(found, want, f"level {n}")
-
-
-@pytest.mark.parametrize("sizes, first, message", [
-    ([(64, 32), (32, 16)], 0, "level 1 ends at word 640 of 512"), ([(8, 8)] * 8, 0, "8 levels"),
-    ([(12, 8)], 0, "12 texels is not a power"), ([], 0, "0 levels"), ([(8, 8)] * 3, 5, "3 levels")])
-def test_chains_that_do_not_fit(sizes, first, message):
-    textures = [images.encode(noise(*size), RGBA, 2) for size in sizes]
-    with pytest.raises(UserError, match=message):
-        load_chain(List(), textures, [0] * len(textures), first)
 
 
 def test_files(tmp_path):

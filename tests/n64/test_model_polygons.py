@@ -4,20 +4,18 @@ import numpy as np
 import pytest
 
 from tests.helpers.arrays import check_equal, check_within
-from tests.n64.scene import (COMBINED, N, TEXEL0, TEXEL0_SHADE, TRILINEAR, floor, memory, noise,
-                             smooth, square, unit)
+from tests.n64.scene import N, TEXEL0, TEXEL0_SHADE, floor, noise, smooth, square, unit
 from tmap.base.errors import UserError
 from tmap.ideal import n64
 from tmap.ideal.texels import Coordinate, error
-from tmap.n64 import commands, images
+from tmap.n64 import images
 from tmap.n64.filters import sample
-from tmap.n64.mipmap import load_chain
 from tmap.n64.misuse import Misuse
 from tmap.n64.pixels import picture
 from tmap.n64.polygon import Vertex, draw, prepare, rectangle
-from tmap.n64.state import CI, COPY, RGBA, TWO_CYCLES, State
+from tmap.n64.state import CI, COPY, RGBA, State
 from tmap.n64.texels import fetch
-from tmap.n64.words import List, Wrap
+from tmap.n64.words import Wrap
 
 WIDTH, HEIGHT = 96, 64
 
@@ -41,19 +39,10 @@ def test_a_magnified_square_is_point_sampled(kind, perspective):
     state, found = unit(shown, perspective=perspective), frame(kind)
     corners = square(8, 0, 64, 16, 16)
     corners = [v._replace(s=v.s + N // 16, t=v.t + N // 16) for v in corners]
-    assert draw(state, found, corners) == 64 * 64
+    assert draw(state, found, corners) == 64 * 64 and state.pending
     want = np.kron(images.decode(shown), np.ones((4, 4, 1), np.uint8))
     check_equal(picture(found)[:, 8:72], want, "row, column - 8, channel")
     assert not found[:, :8].any() and not found[:, 72:].any()
-
-
-def test_parts_beyond_the_frame_are_cut():
-    """The visible part equals the same part of the whole polygon."""
-    shown = texture()
-    state, whole, part = unit(shown), np.zeros((128, 128), np.uint32), frame()
-    draw(state, whole, square(32, 32, 64, 16, 16))
-    assert draw(state, part, square(-16, -20, 64, 16, 16)) == 48 * 44
-    check_equal(part[:44, :48], whole[52:96, 48:96], "row, column")
 
 
 def test_values_far_from_zero_wrap():
@@ -111,61 +100,6 @@ def test_modes_that_draw_no_polygons():
         draw(state, frame(), square(0, 0, 8, 8, 8))
 
 
-def test_drawing_leaves_syncs_pending():
-    """If the unit is strict, the next load must begin with its syncs."""
-    state = unit(texture())
-    state.strict = True
-    draw(state, frame(), square(0, 0, 8, 8, 8))
-    words = List()
-    words.load_texture_block(64, RGBA, 2, 16, 16)
-    with pytest.raises(Misuse, match="command 1 .set tile 7.*without a tile sync"):
-        commands.replay(state, words.words)
-    words = List()
-    words.tile_sync()
-    words.load_texture_block(64, RGBA, 2, 16, 16)
-    commands.replay(state, words.words)
-
-
-@pytest.mark.parametrize("flip", [False, True])
-def test_rectangles(flip):
-    """Half a texel a pixel across and one down; flipped, so that s runs down; cut at the left and
-    upper border."""
-    shown = texture()
-    state, found = unit(shown), frame()
-    rectangle(state, found, (4, 8, 36, 24), 0, 2 * 32, 3 * 32, 0x200, 0x400, flip)
-    y, x = np.mgrid[:16, :32]
-    s, t = (2 + y / 2, 3 + x) if flip else (2 + x / 2, 3 + y)
-    want = images.decode(shown)[t.astype(int) % 16, s.astype(int) % 16]
-    check_equal(picture(found)[8:24, 4:36], want, "row - 8, column - 4, channel")
-    assert np.count_nonzero(found) == 16 * 32
-    cut = frame()
-    rectangle(state, cut, (-4, 0, 28, 16), 0, 2 * 32, 3 * 32, 0x200, 0x400, flip)
-    check_equal(cut[:16, :28], found[8:24, 8:36], "cut: row, column")
-
-
-def test_an_aligned_rectangle_averages():
-    """At fractions of one half each pixel is the mean of four texels."""
-    shown = texture(3, 8, 8)
-    state, found = unit(shown, "average"), frame()
-    rectangle(state, found, (0, 0, 4, 4), 0, 16, 16, 0x800, 0x800)
-    check_equal(picture(found)[:4, :4], images.chain(noise(8, 8), 2)[1], "row, column, channel")
-
-
-@pytest.mark.parametrize("form, size", [(RGBA, 2), (CI, 0), (CI, 1)])
-def test_copied_rectangles(form, size):
-    """Texels are copied unchanged to 16-bit frames; cut at the left border."""
-    shown = images.encode(noise(16, 16), form, size)
-    state, found = unit(shown), frame(np.uint16)
-    state.modes.cycle = COPY
-    rectangle(state, found, (3, 2, 33, 20), 0, 0, 0, 0x1000, 0x400)
-    y, x = np.mgrid[:18, :30]
-    check_equal(picture(found)[2:20, 3:33], images.decode(shown)[y % 16, x % 16],
-                "row - 2, column - 3, channel")
-    cut = frame(np.uint16)
-    rectangle(state, cut, (-2, 2, 28, 20), 0, 0, 0, 0x1000, 0x400)
-    check_equal(cut[2:20, :28], found[2:20, 5:33], "cut: row - 2, column")
-
-
 def test_rectangles_that_cannot_be():
     """Copies into 32-bit frames or of wide texels, perspective, shade."""
     state = unit(texture(3))
@@ -179,23 +113,6 @@ def test_rectangles_that_cannot_be():
         rectangle(state, frame(), (0, 0, 8, 8), 0, 0, 0, 0x400, 0x400)
     with pytest.raises(Misuse, match="shade"):
         rectangle(unit(texture(), cycle=TEXEL0_SHADE), frame(), (0, 0, 8, 8), 0, 0, 0, 1024, 1024)
-
-
-def mip_mapped(side: int, levels: int) -> State:
-    """A unit with a smooth picture and its levels, blended in two cycles."""
-    chain = [images.encode(p, RGBA, 2) for p in images.chain(smooth(side), levels)]
-    dram, places, _ = memory(*chain)
-    state, words = State(dram=dram), List()
-    load_chain(words, chain, places)
-    for call, choice in ((words.texture_filter, "bilerp"), (words.texture_convert, "filter"),
-                         (words.cycle_type, "two"), (words.texture_lod, True),
-                         (words.texture_perspective, True)):
-        call(choice)
-    words.combine_mode(TRILINEAR, COMBINED)
-    words.texture(levels - 1, 0)
-    commands.replay(state, words.words)
-    assert state.modes.cycle == TWO_CYCLES
-    return state
 
 
 def drawn(state: State, corners: list[Vertex]):
@@ -255,19 +172,6 @@ def test_point_sampling_shows_the_exact_texel():
     assert inside.sum() > 1000
     wanted = n64.sample(state, 0, s, t, "point")
     check_equal(colours[inside], wanted[inside], "pixel among those, channel")
-
-
-def test_levels_of_detail_are_near_the_ideal():
-    """Between two levels of a smooth picture little is lost: the mean error is well below that of
-    the finest level alone, point sampled."""
-    state = mip_mapped(32, 5)
-    corners = floor(WIDTH, HEIGHT, 1, 8, 96)
-    x, y, colours = drawn(state, corners)
-    surface = n64.Surface(corners, True)
-    wanted = n64.levels(state, surface, x, y, "three-point")
-    assert np.unique(np.floor(np.log2(surface.distance(x, y)))).size >= 3
-    finest = n64.sample(state, 0, *surface.at(x, y), "point")
-    assert error(colours, wanted).rms < error(finest, wanted).rms / 4
 
 
 def test_ideal_coordinates():

@@ -1,5 +1,6 @@
 """Which polygons of a texture engine are drawn by passes, and that they are the model's: YUV in its
-modes, texels written directly to 16-bit pixels, the second cycle's texel alone."""
+modes, texels written directly to 16-bit pixels, the second cycle's texel alone. Pages of the plain
+mappers: rows are made when polygons need them, and are the model's."""
 
 import numpy as np
 import pytest
@@ -76,6 +77,31 @@ ENGINES = {
 }
 
 
+PAGE = 40  # pixels of a polygon's cell
+PAGED = 'image = "noise.png", width = 12, height = 16'
+CLAMPED = 's.wrap = "clamp", t.wrap = "clamp"'
+#: First and last t of successive polygons: the rows grow on both sides, stay, and exceed the memory
+#: reserved before; pages that repeat finally need all rows.
+ENDING = ((5, 9), (2, 6), (6, 14), (5, 9), (-9, 6), (4, 40), (-80, 70))
+FOR_EVER = (*ENDING, (-300, 200), (5, 9))
+CONVERTED = 'convert = "convert", combine = "convert"'
+#: Name: engine, ranges of t.
+PAGES = {
+    "wrap": (f'tiles = [{{ {PAGED}, format = "rgba16", s.wrap = "clamp" }}]', FOR_EVER),
+    "mirror": (f'tiles = [{{ {PAGED}, format = "i8", s.wrap = "clamp", t.wrap = "mirror" }}]',
+               FOR_EVER),
+    "clamp": (f'tiles = [{{ {PAGED}, format = "rgba32", {CLAMPED} }}]', ENDING),
+    "odd edges": (
+        f'tiles = [{{ {PAGED}, format = "ia8", s = {{ wrap = "clamp", low = 2, high = 9.5 }}, '
+        't = { wrap = "clamp", low = 3.25, high = 11.75 } }]', ENDING),
+    "tables": (f'combine = "modulate primitive", primitive = "#80c040f0", tiles = [{{ {PAGED}, '
+               'format = "rgba16", s.wrap = "clamp", t.wrap = "mirror" }]', FOR_EVER),
+    "converted": (f'{CONVERTED}, tiles = [{{ {PAGED}, format = "yuv16", {CLAMPED} }}]', ENDING),
+    "converted RGBA": (f'{CONVERTED}, tiles = [{{ {PAGED}, format = "rgba16", s.wrap = "clamp" }}]',
+                       FOR_EVER),
+}
+
+
 def corners(n: int, engine: str) -> str:
     """Vertices of the engine's triangle, with w and shade if the engine reads them."""
     left, top = 3 + GAP * (n % COLUMNS), 2 + GAP * (n // COLUMNS)
@@ -86,28 +112,46 @@ def corners(n: int, engine: str) -> str:
     return f"vertices = {rows}"
 
 
-@pytest.fixture(scope="module")
-def drawn(tmp_path_factory):
-    """By frame format: a scene of all engines and its result, from one boot."""
-    folder = tmp_path_factory.mktemp("passes")
-    save_noise(folder, 9, noise=(16, 16))
-    asked = {pixels: Asked(compiled(folder, text_of(pixels))) for pixels in PIXELS}
-    return dict(zip(asked, zip(asked.values(), guest_runs.draw([*asked.values()]))))
-
-
-def text_of(pixels: str) -> str:
+def passes_text(pixels: str) -> str:
     """One frame of all engines."""
     lines = -(-len(ENGINES) // COLUMNS)
-    text = many_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, (engine for engine, _ in ENGINES.values()))
-    for n, (engine, _) in enumerate(ENGINES.values()):
+    engines = [engine for engine, _ in ENGINES.values()]
+    text = many_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, engines)
+    for n, engine in enumerate(engines):
         text += f'[[objects]]\nmaterial = "m{n}"\n{corners(n, engine)}\n'
     return text
+
+
+def pages_text(pixels: str) -> str:
+    """Polygons of one engine are beside each other, drawn one after the other; each engine has a
+    separate row of cells."""
+    columns = max(len(ranges) for _, ranges in PAGES.values())
+    engines = [engine for engine, _ in PAGES.values()]
+    text = many_text(PAGE * columns, PAGE * len(PAGES), pixels, engines)
+    for n, (_, ranges) in enumerate(PAGES.values()):
+        for k, (low, high) in enumerate(ranges):
+            left, top = PAGE * k + 1, PAGE * n + 1
+            rows = [[left, top, -1.3, low], [left + 37, top + 4.6, 13.4, low + 0.4],
+                    [left + 9, top + 37.2, 5.5, high]]
+            text += f'[[objects]]\nmaterial = "m{n}"\nvertices = {rows}\n'
+    return text
+
+
+@pytest.fixture(scope="module")
+def drawn(tmp_path_factory):
+    """By frame format and kind: a scene of all engines and its result, from one boot."""
+    folders = [tmp_path_factory.mktemp(name) for name in ("passes", "pages")]
+    for folder, seed, size in zip(folders, (9, 6), ((16, 16), (16, 12))):
+        save_noise(folder, seed, noise=size)
+    asked = {(pixels, text_of): Asked(compiled(folder, text_of(pixels)))
+             for folder, text_of in zip(folders, (passes_text, pages_text)) for pixels in PIXELS}
+    return dict(zip(asked, zip(asked.values(), guest_runs.draw([*asked.values()]))))
 
 
 @pytest.mark.parametrize("pixels", PIXELS)
 def test_passes_are_the_models(drawn, pixels):
     """Each triangle is the model's, and is drawn by passes only if it should be."""
-    asked, done = drawn[pixels]
+    asked, done = drawn[pixels, passes_text]
     places = {name: (GAP * (n % COLUMNS), GAP * (n // COLUMNS)) for n, name in enumerate(ENGINES)}
     frame, = guest_runs.check(f"{pixels}; from these pixels on {places}", asked, done)
     for (name, (left, top)), (_, by_passes), material in zip(places.items(), ENGINES.values(),
@@ -116,3 +160,13 @@ def test_passes_are_the_models(drawn, pixels):
         assert len(np.unique(part)) > 20, f"{name}: hardly any colours"
         spans = list(material["spans"])
         assert spans == [("n64_pixels", "n64_passes")[by_passes]], f"{name}: drawn by {spans}"
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_rows_of_pages_are_made_as_they_are_needed(drawn, pixels):
+    """The pictures are the model's, drawn by the plain mappers alone."""
+    asked, done = drawn[pixels, pages_text]
+    guest_runs.check(f"{pixels}; {PAGE} lines each of {', '.join(PAGES)}", asked, done)
+    for name, material in zip(PAGES, done.executed):
+        spans = list(material["spans"])
+        assert spans and all(span.startswith("affine") for span in spans), f"{name}: by {spans}"

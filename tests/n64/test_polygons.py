@@ -20,7 +20,6 @@ PIXELS = ("rgba5551", "rgba8888")
 
 
 def lines(each: Case) -> list[str]:
-    """Describes a polygon completely."""
     is_rectangle = each.primitive in RECTANGLES
     raw = "st" if is_rectangle else ("shade",) * (each.primitive == "coloured")
     return [f"  modes {each.modes}, edges {each.edges}, clip {each.clip}",

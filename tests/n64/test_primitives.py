@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from tests.n64.texts import ONE, SQUARE, TILE, make, scene_of
-from tests.helpers.engine_scenes import HEAD, check_refused, compiled, save_noise, scene_text
+from tests.helpers.engine_scenes import (HEAD, check_refused, compiled, folder,  # noqa: F401
+                                         scene_text)
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT
 from tmap.compiler.scene import compile_scene, parse
@@ -21,13 +22,6 @@ COPY = "cycles = 'copy', " + ONE
 CORNERS = "vertices = [[0, 0, 0, 0], [32, 0, 32, 0], [32, 32, 32, 32]]"
 COLOURS = "colours = ['#ff0000', '#00ff0080', '#0000ff']"
 BOX = "rectangle = [4, 6, 24, 22]"
-
-
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with a picture: noise 32x32."""
-    save_noise(tmp_path, 3, noise=(32, 32))
-    return tmp_path
 
 
 def picture(folder) -> np.ndarray:
@@ -98,45 +92,37 @@ def test_a_material_of_several_kinds_becomes_several(folder):
 
 
 def rectangle(more: str = "", box: str = BOX) -> str:
-    """A rectangle with another line."""
     return f"{box}\n{more}"
 
 
 @pytest.mark.parametrize("engine, obj, message", [
-    (ONE, rectangle(box="rectangle = [4, 6, 4, 22]"), "objects[0].rectangle: is empty: "),
-    (ONE, rectangle(box="rectangle = [4, 6, 8]"),
-     "objects[0].rectangle: must have 4 entries, not 3"),
-    (ONE, rectangle(box="rectangle = [4, 6, 8.5, 9]"),
-     "objects[0].rectangle[2]: must be a whole number"),
-    (ONE, rectangle("angle = 90"), "objects[0].angle: a texture rectangle is neither turned nor "),
-    (ONE, rectangle("turns = 1"), "objects[0].turns: a texture rectangle is neither turned nor "),
-    (ONE, rectangle("scale = 2"), "objects[0].scale: a texture rectangle is neither turned nor "),
-    (ONE, rectangle("texel = [0, 0.01]"), "objects[0].texel[1]: must be a multiple of 1/32 texel"),
-    (ONE, rectangle("texel = [1024, 0]"), "objects[0].texel[0]: must be from -1024 to 1023.96875"),
-    (ONE, rectangle("step = [0.1, 1]"), "objects[0].step[0]: must be a multiple of 1/1024 texel"),
-    (ONE, rectangle("step = [1, 32]"), "objects[0].step[1]: must be from -32 to 31.9990234375"),
-    (ONE, rectangle("texel = [1020, 0]"),
-     "objects[0].step: s is not from -1,024 to 1,023.97 texels"),
-    (ONE, rectangle("step = [1, 30]", "rectangle = [0, 0, 9, 40]"),
-     "objects[0].step: t is not from"),
-    (ONE, rectangle("colours = ['#ffffff']"), "objects[0].colours: unknown field; known are "),
+    (ONE, rectangle(box="rectangle = [4, 6, 4, 22]"), "rectangle: is empty: "),
+    (ONE, rectangle(box="rectangle = [4, 6, 8]"), "rectangle: must have 4 entries, not 3"),
+    (ONE, rectangle(box="rectangle = [4, 6, 8.5, 9]"), "rectangle[2]: must be a whole number"),
+    (ONE, rectangle("angle = 90"), "angle: a texture rectangle is neither turned nor "),
+    (ONE, rectangle("turns = 1"), "turns: a texture rectangle is neither turned nor "),
+    (ONE, rectangle("scale = 2"), "scale: a texture rectangle is neither turned nor "),
+    (ONE, rectangle("texel = [0, 0.01]"), "texel[1]: must be a multiple of 1/32 texel"),
+    (ONE, rectangle("texel = [1024, 0]"), "texel[0]: must be from -1024 to 1023.96875"),
+    (ONE, rectangle("step = [0.1, 1]"), "step[0]: must be a multiple of 1/1024 texel"),
+    (ONE, rectangle("step = [1, 32]"), "step[1]: must be from -32 to 31.9990234375"),
+    (ONE, rectangle("texel = [1020, 0]"), "step: s is not from -1,024 to 1,023.97 texels"),
+    (ONE, rectangle("step = [1, 30]", "rectangle = [0, 0, 9, 40]"), "step: t is not from"),
+    (ONE, rectangle("colours = ['#ffffff']"), "colours: unknown field; known are "),
     ("perspective = true, " + ONE, rectangle(),
-     "objects[0].rectangle: material 'it' has perspective, but a texture rectangle no depth"),
+     "rectangle: material 'it' has perspective, but a texture rectangle no depth"),
     (SHADED, rectangle(),
-     "objects[0].rectangle: material 'it' reads shade, which a texture rectangle has not"),
-    (COPY, rectangle("flip = true"), "objects[0].flip: copy mode does not flip"),
-    (COPY, rectangle("step = [8, 1]"),
-     "objects[0].step[0]: copy mode's must be less than 8 texels"),
-    (COPY, SQUARE,
-     "objects[0].material: 'it' is in copy mode, which draws texture rectangles only"),
-    (ONE, CORNERS + "\n" + COLOURS, "objects[0].colours: material 'it' reads no shade"),
-    (SHADED, CORNERS + "\ncolours = ['#ffffff']", "objects[0].colours: must have 3 entries, not 1"),
-    (SHADED, CORNERS + "\n" + COLOURS.replace("ff00", "fg00"),
-     "objects[0].colours[0]: must be a colour like"),
+     "rectangle: material 'it' reads shade, which a texture rectangle has not"),
+    (COPY, rectangle("flip = true"), "flip: copy mode does not flip"),
+    (COPY, rectangle("step = [8, 1]"), "step[0]: copy mode's must be less than 8 texels"),
+    (COPY, SQUARE, "material: 'it' is in copy mode, which draws texture rectangles only"),
+    (ONE, CORNERS + "\n" + COLOURS, "colours: material 'it' reads no shade"),
+    (SHADED, CORNERS + "\ncolours = ['#ffffff']", "colours: must have 3 entries, not 1"),
+    (SHADED, CORNERS + "\n" + COLOURS.replace("ff00", "fg00"), "colours[0]: must be a colour like"),
     (SHADED, "sides = 3\nradius = 9\nshades = [3]\n" + COLOURS,
-     "objects[0].shades: there are colours instead"),
+     "shades: there are colours instead"),
     (SHADED, CORNERS.replace("]]", ", 255]]") + "\n" + COLOURS,
-     "objects[0].vertices[2]: must be [x, y, s, t]"),
+     "vertices[2]: must be [x, y, s, t]"),
     ("cycles = 'fill', " + ONE, SQUARE, "materials.it.n64.cycles: 'fill' is not one of copy"),
     ("filter = 'bilerp', " + COPY, SQUARE,
      "materials.it.n64.filter: is not for copy mode, which leaves texels as they are"),
@@ -145,8 +131,8 @@ def rectangle(more: str = "", box: str = BOX) -> str:
      'materials.it.n64.tiles[0].format: "i8": copy mode is for rgba16, ia16, ci4, ci8'),
 ])
 def test_refused(folder, engine, obj, message):
-    """The error is one line that names file and field."""
-    check_refused(folder, scene_of(engine, obj, pixels="rgba5551"), message)
+    place = "" if message.startswith("materials") else "objects[0]."
+    check_refused(folder, scene_of(engine, obj, pixels="rgba5551"), place + message)
 
 
 def test_refused_by_other_scenes(folder):

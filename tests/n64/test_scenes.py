@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
 from tests.n64.texts import ONE, SQUARE, TILE, make, scene_of
-from tests.helpers.engine_scenes import HEAD, check_refused, explain, run_command, save_noise
+from tests.helpers.engine_scenes import HEAD, check_refused, folder  # noqa: F401
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT, SCENES
 from tmap.compiler.n64 import TEXELS
 from tmap.compiler.scene import compile_scene
-from tmap.guest import emulator, guest_frames
 from tmap.model import model
 from tmap.n64 import images
 from tmap.run import run
@@ -19,51 +20,14 @@ NAMES = ("n64_room", "n64_wall", "n64_ocean", "n64_floor", "n64_palettes", "n64_
 MOVING = ("n64_ocean", "n64_palettes")  # with a display list for each frame
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with pictures: noise 32x32, odd 24x20, wide 1030x4, palettes 16x16, half 16x5."""
-    save_noise(tmp_path, 3, noise=(32, 32), odd=(20, 24), wide=(4, 1030), palettes=(16, 16),
-               half=(5, 16))
-    return tmp_path
-
-
-WAYS = {None: "addx", "all": "addx FRAMES 1 OFF all"}  # by the rules that are off
-
-
-@pytest.fixture(scope="module")
-def drawn() -> dict[str | None, dict[str, tuple]]:
-    """By the rules that are off, then by name: a scene, the model's frames and the guest's digests,
-    all from one boot."""
-    scenes = {name: compile_scene(SCENES / f"{name}.toml", 1 + (name in MOVING)) for name in NAMES}
-    right = {name: [model.render(scene, number) for number in range(scene.frames)]
-             for name, scene in scenes.items()}
-    found = iter(guest_frames.draw([(scene, way) for way in WAYS.values() for scene in scenes.values()],
-                           "a1200-fast", patience=emulator.PATIENT_SECONDS))
-    return {off: {name: (scene, right[name], next(found)) for name, scene in scenes.items()}
-            for off in WAYS}
-
-
-def check_frames(name: str, found: tuple, count: int, off: str | None) -> None:
-    """Compares the guest's first frames with the model's."""
-    scene, right, digests = found
-    for number, (expected, digest) in enumerate(zip(right[:count], digests, strict=True)):
-        assert guest_frames.is_models(expected, digest), explain(
-            f"{name}, frame {number}", expected,
-            run.render(scene, "a1200-fast", "addx", off).frames[number],  # drawn once more
-            run_command(name, scene.frames, off))
-        assert len(np.unique(expected)) > 30, f"{name}, frame {number}: hardly any colours"
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_frames_are_the_models(name: str, drawn) -> None:
-    """With all rules of lowering; two frames if lists run each frame."""
-    check_frames(name, drawn[None][name], 1 + (name in MOVING), None)
-
-
-@pytest.mark.parametrize("name", NAMES)
-def test_frames_are_the_models_without_rules(name: str, drawn) -> None:
-    """The first frame only."""
-    check_frames(name, drawn["all"][name], 1, "all")
+def test_frames_are_the_models() -> None:
+    """With all rules of lowering, two frames if lists run each frame; the first without rules."""
+    asked = {}
+    for name in NAMES:
+        for off, frames in ((None, 1 + (name in MOVING)), ("all", 1)):
+            scene = compile_scene(SCENES / f"{name}.toml", frames)
+            asked[guest_runs.command(name, frames, off)] = Asked(scene, off, counted=False)
+    guest_runs.check_all(asked, colours=30)
 
 
 def test_a_frame_of_one_colour_fails():
@@ -157,92 +121,90 @@ def test_tiles_have_places_of_their_own(folder):
     assert [tile.line for tile in found[:4]] == [2, 2, 8, 2]
 
 
+def one(tile: str) -> str:
+    return f"tiles = [{{ {tile} }}]"
+
+
 def two(tile: str, other: str = TILE) -> str:
     return f"tiles = [{{ {tile} }}, {{ {other} }}]"
 
 
 CI = 'image = "noise.png", format = "ci4"'
 MESSAGES = [
-    ("cycles = 3, " + ONE, "n64.cycles: must be from 1 to 2"),
-    ("mode = 1, " + ONE, "n64.mode: unknown field; known are cycles, combine, "),
-    ("combine = 'decals', " + ONE, "n64.combine: 'decals' is not one of primitive, shade, decal, "),
-    ("combine = ['decal', 'pass'], " + ONE, 'n64.combine: has two cycles: "cycles" must be 2'),
+    ("cycles = 3, " + ONE, "cycles: must be from 1 to 2"),
+    ("mode = 1, " + ONE, "mode: unknown field; known are cycles, combine, "),
+    ("combine = 'decals', " + ONE, "combine: 'decals' is not one of primitive, shade, decal, "),
+    ("combine = ['decal', 'pass'], " + ONE, 'combine: has two cycles: "cycles" must be 2'),
     ("combine = { rgb = [['noise', '0', '0', '0']], alpha = [['0', '0', '0', '0']] }, " + ONE,
-     "n64.combine.rgb[0][0]: 'noise' is no input A; known are combined, texel0"),
+     "combine.rgb[0][0]: 'noise' is no input A; known are combined, texel0"),
     ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0']] }, " + ONE,
-     "n64.combine.alpha[0]: must have 4 entries, not 3"),
+     "combine.alpha[0]: must have 4 entries, not 3"),
     ("combine = { rgb = [['0', '0', '0', '0']], alpha = [['0', '0', '0', 'k5']] }, " + ONE,
-     "n64.combine.alpha[0][3]: 'k5' is no input D"),
-    ("lod = true, " + ONE, 'n64.lod: the level of detail needs "cycles" 2'),
-    ("convert = 'filter, convert', " + ONE, 'n64.convert: "filter, convert" needs "cycles" 2'),
-    ("k = [1, 2, 3], " + ONE, "n64.k: must have 6 entries, not 3"),
-    ("primitive = '#12', " + ONE, 'n64.primitive: must be a colour like "#8040ff"'),
-    ("filter = 'bilinear', " + ONE, "n64.filter: 'bilinear' is not one of point, bilerp, average"),
-    ("perspective = 1, " + ONE, "n64.perspective: must be true or false"),
-    ("tlut = 'ia16', " + ONE, 'n64.tlut: "ia16", but no tile is CI'),
-    ("palettes = 'palettes.png', " + ONE, "n64.palettes: there is no tile that is CI"),
-    ("tile = 1, " + ONE, "n64.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+     "combine.alpha[0][3]: 'k5' is no input D"),
+    ("lod = true, " + ONE, 'lod: the level of detail needs "cycles" 2'),
+    ("convert = 'filter, convert', " + ONE, 'convert: "filter, convert" needs "cycles" 2'),
+    ("k = [1, 2, 3], " + ONE, "k: must have 6 entries, not 3"),
+    ("primitive = '#12', " + ONE, 'primitive: must be a colour like "#8040ff"'),
+    ("filter = 'bilinear', " + ONE, "filter: 'bilinear' is not one of point, bilerp, average"),
+    ("perspective = 1, " + ONE, "perspective: must be true or false"),
+    ("tlut = 'ia16', " + ONE, 'tlut: "ia16", but no tile is CI'),
+    ("palettes = 'palettes.png', " + ONE, "palettes: there is no tile that is CI"),
+    ("tile = 1, " + ONE, "tiles: tile 1 would be drawn; there are tiles 0 to 0"),
     ("cycles = 2, combine = 'trilinear', " + ONE,
-     "n64.tiles: tile 1 would be drawn; there are tiles 0 to 0"),
+     "tiles: tile 1 would be drawn; there are tiles 0 to 0"),
     ("cycles = 2, lod = true, max_level = 2, " + two(TILE),
-     "n64.tiles: tile 2 would be drawn; there are tiles 0 to 1"),
-    ("tiles = []", "n64.tiles: must have 1 to 8 entries, not 0"),
+     "tiles: tile 2 would be drawn; there are tiles 0 to 1"),
+    ("tiles = []", "tiles: must have 1 to 8 entries, not 0"),
     (two(TILE, TILE.replace("rgba16", "rgba8")),
-     "n64.tiles[1].format: 'rgba8' is not one of rgba16, rgba32, yuv16, ci4, ci8, ia4"),
-    (two(TILE, CI), 'n64.tiles[1].format: "ci4": with a TLUT all tiles are CI, without it none'),
-    ("tlut = 'none', tiles = [{ " + CI + " }]", 'n64.tlut: "none", but tiles[0] is ci4'),
+     "tiles[1].format: 'rgba8' is not one of rgba16, rgba32, yuv16, ci4, ci8, ia4"),
+    (two(TILE, CI), 'tiles[1].format: "ci4": with a TLUT all tiles are CI, without it none'),
+    ("tlut = 'none', " + one(CI), 'tlut: "none", but tiles[0] is ci4'),
     (two(CI, CI.replace("ci4", "ci8")),
-     'n64.palettes: is missing: "ci4" and "ci8" tiles share one TLUT'),
-    ("tiles = [{ " + CI + ", palette = [0, 3] }]", "n64.tiles[0].palette: palette 3 has no colours"),
-    ("palettes = 'half.png', tiles = [{ " + CI + ", colours = 9 }]",
-     "n64.tiles[0].colours: half.png has no row 9"),
-    ("palettes = 'odd.png', tiles = [{ " + CI + " }]",
-     "n64.palettes: odd.png: 24x20 pixels; palettes are 1 to 16 rows of 16"),
-    ("tiles = [{ " + TILE + ", palette = 1 }]", 'n64.tiles[0].palette: is for "ci4", not "rgba16"'),
-    ("tiles = [{ image = 'no.png', format = 'i8' }]",
-     "n64.tiles[0].image: no.png: no such file"),
-    ("tiles = [{ image = 'wide.png', format = 'i8' }]",
-     "n64.tiles[0].image: wide.png: 1030x4 pixels; a tile has 1024x256 texels at most"),
-    ("tiles = [{ image = 'odd.png', format = 'i8' }]",
-     'n64.tiles[0].s.wrap: "wrap", but 24 texels are not a power of two'),
-    ("tiles = [{ " + TILE + ", s.mask = 6 }]",
-     "n64.tiles[0].s.mask: the tile shows 64 texels, its picture has 32"),
-    ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', high = 40 } }]",
-     "n64.tiles[0].t.high: the tile shows 41 texels, its picture has 32"),
-    ("tiles = [{ " + TILE + ", t = { wrap = 'clamp', low = 9, high = 4 } }]",
-     "n64.tiles[0].t.high: lies before low"),
-    ("tiles = [{ " + TILE + ", s = { low = 1000 } }]",
-     "n64.tiles[0].s.low: the tile would end at 1031; 1023.75 at most"),
-    ("tiles = [{ " + TILE + ", s.wrap = 'clamp', slide = [1, 0] }]",
-     "n64.tiles[0].slide: s clamps; only what wraps or mirrors can slide"),
-    ("tiles = [{ " + TILE + ", width = 24, levels = 2 }]",
-     "n64.tiles[0].levels: 24x32 texels are not powers of two"),
-    ("tiles = [{ " + TILE + ", levels = 7 }]", "n64.tiles[0].levels: 32x32 texels have 6 levels"),
+     'palettes: is missing: "ci4" and "ci8" tiles share one TLUT'),
+    (one(CI + ", palette = [0, 3]"), "tiles[0].palette: palette 3 has no colours"),
+    ("palettes = 'half.png', " + one(CI + ", colours = 9"),
+     "tiles[0].colours: half.png has no row 9"),
+    ("palettes = 'odd.png', " + one(CI),
+     "palettes: odd.png: 24x20 pixels; palettes are 1 to 16 rows of 16"),
+    (one(TILE + ", palette = 1"), 'tiles[0].palette: is for "ci4", not "rgba16"'),
+    (one("image = 'no.png', format = 'i8'"), "tiles[0].image: no.png: no such file"),
+    (one("image = 'wide.png', format = 'i8'"),
+     "tiles[0].image: wide.png: 1030x4 pixels; a tile has 1024x256 texels at most"),
+    (one("image = 'odd.png', format = 'i8'"),
+     'tiles[0].s.wrap: "wrap", but 24 texels are not a power of two'),
+    (one(TILE + ", s.mask = 6"), "tiles[0].s.mask: the tile shows 64 texels, its picture has 32"),
+    (one(TILE + ", t = { wrap = 'clamp', high = 40 }"),
+     "tiles[0].t.high: the tile shows 41 texels, its picture has 32"),
+    (one(TILE + ", t = { wrap = 'clamp', low = 9, high = 4 }"), "tiles[0].t.high: lies before low"),
+    (one(TILE + ", s = { low = 1000 }"),
+     "tiles[0].s.low: the tile would end at 1031; 1023.75 at most"),
+    (one(TILE + ", s.wrap = 'clamp', slide = [1, 0]"),
+     "tiles[0].slide: s clamps; only what wraps or mirrors can slide"),
+    (one(TILE + ", width = 24, levels = 2"), "tiles[0].levels: 24x32 texels are not powers of two"),
+    (one(TILE + ", levels = 7"), "tiles[0].levels: 32x32 texels have 6 levels"),
     (two(TILE + ", levels = 5", TILE + ", levels = 4"),
-     "n64.tiles[1].levels: makes 9 tiles; an engine has 8"),
-    ("tiles = [{ " + TILE + ", levels = 4, s.shift = 9 }]",
-     "n64.tiles[0].s.shift: is more than 10 at level 2"),
-    ("tiles = [{ " + TILE + ", width = 64, height = 40, load = 'block', t.wrap = 'clamp' }]",
-     "n64.tiles[0]: TMEM is full: 64x40 texels of rgba16 need 640 words; free are 512"),
+     "tiles[1].levels: makes 9 tiles; an engine has 8"),
+    (one(TILE + ", levels = 4, s.shift = 9"), "tiles[0].s.shift: is more than 10 at level 2"),
+    (one(TILE + ", width = 64, height = 40, load = 'block', t.wrap = 'clamp'"),
+     "tiles[0]: TMEM is full: 64x40 texels of rgba16 need 640 words; free are 512"),
     ("tiles = [{ image = 'noise.png', format = 'i4', width = 176, height = 40, load = 'block', "
      "s.wrap = 'clamp', t.wrap = 'clamp' }]",
-     'n64.tiles[0].load: "block", but 176x40 texels are too many, or their rows drift; "tile" can '
+     'tiles[0].load: "block", but 176x40 texels are too many, or their rows drift; "tile" can '
      "load them"),
     (two(TILE + ", tmem = 400"),
-     "n64.tiles[0]: TMEM is full: 32x32 texels of rgba16 need 256 words at word 400; free are 512"),
+     "tiles[0]: TMEM is full: 32x32 texels of rgba16 need 256 words at word 400; free are 512"),
     (two("image = 'noise.png', format = 'rgba32', width = 64, height = 16",
          "image = 'odd.png', format = 'rgba32', s.wrap = 'clamp', t.wrap = 'clamp'"),
-     "n64.tiles[1]: TMEM is full: 24x20 texels of rgba32 need 120 words in each half; free are 0 "
+     "tiles[1]: TMEM is full: 24x20 texels of rgba32 need 120 words in each half; free are 0 "
      "there"),
-    ("tiles = [{ " + CI.replace("ci4", "ci8") + ", width = 64, height = 64 }]",
-     "n64.tiles[0]: TMEM is full: 64x64 texels of ci8 need 512 words; free are 256 there"),
+    (one(CI.replace("ci4", "ci8") + ", width = 64, height = 64"),
+     "tiles[0]: TMEM is full: 64x64 texels of ci8 need 512 words; free are 256 there"),
 ]
 
 
 @pytest.mark.parametrize("engine, message", MESSAGES)
 def test_refused(folder, engine, message):
-    """The error is one line that names file and field."""
-    check_refused(folder, scene_of(engine), f"materials.it.{message}")
+    check_refused(folder, scene_of(engine), f"materials.it.n64.{message}")
 
 
 def test_old_words_name_the_new_ones(folder):

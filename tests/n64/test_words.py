@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 
-from tests.helpers.arrays import check_equal
 from tmap.base.errors import UserError
 from tmap.n64 import commands
 from tmap.n64.disassemble import line, listing
 from tmap.n64.opcodes import NAMES
-from tmap.n64.state import CI, I, IA, RGBA, YUV, Inputs, Modes, State
+from tmap.n64.state import CI, I, RGBA, Inputs, Modes, State
 from tmap.n64.words import Cycle, List, Wrap
 
 
@@ -29,21 +28,6 @@ def test_load_texture_block():
     assert words.words[1] == (0x35100000, 7 << 24 | 3 << 18 | 4 << 14 | 2 << 10 | 5 << 4)
 
 
-@pytest.mark.parametrize("form, size, width, load_size, last, dxt, row", [
-    (CI, 0, 64, 2, 64 * 8 // 4 - 1, 512, 4), (I, 1, 64, 2, 64 * 8 // 2 - 1, 256, 8),
-    (RGBA, 3, 32, 3, 32 * 8 - 1, 128, 8), (IA, 0, 48, 2, 48 * 8 // 4 - 1, 683, 3),
-    (YUV, 2, 32, 2, 32 * 8 - 1, 256, 4)])
-def test_blocks_of_sizes(form, size, width, load_size, last, dxt, row):
-    """The size used for the load, the last texel, dxt, and the words of a row."""
-    words = List()
-    words.load_texture_block(8, form, size, width, 8, 5, tmem=17, tile=3)
-    image, load, _, block, _, draw, edges = words.words
-    assert image[0] >> 19 & 31 == load[0] >> 19 & 31 == form << 2 | load_size
-    assert block[1] & 0xFFFFFF == last << 12 | dxt
-    assert draw == (0x35 << 24 | form << 21 | size << 19 | row << 9 | 17, 3 << 24 | 5 << 20)
-    assert edges == (0x32000000, 3 << 24 | (width - 1) << 14 | 7 << 2)
-
-
 def test_load_texture_tile_of_4_bits():
     """Loaded as half as many texels of 8 bits."""
     words = List()
@@ -51,17 +35,6 @@ def test_load_texture_tile_of_4_bits():
     assert [line(*word) for word in words.words[3:4]] == ["load tile 7: (8, 2) to (15.5, 9)"]
     assert line(*words.words[0]) == "set texture image CI 8 bits, width 32, address 0x0"
     assert line(*words.words[-1]) == "set tile size 0: (16, 2) to (31, 9)"
-
-
-def test_load_tlut():
-    """16 entries after those of three other palettes in the upper half of TMEM, with syncs."""
-    words = List()
-    words.load_tlut_pal16(3, 0x100)
-    assert [line(*word).split(":")[0] for word in words.words] == [
-        "set texture image RGBA 16 bits, width 1, address 0x100", "tile sync", "set tile 7",
-        "load sync", "load TLUT 7", "pipe sync"]
-    assert words.words[2][0] & 511 == 256 + 48
-    assert words.words[4] == (0x30000000, 7 << 24 | 15 << 14)
 
 
 def test_modes():
@@ -165,21 +138,3 @@ def test_random_words_are_read(operation):
             assert said.startswith(NAMES[operation]) and "\n" not in said, f"{hi:08x} {lo:08x}: {said}"
         else:
             assert said == f"{hi:08x} {lo:08x}"
-
-
-@pytest.mark.parametrize("form, size", [(RGBA, 2), (RGBA, 3), (CI, 1), (CI, 0), (IA, 2), (YUV, 2)])
-def test_block_and_tile_fill_tmem_alike(form, size):
-    """The two ways to load the same texels leave the same bytes."""
-    rng = np.random.default_rng(size)
-    dram = rng.integers(0, 256, 4096, np.uint8)
-    found = []
-    for how in ("block", "tile"):
-        state, words = State(dram=dram), List()
-        if how == "block":
-            words.load_texture_block(64, form, size, 32, 16)
-        else:
-            words.load_texture_tile(64, form, size, 32, (0, 0, 31, 15))
-        commands.replay(state, words.words)
-        found.append((state.tmem, state.tiles[0]))
-    check_equal(found[1][0], found[0][0], "byte of TMEM")
-    assert found[0][1] == found[1][1] and found[0][0].any()

@@ -9,10 +9,8 @@ ONE = f"tiles = [{{ {TILE} }}]"
 
 
 def scene_of(engine: str, obj: str = SQUARE, more: str = "", **kinds) -> str:
-    """A scene's text: one material, one object."""
     return scene_text(f"{more}n64 = {{ {engine} }}", obj, **kinds)
 
 
 def make(folder, *args, **kinds) -> Scene:
-    """The compiled scene of ``scene_of``."""
     return compiled(folder, scene_of(*args, **kinds))

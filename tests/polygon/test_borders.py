@@ -124,7 +124,6 @@ def check(mapper: str, figure: Figure, parts: list[list[tuple]], settings: Setti
 
 
 def cut(vertices: list[tuple]) -> list[list[tuple]]:
-    """A rectangle as two triangles."""
     a, b, c, d = vertices
     return [[a, b, c], [a, c, d]]
 
@@ -155,7 +154,6 @@ PERSPECTIVES = ("every16", "every8", "pixel", "fine")
 
 
 def deep_shown(vertices: list[tuple], setting: str) -> np.ndarray:
-    """``shown`` for a polygon in perspective."""
     return shown("affine", [vertices], Settings("exact", perspective=setting))
 
 

@@ -1,21 +1,14 @@
-"""The range of depths, 1/256 to 16,384: every kind of scene accepts its ends and draws them right,
-and refuses depths beyond with one line."""
+"""The range of depths, 1/256 to 16,384: every kind of scene accepts its ends, and refuses depths
+beyond with one line. That both ends in one polygon are drawn right is in the hard cases."""
 
 import math
 
-import numpy as np
 import pytest
 
-from tests.helpers.engine_scenes import check_refused, compiled, save_noise, scene_text
-from tmap.corpus import hard_cases
-from tmap.guest import guest_frames
-from tmap.ideal import bounds
-from tmap.model import model
+from tests.helpers.engine_scenes import check_refused, compiled, folder, scene_text  # noqa: F401
 from tmap.scene_file import scene_file
-from tmap.scene_file.scene_file import IDENTITY, SETTINGS, Material, Object, Scene, Texture
 
 LEAST, MOST, ONE = 1 / 256, 16384.0, 65536
-WAYS = SETTINGS["perspective"][1:]
 PLACE = "objects[0].vertices"
 OWN = "st1 = [[0, 0], [8, 0], [0, 8]]\nw1 = [1, W, 1]"
 #: The material, the triangle with W as its depth, the scene's pixel format.
@@ -37,18 +30,13 @@ def text_of(kind: str, w: float) -> str:
     return head + scene_text(material, triangle.replace("W", repr(w)), pixels)
 
 
-@pytest.fixture
-def folder(tmp_path):
-    save_noise(tmp_path, 3, noise=(32, 32))
-    return tmp_path
-
-
 @pytest.mark.parametrize("w", [LEAST, MOST])
 @pytest.mark.parametrize("kind", KINDS)
 def test_the_ends_are_taken(folder, kind: str, w: float) -> None:
     """The compiler and the check before a file is written accept both ends, unchanged."""
     scene = compiled(folder, text_of(kind, w))
     assert int(w * ONE) in scene.vertices[:, 5].tolist()
+    assert kind != "affine" or scene.materials[0].perspective == "pixel"
     scene_file.write(scene)
 
 
@@ -77,42 +65,3 @@ def test_places_end_before(folder, vertex: str, place: str) -> None:
     """Each number of a vertex has its own range."""
     text = text_of("affine", MOST).replace("[32, 0, 32, 0, 16384.0]", vertex)
     check_refused(folder, text, f"{PLACE}{place}: must be from -16383 to 16383")
-
-
-def polygons() -> list[list[tuple[int, ...]]]:
-    """Triangles as large as a frame, and squares flat in space, with both ends of the range."""
-    near, far, made = int(LEAST * ONE), int(MOST * ONE), []
-    corners = [(3 * ONE, 5 * ONE), (90 * ONE + 77, 11 * ONE), (40 * ONE, 60 * ONE + 4321)]
-    for k in range(3):
-        for depths in ((near, far, far), (near, near, far), (far, 5 * ONE, near)):
-            made.append([(*corners[(i + k) % 3], *((0, 0), (256 * ONE, 0), (0, 256 * ONE))[i], 0, w)
-                         for i, w in enumerate(depths)])
-    for a, b in ((near, far), (far, near)):
-        for turned in (False, True):
-            sides = [(0, 0, a), (80, 0, b), (80, 60, b), (0, 60, a)]
-            made.append([((y if turned else x) * ONE, (x if turned else y) * ONE, (x > 0) * 256 * ONE,
-                          (y > 0) * 256 * w // far * ONE, 0, w) for x, y, w in sides])
-    return made
-
-
-def test_both_ends_in_one_polygon_are_drawn_right() -> None:
-    """With each perspective setting the emulated machine draws the model's pixels, and the model is
-    within its bounds."""
-    kinds = [Material("affine", "exact", perspective=way, texture=0) for way in WAYS]
-    noise = np.random.default_rng(3).integers(0, 256, (256, 256), dtype=np.uint8)
-    objects, vertices = [], []
-    for corners in polygons():
-        for k in range(len(kinds)):
-            objects.append(Object(k, len(vertices), len(corners), 0, 1, len(objects)))
-        vertices += corners
-    scene = Scene(hard_cases.WIDTH, hard_cases.HEIGHT, len(objects), 7, np.zeros((256, 3), np.uint8),
-                  [Texture(noise)], kinds, objects, np.array(vertices), np.array([IDENTITY]))
-    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast")
-    sure = 0
-    for number, digest in enumerate(digests):
-        corners, way = polygons()[number // len(kinds)], WAYS[number % len(kinds)]
-        assert guest_frames.is_models(model.render(scene, number), digest), (way, corners)
-        verdict = bounds.judge(corners, model.Settings("exact", perspective=way), scene.width, scene.height)
-        assert not verdict.complaint, (way, corners, verdict.complaint)
-        sure += not verdict.unsure
-    assert sure > len(digests) / 2, f"{sure} of {len(digests)} are drawn with perspective"

@@ -37,16 +37,6 @@ def test_moves_part_a_texel_evenly() -> None:
     assert abs(MOVES).max() * EIGHTH == MOST * 65536
 
 
-def test_places_are_moved_by_no_more() -> None:
-    """u and v of every pixel are those of the line's steps, moved by the offset of its x and y."""
-    made = model.set_up(SQUARE, SIZE, SIZE, True, SETTINGS, (256, 256))
-    for y, line in enumerate(made.lines):
-        found = model.coordinates(line, "dithered", y)
-        wanted = MOVES[y & 1, np.arange(line.left, line.right) & 1].T * EIGHTH
-        for moved, place, move in zip(found, model.coordinates(line), wanted, strict=True):
-            assert np.array_equal(moved, place + move & model.M32), y
-
-
 def test_the_pattern_is_the_frames() -> None:
     """Two triangles show the same as their square; a frame that cuts more off shows the same
     pixels."""

@@ -19,9 +19,6 @@ from tmap.scene_file.scene_file import ONE, write
 
 MACHINE = "a1200-fast"
 SEED, BLOCKS, COUNT = 6, 3, 400
-#: By frame format: the cases of one format share a scene.
-BY_PIXELS = {pixels: [case for case in CASES if case.pixels == pixels]
-             for pixels in dict.fromkeys(case.pixels for case in CASES)}
 
 
 def test_every_exact_rule_has_its_case():
@@ -52,22 +49,6 @@ def test_counts_show_that_nothing_else_ran(cases):
         changed = [k for k in range(1, scene.frames) if figures[k]["spans"] != without[k]["spans"]]
         assert all(cases[k - 1].material.mapper == case.material.mapper
                    or cases[k - 1].lowered == case.lowered for k in changed), (case.rule, changed)
-
-
-def test_pictures_without_rules_of_other_groups():
-    """The bench compares each group's pictures without its own rules; this test leaves out the
-    rules of the other groups of the same format."""
-    runs = []
-    for number, group in enumerate(GROUPS):
-        rules = {case.rule for case in BY_PIXELS[group[0].pixels]} - {case.rule for case in group}
-        runs += [(number, rule, bench_rules.scene_of(group)) for rule in sorted(rules)]
-    drawn = guest_frames.draw([(scene, f"addx OFF {rule}") for _, rule, scene in runs], MACHINE)
-    assert {number for number, *_ in runs} == {0, 1}  # chunky frames, with and without perspective
-    for (number, rule, _), digests in zip(runs, drawn):
-        for frame, (picture, digest) in enumerate(zip(bench_rules.shown(number), digests, strict=True)):
-            assert guest_frames.is_models(picture, digest), (
-                f"without {rule}: frame {frame} ({GROUPS[number][frame - 1].name}) is not the model's; "
-                "again: .deps/venv/bin/python -m pytest tests/polygon/test_lowering.py -k other_groups")
 
 
 def calls_for_less(rng: random.Random, each: fuzz_polygons.Fuzzed) -> fuzz_polygons.Fuzzed:

@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tests.helpers.engine_scenes import explain
-from tmap.compiler.scene import compile_scene
-from tmap.model import model
-from tmap.run import run
+from tests.helpers import guest_runs
+from tests.helpers.engine_scenes import compiled
+from tests.helpers.guest_runs import Asked
 from tmap.scene_file.scene_file import ON_PLANE, SETTINGS
 
 HEAD = """\
@@ -67,20 +66,13 @@ def scene(pixels: str) -> str:
     return f"frames = {n + 1}\nformat = \"{pixels}\"\n" + HEAD + materials + objects
 
 
-@pytest.mark.parametrize("pixels", DRAWN)
-def test_every_mapper_is_the_models(tmp_path, pixels):
+@pytest.mark.parametrize("machine", ["a1200", "a1200-fast"])
+def test_every_mapper_is_the_models(tmp_path, machine):
     noise = np.random.default_rng(1).integers(0, 256, (64, 64, 3)).astype(np.uint8)
     Image.fromarray(noise).resize((512, 512)).save(tmp_path / "noise.png")
-    (tmp_path / "all.toml").write_text(scene(pixels))
-    made = compile_scene(tmp_path / "all.toml")
-    done = run.render(made, DRAWN[pixels][1], "addx")
-    wrong = []
-    for number, (obj, found) in enumerate(zip(made.objects, done.frames, strict=True)):
-        expected = model.render(made, number)
-        if (found != expected).any():
-            wrong.append(explain(f"frame {number}, {made.materials[obj.material]}", expected, found,
-                                 f".deps/venv/bin/python -m pytest tests/polygon/test_mappers.py -k {pixels}"))
-    assert not wrong, "\n".join(wrong)
-    assert made.format == pixels
-    assert set(run.total(done.figures)["spans"]) == SPANS[pixels]
-    assert all(frame["pixels"] > 100 for frame in done.figures)
+    asked = {pixels: Asked(compiled(tmp_path, scene(pixels))) for pixels in DRAWN
+             if DRAWN[pixels][1] == machine}
+    for pixels, drawn in guest_runs.check_all(asked, machine).items():
+        assert asked[pixels].scene.format == pixels
+        assert drawn.spans == SPANS[pixels]
+        assert all(frame["pixels"] > 100 for frame in drawn.figures)

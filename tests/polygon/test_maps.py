@@ -16,7 +16,6 @@ TEXELS = [np.dtype(np.uint8), maps.RGB565]
 
 
 def picture(width: int, height: int, texel: np.dtype) -> np.ndarray:
-    """A picture of random pixels."""
     noise = np.random.default_rng([width, height])
     return noise.integers(0, 256 ** texel.itemsize, (height, width)).astype(texel)
 
@@ -91,14 +90,6 @@ def test_model_of_a_line() -> None:
             for one, two, bits in zip(exact, found, cut):
                 off = one - two & model.M32
                 assert (off <= ((1 << bits) - 1) * (np.arange(300) + 1)).all()
-        u, v = exact
-        for size in ((256, 256), (8, 512), (2048, 128)):
-            this = picture(*size, maps.RGB565)
-            texels = maps.to_columns(this)[maps.texel_columns(u, v, *size)]
-            assert np.array_equal(texels, this[(v >> 16) % size[1], (u >> 16) % size[0]])
-        page = picture(256, 256, maps.RGB565)
-        assert np.array_equal(maps.to_tiled(page)[maps.texel_tiled(u, v)],
-                              page[v >> 16 & 255, u >> 16 & 255])
 
 
 @pytest.mark.parametrize("way", [1, -1])

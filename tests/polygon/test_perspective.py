@@ -1,34 +1,16 @@
-"""Perspective on the emulated Amiga: its cost, and changes that must leave the picture
-unchanged."""
+"""Perspective: changes that must leave the picture unchanged. Tests of what is drawn are in
+tests/accuracy: test_hard_cases.py has all families of depths."""
 
 import random
 
-import numpy as np
 import pytest
 
-from tests.helpers.engine_scenes import check_refused, compiled, save_noise
 from tmap.corpus import random_polygons
-from tmap.guest import guest_frames
-from tmap.guest.emulator import CYCLES_PER_TICK
-from tmap.ideal import bounds, perspective
 from tmap.model import model
-from tmap.scene_file.scene_file import IDENTITY, ONE, SETTINGS, Material, Object, Scene, Texture
+from tmap.scene_file.scene_file import ONE, SETTINGS
 
 WIDTH, HEIGHT = 160, 120
-MACHINE = "a1200-fast"
 WAYS = SETTINGS["perspective"][1:]
-
-
-def scene(polygons, materials: list[Material]) -> Scene:
-    """A scene of each polygon with each material, one a frame."""
-    noise = np.random.default_rng(7).integers(0, 256, (256, 256), dtype=np.uint8)
-    objects, vertices = [], []
-    for corners in polygons:
-        for k in range(len(materials)):
-            objects.append(Object(k, len(vertices), len(corners), 0, 1, len(objects)))
-        vertices += corners
-    return Scene(WIDTH, HEIGHT, len(objects), 7, np.zeros((256, 3), np.uint8), [Texture(noise)],
-                 materials, objects, np.array(vertices), np.array([IDENTITY]))
 
 
 def surface(rng: random.Random, ratio: float) -> list[tuple[int, ...]]:
@@ -49,28 +31,6 @@ def surface(rng: random.Random, ratio: float) -> list[tuple[int, ...]]:
     return corners
 
 
-def test_constant_depth_is_affine() -> None:
-    """The picture is the same whatever w is, and costs as much as the affine polygon plus the test
-    of w."""
-    rng = random.Random(1)
-    polygons = []
-    for depth in (256, ONE, 5 * ONE + 1, 1 << 30):
-        polygons += [[(*v[:5], depth) for v in surface(rng, 1)] for _ in range(6)]
-    kinds = [Material("affine", "exact", perspective=p, texture=0) for p in ("none", *WAYS)]
-    this = scene(polygons, kinds)
-    digests, = guest_frames.draw([(this, "addx")], MACHINE)
-    rows = digests.reshape(len(polygons), len(kinds))
-    seen = 0
-    for k, row in enumerate(rows):
-        affine = model.render(this, k * len(kinds))
-        wrong = [kind.perspective for kind, digest in zip(kinds, row) if not guest_frames.is_models(affine, digest)]
-        assert not wrong, f"polygon {k} is not the affine one by {wrong}: {polygons[k]}"
-        seen += len(np.unique(affine)) > 4
-    assert seen > len(polygons) / 2  # some are beside the frame
-    spent = rows["ticks"].astype(int).sum(0) * CYCLES_PER_TICK / len(polygons)
-    assert (spent[1:] - spent[0]).max() < 250, spent
-
-
 @pytest.mark.parametrize("way", WAYS)
 def test_order_of_vertices_does_not_matter(way: str) -> None:
     """The picture is the same whichever vertex comes first, in either winding."""
@@ -87,70 +47,3 @@ def test_order_of_vertices_does_not_matter(way: str) -> None:
         assert shown[0] == shown[1] == shown[2]
         pixels += sum(len(u) for u, _ in shown[0])
     assert pixels > 40 * 1000
-
-
-@pytest.mark.parametrize("way", WAYS)
-def test_drawn_as_the_model_and_within_bounds(way: str) -> None:
-    """Polygons of 3 to 8 corners, w up to 10,000 times apart."""
-    rng = random.Random(way)
-    polygons = [surface(rng, rng.choice((1.01, 1.5, 4, 30, 100, 1000, 10000))) for _ in range(60)]
-    this = scene(polygons, [Material("affine", "exact", perspective=way, texture=0)])
-    digests, = guest_frames.draw([(this, "addx")], MACHINE)
-    settings, worst = model.Settings("exact", perspective=way), 0.0
-    for number, (corners, digest) in enumerate(zip(polygons, digests)):
-        assert guest_frames.is_models(model.render(this, number), digest), (
-            f"{way}, polygon {number} is not the model's: {corners}; again: "
-            f".deps/venv/bin/python -m pytest tests/polygon/test_perspective.py -k {way}")
-        adapted = model.adapt(corners, settings, 256)
-        if perspective.in_front(adapted):
-            verdict = bounds.judge(corners, settings, WIDTH, HEIGHT)
-            assert not verdict.complaint, (number, verdict.complaint)
-            worst = max(worst, verdict.texel_ratio)
-    assert worst > 0.1  # the bounds are not too wide to test anything
-
-
-SCENE = '''
-width = 160
-height = 120
-frames = 1
-background = "#000000"
-textures.map.image = "map.png"
-materials.far = MATERIAL
-[[objects]]
-material = "far"
-vertices = VERTICES
-'''
-MATERIAL = '{texture = "map", perspective = "pixel"}'
-VERTICES = "[[10, 10, 0, 0, 1], [90, 10, 256, 0, 1], [60, 90, 128, 256, 4.5]]"
-
-
-def text(folder, material: str = MATERIAL, vertices: str = VERTICES) -> str:
-    """A scene with this material and these vertices; saves its picture in the folder."""
-    save_noise(folder, 7, map=(8, 8))
-    return SCENE.replace("MATERIAL", material).replace("VERTICES", vertices)
-
-
-def test_scenes_give_w_behind_s_and_t(tmp_path) -> None:
-    """Each vertex has its w, the material its perspective."""
-    made = compiled(tmp_path, text(tmp_path))
-    assert made.vertices[:, 5].tolist() == [ONE, ONE, 9 * ONE // 2]
-    assert made.materials[0].perspective == "pixel"
-
-
-PLACE = "objects[0].vertices"
-
-
-@pytest.mark.parametrize("material, vertices, message", [
-    (MATERIAL, VERTICES.replace(", 4.5]", "]"), PLACE + "[2]: must be [x, y, s, t, w]"),
-    (MATERIAL, VERTICES.replace("4.5", "0.001"), PLACE + "[2][4]: must be from 0.00390625 to 16384"),
-    (MATERIAL, VERTICES.replace("4.5", "20000"), PLACE + "[2][4]: must be from 0.00390625 to 16384"),
-    ('{texture = "map"}', VERTICES, PLACE + "[0]: must be [x, y, s, t]"),
-    ('{texture = "map", perspective = "hyper"}', VERTICES,
-     "materials.far.perspective: 'hyper' is not one of none"),
-    ('{texture = "map", perspective = "fine", gradients = "scanline"}', VERTICES,
-     'materials.far.perspective: "fine" needs the mapper "affine"'),
-    ('{texture = "map", perspective = "fine", start = "truncated"}', VERTICES,
-     'materials.far.perspective: "fine" needs the mapper "affine"')])
-def test_what_does_not_fit_is_refused(tmp_path, material: str, vertices: str, message: str) -> None:
-    """The error is one line that names the field."""
-    check_refused(tmp_path, text(tmp_path, material, vertices), message)

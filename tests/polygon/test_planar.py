@@ -8,15 +8,15 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from tests.helpers.properties import Case, covers_once
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
 from tests.helpers.property_cases import HEIGHT, WIDTH, convex, uneven_case
-from tests.helpers.engine_scenes import compiled, save_noise
+from tests.helpers.engine_scenes import compiled, folder  # noqa: F401
 from tmap.base.fixed import ONE, fix, mul
 from tmap.guest import guest_frames
 from tmap.ideal import planarity
 from tmap.model import model
 from tmap.model.model import Settings
-from tmap.run import run
 from tmap.scene_file.scene_file import (IDENTITY, Material, Object, Scene, Texture, vertices_at,
                                         write)
 from tmap.setup import clip, planarity as model_planar
@@ -66,13 +66,6 @@ FORMATS = {"n64": "rgba8888", "colours": "rgba8888", "glide": "rgb565", "glide_d
            "glide_own": "rgba8888"}
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """A directory with a picture: noise 32x32."""
-    save_noise(tmp_path, 5, noise=(32, 32))
-    return tmp_path
-
-
 def made(folder, name: str) -> Scene:
     """The compiled scene of one of SCENES, with two frames: unturned and turned."""
     material, vertices = SCENES[name]
@@ -112,40 +105,26 @@ def test_a_scene_is_drawn_as_its_triangles(folder, name: str) -> None:
         assert (found != model.render(vouched, number)).sum() > 100
 
 
-@pytest.mark.parametrize("off", [None, "all"])
-def test_the_guest_draws_scenes_as_the_model(folder, off: str | None) -> None:
+def test_the_guest_draws_scenes_as_the_model(folder) -> None:
     """The guest draws the model's frames with and without rules of lowering, with the planar flags
-    of the file and with the test left to the set-up."""
-    scenes = [made(folder, name) for name in SCENES]
-    scenes += [replace(s, objects=[replace(obj, planar=0) for obj in s.objects]) for s in scenes]
-    drawn = guest_frames.draw([(s, "addx" + (f" OFF {off}" if off else "")) for s in scenes], "a1200-fast")
-    for name, scene, digests in zip([*SCENES, *SCENES], scenes, drawn):
-        for number, digest in enumerate(digests):
-            assert not digest["result"], name
-            assert guest_frames.is_models(model.render(scene, number), digest), (name, number, off)
-
-
-def test_triangles_are_counted(folder) -> None:
-    """`make run` counts what is drawn: two polygons for a quad that is not planar, each pixel
-    once."""
-    scene = made(folder, "affine")
-    found = run.render(scene, "a1200-fast", "addx")
+    of the file and with the test left to the set-up. `make run` counts what is drawn: two polygons
+    for a quad that is not planar, each pixel once."""
+    scenes = {name: made(folder, name) for name in SCENES}
+    unmarked = [replace(scene, objects=[replace(obj, planar=0) for obj in scene.objects])
+                for scene in scenes.values()]
+    asked = [Asked(scene, off, counted=scene is scenes["affine"] and not off)
+             for off in (None, "all") for scene in [*scenes.values(), *unmarked]]
+    drawn = guest_runs.draw(asked)
+    for name, each, found in zip([*SCENES] * 4, asked, drawn, strict=True):
+        assert not found.digests["result"].any(), name
+        guest_runs.check(name, each, found)
+    found, scene = drawn[list(SCENES).index("affine")], scenes["affine"]
     polygons = [model.prepare_polygon(scene, 0, part)
                 for number in (0, 1) for part in model.parts(vertices_at(
                     scene, scene.objects[0], number), scene.materials[0])]
     assert [frame["polygons"] for frame in found.figures] == [2, 2]
     assert sum(frame["pixels"] for frame in found.figures) == sum(p.pixels for p in polygons)
     assert found.executed[0]["polygons"] == 4
-
-
-def test_the_fourth_vertex_shows_its_own(folder) -> None:
-    """Computed by hand: below the diagonal from the first vertex s changes by -2 a pixel and 3 a
-    line, t by 1 a line."""
-    scene = made(folder, "affine")
-    scene.vertices[:, :4] = np.array([[4, 4, 0, 0], [44, 4, 40, 0], [44, 44, 40, 40], [4, 44, 120, 40]]) * ONE
-    frame, texels = model.render(scene, 0), scene.textures[0].texels
-    for x, y in ((4, 43), (5, 43), (9, 40), (20, 30)):
-        assert frame[y, x] == texels[y - 4, 3 * (y - 4) - 2 * (x - 4)], (x, y)
 
 
 def exact(rng: random.Random):
@@ -192,50 +171,11 @@ def test_what_is_planar_stays_in_one_piece(edges: str) -> None:
             assert model.parts(left, settings) == [left], number
 
 
-def test_what_is_planar_in_space_stays_in_one_piece() -> None:
-    """1/w, s/w and t/w are on planes, with every number rounded."""
-    rng, kept = random.Random("depths"), 0
-    for number in range(400):
-        points, planes = written(rng)
-        middle = [sum(p[k] for p in points) / len(points) for k in (0, 1)]
-        tilt = [Fraction(rng.uniform(-1, 1)) / (200 * ONE) for _ in range(2)]
-        far = Fraction(rng.choice((1, 4, 100))) * ONE
-        near = [1 + sum(t * (c - m) for t, c, m in zip(tilt, p, middle)) for p in points]
-        if min(near) < Fraction(1, 8):
-            continue
-        kept += 1
-        vertices = [(round(x), round(y), *(round(plane(x, y) / n) for plane in planes[:2]), 0,
-                     round(far / n)) for (x, y), n in zip(points, near)]
-        assert model.parts(vertices, Settings(perspective="every16")) == [vertices], number
-    assert kept > 200
-
-
-@pytest.mark.parametrize("edges", ["integer", "subpixel", "exact"])
-def test_triangles_leave_no_gap(edges: str) -> None:
-    """The triangles cover the polygon as neighbours do. With exact edges each pixel is drawn once;
-    with the others no pixel inside is missing, and only a pixel beside a sliver is drawn twice."""
-    rng, fans = random.Random(f"gap {edges}"), 0
-    for number in range(600):
-        case = uneven_case(rng, f"{edges}, number {number}")
-        settings = replace(case.settings, edges=edges, clip=rng.choice(("scissor", "vertices")))
-        case = Case(case.origin, case.vertices, WIDTH, HEIGHT, replace(settings, mapper="flat"))
-        parts = model_planar.fan(list(case.vertices))
-        if case.keeps_shape():
-            fans += 1
-            assert not covers_once(case, parts), "\n".join(covers_once(case, parts))
-    assert fans > 300
-
-
-def uneven(count: int) -> list[Case]:
-    """Polygons that polygon_draw must test for planarity."""
-    return [uneven_case(random.Random(f"guest {k}"), f"number {k}") for k in range(count)]
-
-
-@pytest.mark.parametrize("form", ["addx", "swap", "addx OFF all"])
-def test_polygon_draw_is_the_model(form: str) -> None:
+def test_polygon_draw_is_the_model() -> None:
     """Any mapper, edges, gradients and perspective, no planar flag: the guest draws the model's
-    pixels."""
-    cases, layouts = uneven(300), {"arbitrary": "linear", "generated": "margins"}
+    pixels, in each form and without rules."""
+    cases = [uneven_case(random.Random(f"guest {k}"), f"number {k}") for k in range(300)]
+    layouts = {"arbitrary": "linear", "generated": "margins"}
     layouts |= {name: name for name in ("tiled", "columns")}
     names = ["page", "linear", "tiled", "columns", "margins", "light"]
     noise = np.random.default_rng(3)
@@ -252,10 +192,14 @@ def test_polygon_draw_is_the_model(form: str) -> None:
         vertices += case.vertices
     scene = Scene(WIDTH, HEIGHT, len(cases), 7, np.zeros((256, 3), np.uint8), maps, list(materials),
                   objects, np.array(vertices), np.array([IDENTITY]))
-    digests, = guest_frames.draw([(scene, form)], "a1200-fast")
-    for number, (case, digest) in enumerate(zip(cases, digests)):
-        assert not digest["result"] and guest_frames.is_models(model.render(scene, number), digest), \
-            case.complaint("it differs", ("?", "?"), "the model's pixels", "others")
+    forms = "addx", "swap", "addx OFF all"
+    drawn = guest_frames.draw([(scene, form) for form in forms], "a1200-fast")
+    for number, case in enumerate(cases):
+        right = guest_frames.digest_of(model.render(scene, number))
+        for form, digests in zip(forms, drawn):
+            found = tuple(int(digests[number][field]) for field in ("result", "sum", "hash"))
+            assert found == (0, *right), case.complaint(f"it differs, {form}", ("?", "?"),
+                                                        "the model's pixels", "others")
 
 
 def test_wrong_numbers_of_pieces_are_noticed() -> None:

@@ -1,8 +1,8 @@
 """Random polygons drawn by the 68020: bit for bit the model, and near the ideal.
 
-2,800 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; 800 of them in
-frames of 16 and 32 bits. All runs of one machine share a boot. The guest itself checks the guard
-bands round the frame (4,096 bytes each side).
+1,000 polygons of 3 to 8 vertices, many thin, many partly off screen, one a frame; test_wide.py has
+those of 16 and 32 bits, tests/accuracy/test_fuzz.py all other settings. All runs of one machine
+share a boot. The guest itself checks the guard bands round the frame (4,096 bytes each side).
 """
 
 from dataclasses import replace
@@ -21,30 +21,24 @@ from tmap.run.polygon_report import explain
 from tmap.scene_file import scene_file
 
 #: seed: (polygons, width, height)
-SCENES = {1: (1000, 320, 256), 2: (1000, 192, 144)}
-WIDE = {3: "rgba5551", 4: "rgba8888"}  # formats of the frames that are not chunky, by seed
-SCENES |= {3: (400, 320, 256), 4: (400, 192, 144)}
+SCENES = {1: (500, 320, 256), 2: (500, 192, 144)}
 USUAL = model.Settings()
 EXACT = model.Settings("exact")
-RUNS = [("addx", "a1200-fast", 1, USUAL), ("addx", "a1200-fast", 2, USUAL),
-        ("swap", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
+RUNS = [("addx", "a1200-fast", 1, USUAL), ("swap", "a1200-fast", 2, USUAL),
         ("addx", "a1200", 2, USUAL), ("c", "a1200-fast", 2, USUAL),
-        ("addx", "a1200-fast", 1, EXACT), ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices")),
-        ("addx", "a1200-fast", 2, replace(USUAL, clip="vertices")),
-        ("addx", "a1200-fast", 3, USUAL), ("addx", "a1200-fast", 4, EXACT),
-        ("swap", "a1200", 3, EXACT), ("addx", "a1200", 4, replace(USUAL, clip="vertices"))]
+        ("addx", "a1200-fast", 1, EXACT),
+        ("addx", "a1200-fast", 2, replace(EXACT, clip="vertices")),
+        ("addx", "a1200-fast", 2, replace(USUAL, clip="vertices"))]
 
 
 def called(run: tuple) -> str:
-    """The name of a run in the tests' names."""
     form, machine, seed, settings = run
     return f"{form}-{machine}-{seed}-{settings.edges}-{settings.clip}"
 
 
 @cache
 def scene(seed: int, settings: model.Settings = USUAL) -> scene_file.Scene:
-    """The scene of a seed."""
-    made = random_polygons.scene(seed, *SCENES[seed], pixels=WIDE.get(seed, "chunky"))
+    made = random_polygons.scene(seed, *SCENES[seed])
     made.materials = [replace(m, edges=settings.edges, clip=settings.clip) for m in made.materials]
     return made
 
@@ -87,7 +81,7 @@ def test_every_polygon_is_the_models(run: tuple, drawn) -> None:
                     + explain(this, wrong[0], frame, f"seed {seed}, polygon {wrong[0]}", again))
 
 
-@pytest.mark.parametrize("seed", sorted(SCENES.keys() - WIDE))
+@pytest.mark.parametrize("seed", SCENES)
 def test_error_is_within_the_derived_bounds(seed: int) -> None:
     """Edges and texels are off the exact rational ideal by no more than tools/tmap/ideal/ideal.py
     derives. With exact edges the pixels are those of the rational polygon, however long, thin or
@@ -113,48 +107,8 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
                     worst[name] = max(worst[name], error / bound)
             drawn[settings] += polygon.pixels
     # The scene tests what it should: much is drawn, and the bounds are nearly reached.
-    assert min(drawn.values()) > 1_000_000
+    assert min(drawn.values()) > 500_000
     assert min(worst.values()) > 0.9
-
-
-def from_far_above() -> scene_file.Scene:
-    """Edges that begin 16,384 lines above the frame, with exact slopes just beyond half a unit:
-    stepped from there, they would be off by 1/8 pixel. A right edge would leave the frame beside
-    the last column, a left one the map that its gradient follows."""
-    one = 65536
-    far, half = -16384 * one, 8341  # units: over 16,634 lines just above half a unit a line
-    right, left = 320 * one - one // 64, 200 * one + one // 5
-    vertices = [(right - half, far, 0, 0, 0, one), (right, 250 * one, 0, 0, 0, one),
-                (100 * one, 100 * one, 0, 0, 0, one),
-                (left, far, one // 16, 30 * one, 0, one),
-                (left - half, 250 * one, one // 16, 30 * one, 0, one),
-                (left + 60 * one, 100 * one, 234 * one, 30 * one, 0, one)]
-    noise = np.random.default_rng(1).integers(0, 256, (256, 256), dtype=np.uint8)
-    return scene_file.Scene(
-        320, 256, 2, 7, np.zeros((256, 3), np.uint8), [scene_file.Texture(noise, "linear")],
-        [scene_file.Material(colour=200), scene_file.Material("arbitrary", texture=0)],
-        [scene_file.Object(k, 3 * k, 3, 0, 1, k) for k in range(2)], np.array(vertices),
-        np.array([scene_file.IDENTITY]))
-
-
-def test_edges_from_far_above() -> None:
-    """Nothing is written outside the frame or read outside the map, wherever edges begin."""
-    this = from_far_above()
-    for number in range(2):
-        vertices = scene_file.vertices_at(this, this.objects[number], number)
-        polygon = model.set_up(vertices, 320, 256, False)
-        assert all(error <= bound for *_, error, bound in ideal.edge_errors(vertices, polygon)), \
-            f"polygon {number}"
-        assert all(edge.column(y) <= 320 for edge in polygon.right_edges
-                   for y in range(edge.top, edge.end)), f"polygon {number}"
-    digests, = guest_frames.draw([(this, "addx")], "a1200-fast")
-    for number, digest in enumerate(digests):
-        if not guest_frames.is_models(model.render(this, number), digest):
-            one = scenes.some_frames(this, [number])
-            pytest.fail(explain(this, number, guest_frames.frame_of(one, "addx", "a1200-fast"),
-                                f"far above, polygon {number}",
-                                ".deps/venv/bin/python -m pytest -q tests/polygon/test_polygons.py -k far"))
-    assert digests["result"].tolist() == [0, 0]
 
 
 def test_scenes_hold_what_they_promise() -> None:
@@ -173,4 +127,4 @@ def test_scenes_hold_what_they_promise() -> None:
             thin += max(widths) <= 2
             wraps += polygon.texturing.wraps
     assert counts == set(range(3, 9))
-    assert off > 300 and thin > 50 and wraps > 20, (off, thin, wraps)
+    assert off > 150 and thin > 25 and wraps > 10, (off, thin, wraps)

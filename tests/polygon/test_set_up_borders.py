@@ -37,7 +37,6 @@ class Border:
 
     @property
     def set_up(self):
-        """The polygon as the model sets it up."""
         return model.set_up(self.adapted, *self.size, True, self.settings, (256, 256))
 
 

@@ -38,7 +38,6 @@ def trial(kernel: str, dudx: int, dvdx: int, size, rng, upwards: bool, on: Groun
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     made = []
     for wide in (1, 2, 4):
         on = picture_ground() if wide == 1 else wide_ground(wide)

@@ -50,7 +50,6 @@ def side(rng, split: tuple[int, ...], slope: int | None, exact: bool) -> list[di
 
 
 def edge_trial(kernel: str, lefts, rights, steps: dict[str, int], rng) -> Trial:
-    """One call of an edge routine."""
     sides = "; ".join(
         f"{name} " + ", ".join(f"{e['lines']} lines: " + values(
             **{k: e[k] for k in ("x", "whole", "error", "part", "height", "u", "v", "du", "dv")
@@ -140,7 +139,6 @@ def scissor_trials(kernel: str, rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     made = []
     for seed, form in enumerate(("addx", "plain", "swap", "flat", "right")):
         for exact in ("", "_exact") if form != "swap" else ("",):

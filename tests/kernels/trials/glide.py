@@ -11,5 +11,4 @@ NAMES = [*names(glide_examples), *IN_C]
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     return trials_of(NAMES, lambda name: 100 if name.startswith(MANY) else ROUNDS, glide_examples)

@@ -29,7 +29,6 @@ def lit_ground() -> tuple[Ground, np.ndarray, int]:
 
 
 def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> Trial:
-    """One table at one level."""
     ground, light, light_at = lit_ground()
     (counts, pitch), level = size, int(rng.integers(LEVELS))
     starts = random_starts(counts, rng)
@@ -41,7 +40,6 @@ def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> 
 
 
 def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -> Trial:
-    """One table, each pixel at its level."""
     ground, light, light_at = lit_ground()
     (counts, pitch), step, starts, shades = size, dcdx & ~3, [], []
     for count, u, v in random_starts(counts, rng):
@@ -59,7 +57,6 @@ def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -
 
 
 def pairs_of(rng) -> list[tuple[int, int]]:
-    """Steps of u and v of all kinds."""
     steps = [(a, b) for a in STEPS for b in STEPS] + list(PAIRS)
     steps = [steps[k] for k in rng.choice(len(steps), 48, replace=False)]
     steps += [tuple(int(n) for n in rng.integers(-4 * ONE, 4 * ONE, 2)) for _ in range(8)]
@@ -67,7 +64,6 @@ def pairs_of(rng) -> list[tuple[int, int]]:
 
 
 def lit_trials(kernel: str, rng) -> list[Trial]:
-    """Steps of all kinds, on short and on long lines."""
     return [lit_trial(kernel, pair, size, rng, k % 8 == 7)
             for size in sizes(kernel) for k, pair in enumerate(pairs_of(rng))]
 
@@ -107,7 +103,6 @@ def shade_trial(rng, most: int, inside: bool) -> Trial:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     rng = [np.random.default_rng([11, seed]) for seed in range(6)]
     return [*lit_trials("span_lit", rng[0]), *lit_trials("span_lit_wrap", rng[1]),
             *gouraud_trials(rng[2]), *lit_trials("span_lit_short", rng[4]),

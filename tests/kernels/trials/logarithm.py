@@ -14,7 +14,6 @@ from tmap.setup import logarithm as model
 
 
 def make_trial() -> Trial:
-    """logarithms_make: all of the tables."""
     memory = Memory()
     logs_at = memory.add(bytes(2 * model.COUNT), name="logs")
     powers_at = memory.add(bytes(2 * model.POWERS), name="powers")
@@ -54,7 +53,6 @@ def span_trial(octave: int, rng) -> Trial:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     rng = np.random.default_rng(9)
     return [make_trial(), *filter(None, (log_trial(*each) for each in triangles(rng, 40))),
             *(span_trial(octave, rng) for octave in range(0, 14, 2))]

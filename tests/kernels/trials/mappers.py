@@ -51,7 +51,6 @@ def fitting(count: int, size: tuple[int, int], steps: tuple[int, int], rng):
 
 
 def arbitrary_trial(size: tuple[int, int], steps: tuple[int, int], counts, rng, upwards) -> Trial:
-    """One table from a map of any size."""
     (dudx, dvdx), (counts, pitch) = steps, counts
     starts = [fitting(count, size, steps, rng) for count in counts for _ in range(4)]
     return table_trial(partial(mapper_trial, "span_arbitrary"), starts, pitch, rng, upwards,
@@ -60,7 +59,6 @@ def arbitrary_trial(size: tuple[int, int], steps: tuple[int, int], counts, rng, 
 
 
 def arbitrary_trials(rng) -> list[Trial]:
-    """Maps of all sizes with steps of all kinds."""
     trials = []
     for size in SIZES:
         steps = [tuple(part * side // ONE if part is not None else
@@ -75,7 +73,6 @@ def arbitrary_trials(rng) -> list[Trial]:
 
 
 def gouraud_trial(kernel: str, step: int, size, rng, upwards: bool) -> Trial:
-    """One table of shades."""
     counts, pitch = size
     reduced = abs((step + (128 << 16)) % (256 << 16) - (128 << 16)) / ONE
     longest = int(64000 / reduced) if reduced else 64000
@@ -85,7 +82,6 @@ def gouraud_trial(kernel: str, step: int, size, rng, upwards: bool) -> Trial:
 
 
 def gouraud_trials(kernel: str, rng) -> list[Trial]:
-    """Steps of all kinds, on short and on long lines."""
     steps = [*STEPS, *(a for a, _ in PAIRS), *(int(n) for n in rng.integers(-ONE, ONE, 8)),
              *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 12))]
     return [gouraud_trial(kernel, step, size, rng, k % 8 == 7)
@@ -109,7 +105,6 @@ def generated_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     makers = (partial(gouraud_trials, "span_gouraud"), arbitrary_trials, generated_trials,
               partial(gouraud_trials, "span_gouraud_short"))
     return [trial for seed, make in enumerate(makers)

@@ -1,5 +1,7 @@
 """Trials of src68k/math: products and quotients against exact integers."""
 
+from functools import partial
+
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
@@ -17,19 +19,11 @@ def any_size(rng: np.random.Generator, bits: int = 31) -> int:
     return -value if rng.integers(2) else value
 
 
-def product_trials(rng, name: str, added: int) -> list[Trial]:
+def product_trials(name: str, added: int, rng) -> list[Trial]:
     pairs = [(a, b) for a in CORNERS for b in CORNERS]
     pairs += [(any_size(rng), any_size(rng)) for _ in range(60)]
     return [Trial(Case(name, registers={"d0": a, "d1": b}), values(a=a, b=b),
                   {"d0": (a * b + added >> 16) & M32}) for a, b in pairs]
-
-
-def mul_fix_trials(rng) -> list[Trial]:
-    return product_trials(rng, "mul_fix", 0)
-
-
-def mul_round_trials(rng) -> list[Trial]:
-    return product_trials(rng, "mul_round", 0x8000)
 
 
 def mul_div_trials(rng) -> list[Trial]:
@@ -71,7 +65,7 @@ def mul_wide_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
-    makers = mul_fix_trials, mul_div_trials, mul_shift_trials, mul_wide_trials, mul_round_trials
+    makers = (partial(product_trials, "mul_fix", 0), mul_div_trials, mul_shift_trials,
+              mul_wide_trials, partial(product_trials, "mul_round", 0x8000))
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed))]

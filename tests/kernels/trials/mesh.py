@@ -106,7 +106,6 @@ def mesh_faces_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     makers = mesh_transform_trials, mesh_looks_trials, mesh_cut_trials, mesh_faces_trials
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

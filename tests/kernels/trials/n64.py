@@ -25,5 +25,4 @@ def trials_of(names: list[str], rounds: Callable[[str], int], examples) -> list[
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     return trials_of(NAMES, lambda name: 2 if name.startswith(WITH_TABLE) else ROUNDS, n64_examples)

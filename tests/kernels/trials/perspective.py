@@ -23,7 +23,6 @@ Q_ENDS = ((1 << 30, 1 << 30), (1 << 30, 1 << 29), (1 << 28, 1 << 30), (1 << 30, 
 
 
 def longs(*numbers: int) -> list[int]:
-    """Numbers of 64 bits as the bytes of a field."""
     return list(b"".join((n & M64).to_bytes(8, "big") for n in numbers))
 
 
@@ -73,7 +72,6 @@ def planes_trial(rng) -> Trial:
 
 
 def any_plane(rng, value: int) -> model.Plane:
-    """A plane about a value of 64 bits."""
     return model.Plane(value, any_size(rng, 50), any_size(rng, 50))
 
 
@@ -125,7 +123,6 @@ def span_trial(setting: str, ends, reach: int, rng) -> Trial:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     rng = np.random.default_rng(5)
     every = ("every16", "every8", "pixel", "fine")
     return [*(planes_trial(rng) for _ in range(120)),

@@ -19,7 +19,6 @@ ROUNDS = (1, 2, 3, 16)
 
 @cache
 def table_of_shades() -> np.ndarray:
-    """256 shades by 256 texels."""
     return np.random.default_rng(5).integers(0, 256, (256, 256), dtype=np.uint8)
 
 
@@ -138,7 +137,6 @@ def instruction_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     rng = np.random.default_rng(6)
     made = floor_trials(rng) + instruction_trials(np.random.default_rng(16))
     for form in ("swap", "addx", "chain"):

@@ -1,6 +1,8 @@
 """Trials of src68k/polygon: sides and edges of polygons against exact integers, and against the
 model where numbers are rounded."""
 
+from functools import partial
+
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
@@ -25,17 +27,14 @@ def vertex_block(memory: Memory, vertices) -> int:
 
 
 def box_block(memory: Memory, box: tuple[int, int, int, int]) -> int:
-    """A box as struct rectangle."""
     return memory.struct("rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
 
 
 def vertex_at(base: int, index: int) -> int:
-    """Where vertex ``index`` lies."""
     return base + index * layout.load().struct("vertex").size
 
 
 def described(vertices) -> str:
-    """Vertices for a title."""
     return "; ".join(values(**dict(zip("xyst", v))) for v in vertices)
 
 
@@ -130,7 +129,6 @@ def sides_find_trials(rng) -> list[Trial]:
 
 
 def exact_fields(edge: model.Edge) -> dict[str, int]:
-    """What edge_exact writes."""
     (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
     width, height = x1 - x0, y1 - y0
     numerator = x0 * height + width * ((edge.top << 16) - y0)  # of x in 16.16
@@ -141,13 +139,12 @@ def exact_fields(edge: model.Edge) -> dict[str, int]:
 
 
 def rounded_fields(edge: model.Edge) -> dict[str, int]:
-    """What edge_rounded writes."""
     x = edge.at(edge.top) + (BIAS << 16) + 0xFFFF
     return {"x": x >> 16 & 0xFFFF, "whole": edge.slope >> 16, "error": x << 16,
             "part": edge.slope << 16, "height": 0}
 
 
-def edge_trials(rng, exact: bool) -> list[Trial]:
+def edge_trials(exact: bool, rng) -> list[Trial]:
     """Single edges from a line on."""
     far = FAR - 1
     ends = [((0, 0), (0, 1), 0), ((-FAR, -FAR), (far, far), 0), ((5, -FAR), (-far, far), 95),
@@ -175,14 +172,6 @@ def edge_trials(rng, exact: bool) -> list[Trial]:
             values(x0=upper[0], y0=upper[1], x1=lower[0], y1=lower[1], line=line),
             writes=fields(out, "edge", (exact_fields if exact else rounded_fields)(edge))))
     return trials
-
-
-def edge_exact_trials(rng) -> list[Trial]:
-    return edge_trials(rng, True)
-
-
-def edge_rounded_trials(rng) -> list[Trial]:
-    return edge_trials(rng, False)
 
 
 def sides_block(memory: Memory, at: int, vertices, wanted) -> int:
@@ -243,7 +232,7 @@ def edges_make_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
-    makers = (sides_find_trials, edge_exact_trials, edge_rounded_trials, edges_make_trials)
+    makers = (sides_find_trials, partial(edge_trials, True), partial(edge_trials, False),
+              edges_make_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng([4, seed]))]

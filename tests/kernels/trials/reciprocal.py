@@ -54,7 +54,6 @@ def triangles(rng, count: int):
 
 
 def find_trial(deep, width: int, lines) -> Trial:
-    """reciprocal_find on a polygon's planes."""
     memory = Memory()
     found, x, y = reciprocal.constants_of(deep, 4, width, lines)
     planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
@@ -133,7 +132,6 @@ def span_trial(piece: int, rng) -> Trial:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     rng = np.random.default_rng(8)
     polygons = list(triangles(rng, 60))
     made = [piece_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]

@@ -78,7 +78,6 @@ def hold_trial(rng, most: int) -> Trial:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     rng = np.random.default_rng(5)
     ways = [(truncated, packed) for truncated in (False, True) for packed in (False, True)]
     made = [ramp_trial(rng, *way, (0, gap)) for way in ways

@@ -51,7 +51,6 @@ def control_trial(groups: int, rows: int, layout: tuple[int, int], seed: int) ->
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     made, shapes = [], [(groups, rows) for groups in GROUPS for rows in ROWS]
     for k, (groups, rows) in enumerate(shapes):
         for n, layout in enumerate(layouts(4 * groups, rows)):

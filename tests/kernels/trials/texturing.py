@@ -147,7 +147,6 @@ def texturing_starts_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     makers = (texturing_plane_trials, texturing_wrap_trials, texturing_starts_trials)
     return [trial for seed, maker in enumerate(makers, 4)
             for trial in maker(np.random.default_rng([4, seed]))]

@@ -34,19 +34,16 @@ def noise_memory(size: int) -> tuple[Memory, int, int]:
 
 
 def column_ground(width: int, height: int, texel: str) -> Ground:
-    """A column map of noise."""
     memory, frame_at, map_at = noise_memory(width * height * np.dtype(texel).itemsize)
     stored = np.frombuffer(memory.image, texel, width * height, map_at)
     return Ground(memory, frame_at + MARGIN, map_at, maps.from_columns(stored, width, height))
 
 
 def some(steps: list[tuple[int, int]], count: int, rng) -> list[tuple[int, int]]:
-    """A few of the steps, the random ones among them."""
     return [*steps[-3:], *(steps[k] for k in rng.choice(len(steps), count, replace=False))]
 
 
 def trials_on(kernel: str, on: Ground, short, long, rng) -> list[Trial]:
-    """Short lines with the steps ``short``, long ones with ``long``."""
     wide, (height, width) = LONG_WIDE if on.picture.itemsize == 2 else LONG, on.picture.shape
     name = f"{width}x{height}, " if "columns" in kernel else ""
     return [span_trial(kernel, *pair, 0, size, rng, upwards=k % 8 == 7, ground=on, name=name)
@@ -54,7 +51,6 @@ def trials_on(kernel: str, on: Ground, short, long, rng) -> list[Trial]:
 
 
 def column_trials(kernel: str, texel: str, rng) -> list[Trial]:
-    """Every size of map."""
     steps = steps_of(rng)
     trials = []
     for size in SIZES:
@@ -92,7 +88,6 @@ def layout_trials() -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     rng = np.random.default_rng([5, 0])
     steps = steps_of(rng)
     return [*trials_on("span_tiled", tiled_ground(), steps, some(steps, 29, rng), rng),

@@ -25,7 +25,6 @@ def ground(wide: int) -> Ground:
 
 
 def span_trials(kernel: str, on: Ground, rng) -> list[Trial]:
-    """Steps of all kinds on short lines, some of them on long ones."""
     steps = steps_of(rng)
     some = [steps[k] for k in rng.choice(len(steps), 24, replace=False)]
     return [span_trial(kernel, *pair, 0, size, rng, k % 8 == 7, on)
@@ -42,7 +41,6 @@ def copy_trials(kernel: str, on: Ground, rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    """All of them, the same in every run."""
     made = []
     for wide in (2, 4):
         on, rng, name = ground(wide), np.random.default_rng([7, wide]), f"span_affine_{8 * wide}"

@@ -89,15 +89,3 @@ def to_rgba8888(colours: np.ndarray) -> np.ndarray:
 def from_rgba8888(pixels: np.ndarray) -> np.ndarray:
     """Converts RGBA8888 to uint8 [...][4]."""
     return np.ascontiguousarray(pixels.astype(RGBA8888))[..., None].view(np.uint8)
-
-
-def texel_tiled(u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """Returns the offsets in MAP_TILED of the texels at u and v, 16.16."""
-    x, y = u >> 16 & 255, v >> 16 & 255
-    return 256 * TILE * (x // TILE) + TILE * y + x % TILE
-
-
-def texel_columns(u: np.ndarray, v: np.ndarray, width: int, height: int) -> np.ndarray:
-    """Returns the offsets in MAP_COLUMNS of the texels at u and v, 16.16; both sides repeat."""
-    x, y = (u >> 16) % width, (v >> 16) % height
-    return COLUMN * height * (x // COLUMN) + COLUMN * y + x % COLUMN

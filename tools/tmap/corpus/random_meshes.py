@@ -168,12 +168,6 @@ def mesh(rng: random.Random, width: int, height: int, kind: str) -> Mesh:
                         [shuffled(rng, t) for t in triangles])
 
 
-def subset(rng: random.Random, polygon: list) -> list:
-    """Returns at least three vertices of a polygon of more than three, in their order."""
-    kept = rng.sample(range(len(polygon)), rng.randint(3, len(polygon) - 1))
-    return [polygon[k] for k in sorted(kept)]
-
-
 def halves(rng: random.Random, polygon: list) -> tuple[list, list]:
     """Cuts a polygon of more than three vertices along a diagonal."""
     count = len(polygon)

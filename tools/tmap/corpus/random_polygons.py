@@ -10,7 +10,6 @@ import random
 import numpy as np
 
 from tmap.base.fixed import ONE, fix
-from tmap.base.pixel_formats import FORMATS
 from tmap.corpus import written
 from tmap.model import model
 from tmap.scene_file.materials import Material
@@ -79,18 +78,17 @@ def covering_polygon(rng: random.Random, width: int, height: int):
             return points, plane
 
 
-def scene(seed: int, count: int, width: int, height: int, first: int = 0,
-          pixels: str = "chunky") -> Scene:
-    """A scene of polygons, one per frame: number k depends only on seed and first + k."""
-    noise, pixel = np.random.default_rng(seed), FORMATS[pixels]
-    texture = Texture(noise.integers(0, 256**pixel.bytes, (256, 256), dtype=pixel.dtype))
+def scene(seed: int, count: int, width: int, height: int) -> Scene:
+    """Returns a scene of ``count`` polygons, one per frame: number k depends only on seed and k."""
+    noise = np.random.default_rng(seed)
+    texture = Texture(noise.integers(0, 256, (256, 256), dtype=np.uint8))
     palette = noise.integers(0, 256, (256, 3), dtype=np.uint8)
     objects, vertices = [], []
     for k in range(count):
-        rng = random.Random(f"{seed} {first + k}")
+        rng = random.Random(f"{seed} {k}")
         points, plane = covering_polygon(rng, width, height)
         objects.append(Object(0 if rng.random() < 0.85 else 1, len(vertices), len(points), 0, 1, k))
         vertices += [(*p, *q, 0, ONE) for p, q in zip(points, plane)]
     return Scene(width, height, count, 7, palette, [texture],
                  [Material("affine", texture=0), Material(colour=200)], objects,
-                 np.array(vertices), np.array([IDENTITY]), pixels)
+                 np.array(vertices), np.array([IDENTITY]))

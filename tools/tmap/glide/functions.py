@@ -38,10 +38,3 @@ def trilinear_pair(modes: Modes, odd_first: int = 0) -> tuple[Modes, Modes]:
     first = replace(modes, trilinear=1, split=1, odd=odd_first)
     second = replace(modes, trilinear=1, split=1, odd=1 - odd_first)
     return combine(first, "blend", lod_factor(odd_first)), combine(second, "local")
-
-
-def trilinear_passes(modes: Modes) -> tuple[Modes, Modes]:
-    """Returns modes of the two passes with which one unit filters trilinearly; their colours are
-    added. The map is split, or whole for both, as in ``modes``."""
-    return tuple(combine(replace(modes, trilinear=1, odd=odd), "blend_local", lod_factor(odd))
-                 for odd in (0, 1))

@@ -4,7 +4,6 @@ A picture is uint8 [height, width, 4], R, G, B, A. A texture's rows are padded f
 load: the last texel is repeated up to whole words of TMEM.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,7 +18,6 @@ from tmap.n64.state import CI, FORMATS, I, IA, LEGAL, RGBA, YUV
 from tmap.n64.texels import grey, ia16, rgba16
 
 CONSTANTS = (175, -43, -89, 222, 114, 42)  # K0..K5 that convert video's YUV
-CI4_PALETTES = 16
 
 
 @dataclass(frozen=True)
@@ -143,16 +141,6 @@ def encode(picture: np.ndarray, form: int, size: int, ia: bool = False) -> Textu
         i = intensity(full)
         data = (i if size else nibbles(quantised(i, 4))).astype(np.uint8)
     return Texture(form, size, width, height, full.shape[1], data.tobytes(), tlut, ia)
-
-
-def join_palettes(textures: Sequence[Texture]) -> bytes:
-    """Joins the palettes of 4-bit CI textures into one TLUT: texture n's tile uses palette n."""
-    if len(textures) > CI4_PALETTES:
-        raise UserError(f"TLUT: {len(textures)} palettes of 16 entries; there may be "
-                        f"{CI4_PALETTES}")
-    if any((t.form, t.size) != (CI, 0) for t in textures):
-        raise UserError("TLUT: only 4-bit CI textures share one")
-    return b"".join(t.tlut.ljust(32, b"\0") for t in textures)
 
 
 def decode(texture: Texture) -> np.ndarray:

@@ -83,7 +83,7 @@ FORMATS = (
     Format("2.30 of w", "1/w of Glide's unit", 32, 30, True, "as the hardware", "c/glide/glide.h",
            "tests/glide/test_vectors.py"),
     Format("8.8", "its level of detail: 0 is a texel of level 0 a pixel", 16, 8, True,
-           "as the hardware", "c/glide/glide.h", "tests/glide/test_core.py"),
+           "as the hardware", "c/glide/glide.h", "tests/glide/test_model.py"),
     Format("0.4, 0.8", "its filter's weights: of Voodoo and of Voodoo 2", 4, 4, False, "down",
            "c/glide/glide.h", "tests/glide/test_vectors.py"))
 
