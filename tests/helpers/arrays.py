@@ -3,13 +3,6 @@
 import numpy as np
 
 
-def first_wrong(expected: np.ndarray, found: np.ndarray) -> str:
-    """Describes the first pixel where two frames differ."""
-    y, x = np.argwhere(found != expected)[0]
-    digits = 2 + 2 * expected.itemsize
-    return f"pixel ({x}, {y}) is {found[y, x]:#0{digits}x}, not {expected[y, x]:#0{digits}x}"
-
-
 def check_equal(found, expected, what: str = "") -> None:
     """Fails if the arrays, after broadcasting, differ or are empty; reports how many numbers are
     wrong, and the first one's position, expected and found value."""

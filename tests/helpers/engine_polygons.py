@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from tests.helpers import guest_runs
-from tests.helpers.arrays import first_wrong
 from tmap.guest import guest_frames
+from tmap.guest.guest_frames import first_wrong
 from tmap.model import model
 from tmap.run import run
 from tmap.scene_file.scene_file import ONE, Scene

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tests.helpers.arrays import first_wrong
 from tmap.base.errors import UserError
 from tmap.build import layout
 from tmap.guest import emulator, guest_frames
@@ -75,13 +74,8 @@ def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") ->
     wrong one differs, it is drawn once more."""
     __tracebackhide__ = True
     expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
-    for number, (right, digest) in enumerate(zip(expected, drawn.digests, strict=True)):
-        if not guest_frames.is_models(right, digest):
-            found = run.render(asked.scene, machine, asked.form, asked.off).frames[number]
-            count = int((found != right).sum())
-            raise AssertionError(f"{what}, {asked.way}, {machine}: frame {number}: " + (
-                f"{count} pixels are not the model's; {first_wrong(right, found)}" if count
-                else "it is not the model's, but drawn alone it is"))
+    guest_frames.require_models(expected, drawn.digests, f"{what}, {asked.way}, {machine}",
+                                (asked.scene, asked.way.removeprefix("FORM "), machine))
     return expected
 
 

@@ -15,13 +15,13 @@ import pytest
 from amitools.binfmt.hunk import Hunk
 from amitools.binfmt.hunk.HunkReader import HunkReader
 
-from tests.helpers.arrays import first_wrong
 from tmap.base import planar
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT
 from tmap.build import contracts, elf_object, hunk_object
 from tmap.build.elf_object import Relocation, Section
 from tmap.guest import emulator
+from tmap.guest.guest_frames import first_wrong
 from tmap.model import model
 from tmap.product import sdk
 from tmap.setup.texturing import Settings
