@@ -13,11 +13,11 @@ import tmap  # noqa: F401  before NumPy, whose threads it limits
 LONGEST = """polygon/polygons accuracy/bench kernels/kernels guest/guest_input accuracy/hard_cases
     accuracy/fuzz product/scene_program glide/tiles glide/polygons n64/polygons polygon/lowering
     polygon/wide glide/scenes screen/show n64/vectors mesh/meshes n64/scenes compiler/run
-    accuracy/properties accuracy/methods compiler/settings product/report mesh/hard_meshes
+    accuracy/properties accuracy/italian_methods compiler/settings product/report mesh/hard_meshes
     accuracy/accuracy polygon/mappers product/disk screen/demo screen/display product/sdk
     polygon/hosts n64/modes glide/adds accuracy/bounds polygon/borders product/pages
-    kernels/kernel_checker glide/modes accuracy/polys accuracy/showcase n64/decode glide/downloads
-    n64/model n64/core guest/emulator guest/ntsc guest/citizen""".split()
+    kernels/kernel_checker glide/modes accuracy/polys accuracy/scene_errors n64/decode
+    glide/downloads n64/model n64/core guest/emulator guest/ntsc guest/endings""".split()
 RANKS = {name: rank for rank, name in enumerate(LONGEST)}
 TESTS = Path(__file__).parent
 

@@ -41,7 +41,7 @@ struct plan_case {
     uint32 name_at;             /* the kernel's name, ended by 0 */
     uint32 near_at, near;       /* offset of the image's list; its bytes: multiples of 4 */
     uint32 far_at, far;
-    uint32 far_memory;          /* enum memory_kind */
+    uint32 far_memory;          /* enum memory_type */
     uint32 near_offsets_at, near_offsets;       /* 4 bytes each */
     uint32 far_offsets_at, far_offsets;
     uint32 near_registers, far_registers;       /* bit n: register n */

@@ -95,8 +95,8 @@ void lanes_probe(struct player *player)
     for (int32 i = 0; takes_turns(player) && i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];
 
-        draw(player, i, player->part->pane[i].dearest);
-        lane->dearest = lane->last + lane->last / 16;
+        draw(player, i, player->part->pane[i].worst);
+        lane->worst = lane->last + lane->last / 16;
         lane_draw(player, i);
     }
 }
@@ -138,7 +138,7 @@ static void draw_fairly(struct player *player)
         if ((drawn || converting)
             && (!screen_waits(player->screen)
                 || converting + more > TURNS_BUDGET - FRAME_TICKS
-                || age + lane->dearest + converting + more > TURNS_BUDGET))
+                || age + lane->worst + converting + more > TURNS_BUDGET))
             break;
         converting += more;
         lane_draw(player, next);

@@ -48,7 +48,7 @@ struct lane {
     uint32 stale;               /* bit n: set n of planes does not have the picture; */
     uint32 unlabelled;          /* nor the line of figures */
     int32 line;                 /* that was written last */
-    uint32 dearest;             /* colour clocks: no picture takes longer */
+    uint32 worst;             /* colour clocks: no picture takes longer */
     uint32 cost;                /* cycles a pixel, lately */
     uint32 sum;                 /* colour clocks of all other pictures, modulo 2^32 */
 };

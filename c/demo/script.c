@@ -108,12 +108,12 @@ static int32 add_pane(struct part *part, char *at)
     pane->form = choice(&at, forms, 2);
     pane->settings.accuracy = accuracy(&at);
     pane->settings.perspective = perspective(&at);
-    pane->dearest = number(&at);
+    pane->worst = number(&at);
     pane->caption = text(&at);
     part->panes++;
     return pane->x >= 0 && !(pane->x & 31) && pane->y >= 0 && pane->form < 2
         && pane->settings.accuracy >= SETTINGS_OWN
-        && pane->settings.perspective < PERSPECTIVE_KINDS && pane->dearest >= 0;
+        && pane->settings.perspective < PERSPECTIVE_KINDS && pane->worst >= 0;
 }
 
 static int32 add_step(struct part *part, char *at)

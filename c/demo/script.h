@@ -42,7 +42,7 @@ struct pane {
     int32 x, y;                 /* of its top left corner, pixels; x a multiple of 32 */
     uint32 form;                /* enum form */
     struct settings settings;
-    int32 dearest;              /* the scene's frame that takes longest */
+    int32 worst;              /* the scene's frame that takes longest */
     const char *caption;
 };
 

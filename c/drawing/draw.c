@@ -179,25 +179,25 @@ static fix16 slower(fix16 step)
 }
 
 /* Keeps u and v of every pixel in the mapper's range. */
-static void hold_lines(struct setup *s)
+static void clamp_lines(struct setup *s)
 {
-    struct hold_plan hold;
+    struct clamp_plan clamp;
     int32 leaves;
 
     if ((s->material->mapper != MAPPER_GOURAUD && s->material->mapper != MAPPER_ARBITRARY)
         || is_flat(s))
         return;
     leaves = material_leaves_range(s);
-    if (lower_to_no_hold(s, leaves))
+    if (lower_to_no_clamp(s, leaves))
         return;
-    material_range(&hold, s);
-    hold.lines = (struct scanline *)s->span.lines;
-    hold.count = s->span.count;
-    hold.dudx = leaves ? slower(s->span.dudx) : s->span.dudx;
-    hold.dvdx = leaves ? slower(s->span.dvdx) : s->span.dvdx;
-    edge_hold(&hold);
-    s->span.dudx = hold.dudx;
-    s->span.dvdx = hold.dvdx;
+    material_range(&clamp, s);
+    clamp.lines = (struct scanline *)s->span.lines;
+    clamp.count = s->span.count;
+    clamp.dudx = leaves ? slower(s->span.dudx) : s->span.dudx;
+    clamp.dvdx = leaves ? slower(s->span.dvdx) : s->span.dvdx;
+    edge_clamp(&clamp);
+    s->span.dudx = clamp.dudx;
+    s->span.dvdx = clamp.dvdx;
 }
 
 /* Rounds u, v and the steps of a line up to the bits that its span keeps. */
@@ -233,7 +233,7 @@ static void draw_each_line(struct setup *s)
         line->dvdx = line->steps[i].dvdx;
         if (line->lines->last >= line->lines->left) {
             raise_line(&s->edges.lines[i], line, &s->texturing);
-            hold_lines(s);
+            clamp_lines(s);
             draw_span(s);
         }
         line->row += line->pitch;
@@ -271,7 +271,7 @@ static void draw_affine(struct setup *s)
     } else {
         lower_by_steps(s);
         make_lines(s, s->kind);
-        hold_lines(s);
+        clamp_lines(s);
         if (s->kind == SPAN_GENERATED)
             generated_span(s);
     }

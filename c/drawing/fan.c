@@ -10,7 +10,8 @@
    may also have been rotated, which turns the half unit into 0.71 and adds 1 for two rounded
    products. The errors of the three corners are weighted by the vertex's barycentric coordinates.
    These add up to 3 at most in size, because no vertex is above the top, below the bottom or
-   farther from the line between the two than the apex. With the vertex's own error that is 4 e.
+   farther from the line between the two than the middle vertex. With the vertex's own error that
+   is 4 e.
 
    The steps of texturing_plane, taken here from the top corner, are off by 2 units (two products
    rounded down), half a unit for each pixel of the way (steps), and 2 (|g| + |h|) + 3 (gradients
@@ -84,7 +85,7 @@ static int32 lie_on_planes(const struct look *look, uint32 more_s, uint32 more_t
     most_s = limit(t.dudx, t.dudy, more_s);
     most_t = limit(t.dvdx, t.dvdy, more_t);
     for (int32 i = look->count; i > 0; i--, v++)
-        if (v != top && v != look->sides.bottom && v != look->sides.apex
+        if (v != top && v != look->sides.bottom && v != look->sides.middle
             && (!is_near(v->x - top->x, v->y - top->y, (uint32)v->s - (uint32)top->s, t.dudx,
                          t.dudy, most_s)
                 || !is_near(v->x - top->x, v->y - top->y, (uint32)v->t - (uint32)top->t, t.dvdx,

@@ -5,7 +5,7 @@
 
 enum {
     LAST = MAP_PAGE_SIDE - 1,
-    STEEP = 32 * 65536          /* texels a pixel: 8 pixels leave the row */
+    STEEP_32 = 32 * 65536          /* texels a pixel: 8 pixels leave the row */
 };
 
 /* Allows a texel more on both sides, because a polygon that shows a whole map has 0 and 256 at its
@@ -22,7 +22,7 @@ int32 generated_may_draw(const struct setup *s)
 }
 
 /* Returns the texels that the code adds to u from a line's first pixel on; no overflow below
-   STEEP. */
+   STEEP_32. */
 static int32 offset(fix16 dudx, int32 steps)
 {
     return (GENERATED_BIAS + steps * dudx) >> 16;
@@ -38,7 +38,7 @@ static int32 stays_in_row(const struct setup *s)
     const fix16 dudx = s->span.dudx;
     int32 far, least, most;
 
-    if (dudx >= STEEP || dudx <= -STEEP)
+    if (dudx >= STEEP_32 || dudx <= -STEEP_32)
         return 0;
     far = offset(dudx, s->box.right - s->box.left - 1);
     least = far < 0 ? -far : 0;

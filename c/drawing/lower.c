@@ -123,7 +123,7 @@ int32 lower_asked(struct setup *s)
     s->kind = (enum span_kind)mappers[m->mapper].kind[s->frame->pixel_bytes >> 1];
     if (s->kind == SPAN_AFFINE_ADDX_WRAP)
         s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
-    return m->perspective || mappers[m->mapper].is & MAPPER_LOOKS;
+    return m->perspective || mappers[m->mapper].is & MAPPER_BY_VERTICES;
 }
 
 void lower_by_vertices(struct setup *s)
@@ -204,7 +204,7 @@ int32 lower_to_no_scissor(struct setup *s)
     return 1;
 }
 
-int32 lower_to_no_hold(struct setup *s, int32 leaves_range)
+int32 lower_to_no_clamp(struct setup *s, int32 leaves_range)
 {
     if (!RULE_IS_ON(s, INSIDE_RANGE) || leaves_range)
         return 0;

@@ -25,7 +25,7 @@ void lower_by_steps(struct setup *s);
 /* Return non-zero if lines need not be cut to the frame's columns, and if they need not be moved to
    keep u and v in range. */
 int32 lower_to_no_scissor(struct setup *s);
-int32 lower_to_no_hold(struct setup *s, int32 leaves_range);
+int32 lower_to_no_clamp(struct setup *s, int32 leaves_range);
 
 int32 lower_w_is_constant(const struct setup *s);
 

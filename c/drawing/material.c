@@ -3,13 +3,13 @@
 #include "math/math.h"
 
 /* INSET: how far u and v of a triangle may be outside the vertices' range at a pixel's centre. The
-   parts: edges are within EDGE_ERROR pixels, half as much in a frame's 1,024 lines, times STEEP
+   parts: edges are within EDGE_ERROR pixels, half as much in a frame's 1,024 lines, times STEEP_4
    texels a pixel: 1/32; 512 steps are rounded by 1/2^17 each in both directions, and starts are
    raised by as much: 1/64; the plane itself is off by less than 1/2^10. ON_PLANE: only the edges
    count if the range is that of the stepped plane. */
 #define INSET (65536 / 16)
 #define ON_PLANE (3 * INSET / 4)
-#define STEEP (4 * 65536)
+#define STEEP_4 (4 * 65536)
 
 /* Sets the limits of the vertices' shades that keep every pixel in the vertices' range. */
 static void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high)
@@ -50,8 +50,8 @@ const struct vertex *material_vertices(struct vertex *to, const struct vertex *f
 /* Returns non-zero if an edge's error may move u or v by more than INSET allows. */
 static int32 is_steep(const struct material *material, const struct span_plan *span)
 {
-    return material->gradients != GRADIENTS_PLANE || span->dudx >= STEEP
-        || span->dudx <= -STEEP || span->dvdx >= STEEP || span->dvdx <= -STEEP;
+    return material->gradients != GRADIENTS_PLANE || span->dudx >= STEEP_4
+        || span->dudx <= -STEEP_4 || span->dvdx >= STEEP_4 || span->dvdx <= -STEEP_4;
 }
 
 /* Finds the least and the greatest value of a coordinate's stepped plane at the vertices. Each
@@ -72,17 +72,17 @@ static void plane_range(uint32 at, fix16 ddx, fix16 ddy, const struct texturing 
     }
 }
 
-void material_range(struct hold_plan *hold, const struct setup *s)
+void material_range(struct clamp_plan *clamp, const struct setup *s)
 {
-    hold->u_low = hold->v_low = hold->v_high = 0;
+    clamp->u_low = clamp->v_low = clamp->v_high = 0;
     if (s->material->mapper == MAPPER_GOURAUD) {
-        hold->u_high = vertex_range(&s->vertices->s, s->count, &hold->u_low);
-        hold->u_high += hold->u_low;
-        hold->u_low &= ~0xffff;
-        hold->u_high |= 0xffff;
+        clamp->u_high = vertex_range(&s->vertices->s, s->count, &clamp->u_low);
+        clamp->u_high += clamp->u_low;
+        clamp->u_low &= ~0xffff;
+        clamp->u_high |= 0xffff;
     } else {
-        hold->u_high = (s->material->map->width << 16) - 1;
-        hold->v_high = (s->material->map->height << 16) - 1;
+        clamp->u_high = (s->material->map->width << 16) - 1;
+        clamp->v_high = (s->material->map->height << 16) - 1;
     }
 }
 
@@ -91,7 +91,7 @@ int32 material_leaves_range(const struct setup *s)
     const struct texturing *t = &s->texturing;
     int32 gouraud = s->material->mapper == MAPPER_GOURAUD;
     fix16 s_low, s_high, t_low = 0, t_high = 0, inset = INSET;
-    struct hold_plan hold;
+    struct clamp_plan clamp;
 
     if (is_steep(s->material, &s->span))
         return 1;
@@ -108,7 +108,7 @@ int32 material_leaves_range(const struct setup *s)
         if (!gouraud)
             plane_range(t->v, t->dvdx, t->dvdy, t, s->vertices, s->count, &t_low, &t_high);
     }
-    material_range(&hold, s);
-    return s_low < hold.u_low + inset || s_high > hold.u_high - inset
-        || (!gouraud && (t_low < inset || t_high > hold.v_high - inset));
+    material_range(&clamp, s);
+    return s_low < clamp.u_low + inset || s_high > clamp.u_high - inset
+        || (!gouraud && (t_low < inset || t_high > clamp.v_high - inset));
 }

@@ -11,7 +11,7 @@ const struct vertex *material_vertices(struct vertex *to, const struct vertex *f
                                        const struct material *material);
 
 /* Sets the ranges that u and v of every pixel must stay in: MAPPER_GOURAUD, MAPPER_ARBITRARY. */
-void material_range(struct hold_plan *hold, const struct setup *s);
+void material_range(struct clamp_plan *clamp, const struct setup *s);
 
 /* Returns non-zero if a pixel might leave these ranges, by errors of edges and of the stepped
    plane. */

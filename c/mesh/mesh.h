@@ -24,7 +24,7 @@ struct mesh_point {
 };
 
 /* Values from a normal: s and t of an environment, shade of a light. */
-struct mesh_look {
+struct mesh_attributes {
     fix16 s, t, shade;
 };
 
@@ -39,10 +39,10 @@ struct transform_plan {
 };
 
 /* Sums of products: base + (x n.x + y n.y + z n.z) / 32, clamped to low to high. */
-struct look_plan {
+struct attribute_plan {
     const struct scene_normal *from;
     int32 count;                /* 1 or more */
-    fix16 *to;                  /* a field of the first mesh_look; the others follow */
+    fix16 *to;                  /* a field of the first mesh_attributes; the others follow */
     const int16 *factors;       /* x, y, z: 9.7 */
     fix16 base, low, high;
 };
@@ -53,7 +53,7 @@ struct mesh_placed {
     const struct scene_corner *corners;         /* the mesh's first */
     const struct material *material;
     const struct mesh_point *points;
-    const struct mesh_look *looks;
+    const struct mesh_attributes *attributes;
     uint32 flags;
 };
 
@@ -84,13 +84,13 @@ struct cut_plan {
 struct mesh_work {
     struct mesh_placed *placed;
     struct mesh_point *points;
-    struct mesh_look *looks;
+    struct mesh_attributes *attributes;
     struct mesh_face *faces, *sorted;
 };
 
 /* src68k/mesh: contracts there. */
 void mesh_transform(const struct transform_plan *plan);
-void mesh_looks(const struct look_plan *plan);
+void mesh_attributes(const struct attribute_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
 void mesh_cut(const struct cut_plan *plan);
 

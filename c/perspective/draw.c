@@ -31,13 +31,13 @@ union made {
 SCRATCH_FITS(union made);
 
 /* K, u and v are nearer than this to their bases, so that C fits 64 bits. */
-#define FAR (512 << 16)
+#define FAR_512 (512 << 16)
 
-/* Returns 1 if K (value) and the range are nearer than FAR to the base, and K is at most reach
+/* Returns 1 if K (value) and the range are nearer than FAR_512 to the base, and K is at most reach
    outside the range: some line may then be within reach of K. */
 static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach)
 {
-    return value > -FAR && value < FAR && low > -FAR && high < FAR
+    return value > -FAR_512 && value < FAR_512 && low > -FAR_512 && high < FAR_512
         && low - value <= reach && value - high <= reach;
 }
 
@@ -118,7 +118,7 @@ static int32 draw_logarithms(const struct setup *s, union made *made)
     int32 left;
 
     plan.planes = planes;
-    if (!find_constants(&plan, FAR, LOGARITHM_OFF, 0))
+    if (!find_constants(&plan, FAR_512, LOGARITHM_OFF, 0))
         return planes->count;
     left = logarithm_lines(&plan, tables, made->logarithms);
     if (s->renderer->only_counts)

@@ -2,7 +2,7 @@
 #include "math/math.h"
 #include "span/logarithm.h"
 
-#define ONE ((uint32)1 << 30)           /* of mantissas, 2.30 */
+#define ONE_2_30 ((uint32)1 << 30)           /* of mantissas, 2.30 */
 #define COARSE 1079572136               /* 2^(1/128) */
 #define FINE 1073787251                 /* 2^(1/16384) */
 
@@ -13,7 +13,7 @@ enum { FACTORS = 128, FIRST_BIT = 13, OCTAVES = 3 };    /* of the indices */
    worked out entry by entry. */
 static void multiply_up(int32 *to, int32 factor)
 {
-    *to = (int32)ONE;
+    *to = (int32)ONE_2_30;
     for (int32 i = 1; i < FACTORS; i++, to++)
         to[1] = mul_shift(*to, factor, 30);
 }
@@ -21,7 +21,7 @@ static void multiply_up(int32 *to, int32 factor)
 /* Returns 2^(t / LOGARITHM_OCTAVE), 2.30. */
 static uint32 mantissa(const int32 *coarse, const int32 *fine, int32 t)
 {
-    return t == LOGARITHM_OCTAVE ? 2 * ONE
+    return t == LOGARITHM_OCTAVE ? 2 * ONE_2_30
         : (uint32)mul_shift(coarse[t / FACTORS], fine[t % FACTORS], 30);
 }
 
@@ -40,24 +40,24 @@ void logarithms_make(struct logarithm_tables *tables, int16 *logs, uint16 *power
 {
     static int32 coarse[FACTORS], fine[FACTORS];
     int16 *to[OCTAVES];
-    uint32 index[OCTAVES], part = ONE, here = ONE;      /* 2.30; index: each octave's next */
+    uint32 index[OCTAVES], part = ONE_2_30, here = ONE_2_30;  /* index: each octave's next */
     uint32 *parts = tables->parts;
 
     multiply_up(coarse, COARSE);
     multiply_up(fine, FINE);
     for (int32 k = 0; k < OCTAVES; k++) {
         to[k] = logs + ((1 << (FIRST_BIT + k)) - LOGARITHM_LOWEST);
-        index[k] = ONE + (ONE >> (FIRST_BIT + 1 + k));
+        index[k] = ONE_2_30 + (ONE_2_30 >> (FIRST_BIT + 1 + k));
     }
     for (int32 t = 0; t <= LOGARITHM_OCTAVE; t++) {
         /* An index has the logarithm t if it is below the middle between t's power and the next. */
         uint32 next = t < LOGARITHM_OCTAVE ? mantissa(coarse, fine, t + 1) : here;
-        uint32 middle = t < LOGARITHM_OCTAVE ? (here >> 1) + (next >> 1) : 2 * ONE;
+        uint32 middle = t < LOGARITHM_OCTAVE ? (here >> 1) + (next >> 1) : 2 * ONE_2_30;
 
         for (int32 k = 0; k < OCTAVES; k++)
-            for (; index[k] < middle; index[k] += ONE >> (FIRST_BIT + k))
+            for (; index[k] < middle; index[k] += ONE_2_30 >> (FIRST_BIT + k))
                 *to[k]++ = (int16)(LOGARITHM_MIDDLE - ((FIRST_BIT + k) << LOGARITHM_BITS) - t);
-        for (; part < next; part += ONE / LOGARITHM_PARTS)
+        for (; part < next; part += ONE_2_30 / LOGARITHM_PARTS)
             *parts++ = ((uint32)t << 8) + ((part - here) << 8) / (next - here);
         if (t < LOGARITHM_OCTAVE)
             set_powers(powers + (LOGARITHM_OCTAVES - 1) * LOGARITHM_OCTAVE + t, here);

@@ -5,7 +5,7 @@
 /* q must be at least this times its error, so that it cannot become 0 nor a quotient overflow. */
 #define SURE 4
 #define Q_ONE (1 << 30)
-#define STEEP (1 << 14)                /* in 2^16 units a pixel */
+#define STEEP_2_14 (1 << 14)                /* in 2^16 units a pixel */
 #define FLAT (8 << 16)                 /* texels a pixel: from the box's middle to a vertex u
                                           moves less than 8,192, and stays inside 16.16 */
 #define TOO_STEEP (1 << 28)            /* SURE times this is above every q but the nearest's */
@@ -21,7 +21,7 @@ int32 perspective_steepness(const struct number64 *gradient)
 
 static int32 is_gentle(const struct number64 *gradient)
 {
-    return perspective_steepness(gradient) < STEEP;
+    return perspective_steepness(gradient) < STEEP_2_14;
 }
 
 /* Returns the units that a plane may be off after so many pixels. Its gradient, in 48.16, is off by
@@ -140,8 +140,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     while (farthest >> scale)
         scale++;
     set_corner(&corners.first, sides->top, nearest, plan, scale);
-    set_corner(sides->apex_right ? &corners.b : &corners.a, sides->bottom, nearest, plan, scale);
-    set_corner(sides->apex_right ? &corners.a : &corners.b, sides->apex, nearest, plan, scale);
+    set_corner(sides->middle_right ? &corners.b : &corners.a, sides->bottom, nearest, plan, scale);
+    set_corner(sides->middle_right ? &corners.a : &corners.b, sides->middle, nearest, plan, scale);
     corners.x = (box->left << 16) - corners.first.x;
     corners.y = (box->top << 16) - corners.first.y;
     to_vector(&corners.a, &corners.first);

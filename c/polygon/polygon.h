@@ -80,7 +80,7 @@ enum mapper_trait {
     MAPPER_LIGHTS = 1,          /* it has a light table */
     MAPPER_PLANE = 2,           /* GRADIENTS_PLANE and START_SUBTEXEL only */
     MAPPER_UNIT = 4,            /* a texture unit draws it */
-    MAPPER_LOOKS = 8            /* the vertices may allow a cheaper span */
+    MAPPER_BY_VERTICES = 8            /* the vertices may allow a cheaper span */
 };
 
 /* Span routines; pixels are counted by them. A polygon with perspective is drawn by one or two of

@@ -12,7 +12,7 @@
    is within 1/64 pixel of the polygon, and clipped vertices add as much; each times at most one
    level a pixel. */
 #define INSET (65536 / 16)
-#define STEEP 65536
+#define STEEP_1 65536
 
 int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade)
 {
@@ -38,8 +38,8 @@ static const struct vertex *lit(struct vertex *to, const struct vertex *from)
 static int32 is_inside(const struct shade_plan *plan, const struct texturing *t,
                        const struct vertex *v, int32 count)
 {
-    if (plan->dcdx >= STEEP || plan->dcdx <= -STEEP || plan->dcdy >= STEEP
-        || plan->dcdy <= -STEEP)
+    if (plan->dcdx >= STEEP_1 || plan->dcdx <= -STEEP_1 || plan->dcdy >= STEEP_1
+        || plan->dcdy <= -STEEP_1)
         return 0;
     for (; count > 0; count--, v++) {
         fix16 quarter = ((fix16)t->u >> 2)
@@ -63,9 +63,9 @@ void shading_lines(struct span_plan *span, const struct sides *sides,
 
     shaded.top = lit(&corners[0], sides->top);
     shaded.bottom = lit(&corners[1], sides->bottom);
-    shaded.apex = lit(&corners[2], sides->apex);
+    shaded.middle = lit(&corners[2], sides->middle);
     shaded.area = sides->area;
-    shaded.apex_right = sides->apex_right;
+    shaded.middle_right = sides->middle_right;
     t.u_cut = CUT_LEVEL;
     t.v_cut = 0;
     texturing_plane(&t, &shaded, box, CHAIN_NONE);

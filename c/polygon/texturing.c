@@ -3,7 +3,7 @@
 #include "math/math.h"
 
 /* With steps of this many texels or more, shortfall returns 0. */
-#define STEEP 256
+#define STEEP_256 256
 
 /* Sets *out to a - b: x, y, s and t. */
 static void vertex_difference(struct vertex *out, const struct vertex *a, const struct vertex *b)
@@ -38,7 +38,7 @@ uint32 texturing_raised(uint32 value, uint32 cut)
 void texturing_longest(struct texturing *t, const struct sides *sides,
                        const struct rectangle *box, enum chain chain)
 {
-    const struct vertex *top = sides->top, *bottom = sides->bottom, *middle = sides->apex;
+    const struct vertex *top = sides->top, *bottom = sides->bottom, *middle = sides->middle;
     struct vertex whole, part;
 
     vertex_difference(&whole, bottom, top);
@@ -85,7 +85,7 @@ static uint32 shortfall(fix16 step, uint32 cut, int32 lines, int32 width, enum s
     const int32 coarse = cut ? (1 << cut) + 1 : 1;
     const int32 line = start == START_SUBTEXEL ? 3 + whole : 1;
 
-    if (whole > STEEP)
+    if (whole > STEEP_256)
         return 0;
     return (uint32)((lines * line + (width + 1) * coarse) >> 1) + 2 * (uint32)whole + 2;
 }
@@ -132,7 +132,7 @@ void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
             edges->u += shortfall(t->dudx, t->u_cut, edges->lines, width, start);
             edges->v += shortfall(t->dvdx, t->v_cut, edges->lines, width, start);
         }
-        edges->u = texturing_raised(edges->u, t->u_cut) | t->guard;
+        edges->u = texturing_raised(edges->u, t->u_cut) | t->wrap_bit;
         edges->v = texturing_raised(edges->v, t->v_cut);
         edges->du = (fix16)texturing_raised((uint32)edges->du, t->u_cut);
         edges->dv = (fix16)texturing_raised((uint32)edges->dv, t->v_cut);

@@ -12,7 +12,7 @@ struct texturing {
     int32 wraps;                /* v may wrap more than once in a span */
     uint32 u_cut, v_cut;        /* number of low bits that are 0 in u, v and steps: the span does
                                    not keep them, or u's lowest is reserved for v's wrap */
-    uint32 guard;               /* value of u's reserved bit: 1 if v falls; else 0 */
+    uint32 wrap_bit;             /* value of u's reserved bit: 1 if v falls; else 0 */
 
     /* GRADIENTS_PLANE: */
     fix16 dudy, dvdy;           /* texels a line */

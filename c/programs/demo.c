@@ -85,7 +85,7 @@ static int32 is_usable(const struct part *part, int32 number)
     int32 wrong = 0;
 
     for (int32 i = 0; i < part->panes; i++)
-        wrong |= part->pane[i].dearest >= header->frames
+        wrong |= part->pane[i].worst >= header->frames
             || part->pane[i].x + header->width > player.frame.width
             || part->pane[i].y + header->height
                + (part->panes > 1 ? CAPTION_GAP + CAPTION_LINES * LETTER : 0)

@@ -63,7 +63,7 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
 
     for (int32 i = count; i > 0; i--, corner++, v++) {
         const struct mesh_point *p = &placed->points[corner->point];
-        const struct mesh_look *look = &placed->looks[corner->normal];
+        const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
 
         outside |= p->outside;
         v->x = p->screen_x;
@@ -73,11 +73,11 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
         v->t = corner->t;
         v->shade = 0;
         if (placed->flags & MESH_ENVIRONMENT) {
-            v->s = look->s;
-            v->t = look->t;
+            v->s = attributes->s;
+            v->t = attributes->t;
         }
         if (placed->flags & MESH_LIT)
-            v->shade = look->shade;
+            v->shade = attributes->shade;
     }
     if (outside)
         return draw_cut(renderer, scene, face, vertices, count);
@@ -85,10 +85,11 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
 }
 
 /* Sets s, t and shade of an instance's normals; there is at least one. */
-static void make_looks(struct mesh_look *to, const struct scene_normal *normals, int32 count,
-                       const struct scene_instance *instance, const struct scene_view *view)
+static void make_attributes(struct mesh_attributes *to, const struct scene_normal *normals,
+                            int32 count, const struct scene_instance *instance,
+                            const struct scene_view *view)
 {
-    struct look_plan plan;
+    struct attribute_plan plan;
 
     plan.from = normals;
     plan.count = count;
@@ -98,17 +99,17 @@ static void make_looks(struct mesh_look *to, const struct scene_normal *normals,
         plan.high = 256 << 16;
         plan.to = &to->s;
         plan.factors = &view->s_x;
-        mesh_looks(&plan);
+        mesh_attributes(&plan);
         plan.to = &to->t;
         plan.factors = &view->t_x;
-        mesh_looks(&plan);
+        mesh_attributes(&plan);
     }
     if (instance->flags & MESH_LIT) {
         plan.base = plan.low = instance->dark;
         plan.high = instance->bright;
         plan.to = &to->shade;
         plan.factors = &view->light_x;
-        mesh_looks(&plan);
+        mesh_attributes(&plan);
     }
 }
 
@@ -127,7 +128,7 @@ static int32 place(const struct scene *scene, const struct scene_instance *insta
     placed->corners = &scene->corners[mesh->corner];
     placed->material = &scene->drawn[instance->material];
     placed->points = at->points;
-    placed->looks = at->looks;
+    placed->attributes = at->attributes;
     placed->flags = instance->flags;
     transform.from = &scene->points[mesh->point];
     transform.count = (int32)mesh->points;
@@ -139,11 +140,11 @@ static int32 place(const struct scene *scene, const struct scene_instance *insta
     transform.middle_y = header->height << 15;
     mesh_transform(&transform);
     if (instance->flags)
-        make_looks(at->looks, &scene->normals[mesh->normal], (int32)mesh->normals, instance,
-                   view);
+        make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
+                        instance, view);
     at->placed++;
     at->points += mesh->points;
-    at->looks += mesh->normals;
+    at->attributes += mesh->normals;
     faces.from = &scene->faces[mesh->face];
     faces.count = (int32)mesh->faces;
     faces.placed = placed;

@@ -96,7 +96,8 @@ static enum scene_memory make_work(struct scene *scene)
     }
     return mem_alloc(&work->placed, (int32)(most_instances * sizeof *work->placed), MEMORY_ANY)
         && mem_alloc(&work->points, (int32)(most_points * sizeof *work->points), MEMORY_ANY)
-        && mem_alloc(&work->looks, (int32)(most_normals * sizeof *work->looks), MEMORY_ANY)
+        && mem_alloc(&work->attributes, (int32)(most_normals * sizeof *work->attributes),
+                     MEMORY_ANY)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
         && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY)
         ? SCENE_MADE : SCENE_MESHES;

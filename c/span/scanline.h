@@ -109,8 +109,8 @@ struct scissor_plan {
     fix16 dudx, dvdx;           /* texels a pixel */
 };
 
-/* Everything edge_hold needs. Each range has room for a line of the table. */
-struct hold_plan {
+/* Everything edge_clamp needs. Each range has room for a line of the table. */
+struct clamp_plan {
     struct scanline *lines;     /* plain form */
     int32 count;                /* lines, 1 or more */
     fix16 dudx, dvdx;           /* texels a pixel; reduced if a line would not fit its range */
@@ -161,7 +161,7 @@ void edge_plain_exact(const struct edge_plan *plan);
 void edge_swap(const struct edge_plan *plan);
 void edge_ramp(const struct ramp_plan *plan);
 void edge_shade(struct shade_plan *plan);
-void edge_hold(struct hold_plan *plan);
+void edge_clamp(struct clamp_plan *plan);
 void scissor_addx(const struct scissor_plan *plan);
 void scissor_plain(const struct scissor_plan *plan);
 void scissor_flat(const struct scissor_plan *plan);

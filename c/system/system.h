@@ -14,7 +14,7 @@ enum return_code {
                            chips; or the program crashed */
 };
 enum file_mode { FILE_OLD = 1005, FILE_NEW = 1006 };
-enum memory_kind { MEMORY_ANY = 0, MEMORY_CHIP = 2, MEMORY_FAST = 4 };
+enum memory_type { MEMORY_ANY = 0, MEMORY_CHIP = 2, MEMORY_FAST = 4 };
 
 /* A routine that gives something back at the program's end; see at_end. Keeps d2-d7/a2-a6. */
 struct end {

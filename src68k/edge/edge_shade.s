@@ -1,4 +1,4 @@
-        include "hold.i"
+        include "clamp.i"
 
 ; d0 = the shade of the line's first pixel: a2 + left * \1.
 on_plane macro
@@ -58,7 +58,7 @@ packed  macro
         movem.l shade_plan_low(a6),d4-d5
 .line   line_length .next
         on_plane (sp)
-        hold_line d0,d3,d4,d5
+        clamp_line d0,d3,d4,d5
         packed
         move.l  d0,(a1)
 .next   addq.l  #4,a1

@@ -75,7 +75,7 @@ extreme macro
         moveq   #0,d6                   ; d6:d7 the largest cross product so far
         moveq   #0,d7
 
-        ; The apex is the vertex farthest from the line from top to bottom; of several
+        ; The middle is the vertex farthest from the line from top to bottom; of several
         ; the topmost, then the leftmost, so that their order does not matter.
         movea.l sides_first(a0),a1
 .turn   cmpa.l  a1,a2
@@ -93,25 +93,25 @@ extreme macro
         smi     d2                      ; on the right
         minus   <neg.l d1>,<negx.l d0>
         cmp.l   d6,d0
-        bhi.s   .apex
+        bhi.s   .middle
         bne.s   .turned
         cmp.l   d7,d1
-        bhi.s   .apex
+        bhi.s   .middle
         bne.s   .turned
         move.l  d0,d3
         or.l    d1,d3
         beq.s   .turned                 ; on the line
         move.l  vertex_y(a1),d3
         cmp.l   vertex_y(a4),d3
-        blt.s   .apex
+        blt.s   .middle
         bne.s   .turned
         move.l  vertex_x(a1),d3
         cmp.l   vertex_x(a4),d3
         bge.s   .turned
-.apex   move.l  d0,d6
+.middle   move.l  d0,d6
         move.l  d1,d7
         movea.l a1,a4
-        move.b  d2,sides_apex_right(a0)
+        move.b  d2,sides_middle_right(a0)
 .turned cmpa.l  sides_last(a0),a1
         lea     vertex_sizeof(a1),a1
         bne.s   .turn
@@ -120,9 +120,9 @@ extreme macro
         or.l    d7,d0
         beq.s   .empty
         movem.l d6-d7,sides_area(a0)
-        move.l  a4,sides_apex(a0)
+        move.l  a4,sides_middle(a0)
 
-        ; Of top < apex, apex < bottom and bottom < top two are true if the vertices are in
+        ; Of top < middle, middle < bottom and bottom < top two are true if the vertices are in
         ; that order, and one if they are in the other.
         cmpa.l  a4,a2
         scs     d0
@@ -131,8 +131,8 @@ extreme macro
         eor.b   d1,d0
         cmpa.l  a2,a3
         scs     d1
-        eor.b   d1,d0                   ; 0: the apex comes before the bottom
-        move.b  sides_apex_right(a0),d1
+        eor.b   d1,d0                   ; 0: the middle comes before the bottom
+        move.b  sides_middle_right(a0),d1
         eor.b   d1,d0                   ; 0: and is on the left; or neither
         moveq   #vertex_sizeof,d1
         tst.b   d0

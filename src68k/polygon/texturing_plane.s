@@ -146,9 +146,9 @@ chain           equ     box+4
 ;          a1  sides*      the polygon, its area not 0
 ;          d0  rectangle*  the pixels that it may cover
 ;          d1  int32       enum chain
-; reads:   u_cut, v_cut; *sides, top, bottom and apex vertex, the rectangle
+; reads:   u_cut, v_cut; *sides, top, bottom and middle vertex, the rectangle
 ; writes:  *texturing except v_cut; u_cut if the chain needs a bit
-; formats: with vectors from the top vertex to the bottom (1) and the apex (2), D =
+; formats: with vectors from the top vertex to the bottom (1) and the middle (2), D =
 ;          x1 y2 - x2 y1 = +-area:
 ;            dsdx = (s1 y2 - s2 y1) / D     dsdy = (x1 s2 - x2 s1) / D
 ;          in 32.32 modulo 2^64; rounded to the nearest multiple of 1 << cut units of
@@ -174,9 +174,9 @@ chain           equ     box+4
         movem.l (a2),d4-d7
         move.l  d6,texturing_u(a6)
         move.l  d7,texturing_v(a6)
-        vector  apex,a3
+        vector  middle,a3
         vector  bottom,a2
-        tst.b   sides_apex_right(a1)
+        tst.b   sides_middle_right(a1)
         beq.s   .turned
         exg     a2,a3                   ; now D is positive
 .turned
@@ -199,7 +199,7 @@ chain           equ     box+4
         suba.l  a1,a1
 
         axis    u,s
-        move.l  texturing_guard(a6),d0
+        move.l  texturing_wrap_bit(a6),d0
         or.l    d0,texturing_u(a6)
         lea     chain+4(sp),sp
         return_all

@@ -26,10 +26,10 @@ travel  macro
 ;          a1  rectangle*  the pixels that the polygon may cover
 ;          d0  int32       enum chain
 ; reads:   v, dvdx, dvdy; the rectangle
-; writes:  wraps, guard; u_cut if u's lowest bit is kept free
+; writes:  wraps, wrap_bit; u_cut if u's lowest bit is kept free
 ; formats: a wrap of v in a span carries into the lowest bit of u. There is none if v
 ;          stays between two multiples of 256 all over the box, or shares no chain with
-;          u. One wrap is caught by keeping that bit free (u_cut 1), with guard in it: 1
+;          u. One wrap is caught by keeping that bit free (u_cut 1), with wrap_bit in it: 1
 ;          if v falls. If there may be more, or u keeps all bits (CHAIN_WHOLE), wraps is
 ;          1
 ; error:   none: in doubt it assumes a wrap
@@ -38,7 +38,7 @@ travel  macro
         movem.l d2-d5,-(sp)
         moveq   #0,d2                   ; u_cut
         moveq   #0,d3                   ; wraps
-        moveq   #0,d4                   ; guard
+        moveq   #0,d4                   ; wrap_bit
         move.l  d0,d5
         beq     .done
         subq.l  #CHAIN_ANYWHERE,d0
@@ -81,6 +81,6 @@ travel  macro
         moveq   #0,d4
 .done   or.l    d2,texturing_u_cut(a0)
         move.l  d3,texturing_wraps(a0)
-        move.l  d4,texturing_guard(a0)
+        move.l  d4,texturing_wrap_bit(a0)
         movem.l (sp)+,d2-d5
         rts

@@ -129,7 +129,7 @@ def test_coverage_is_judged_on_the_edge_alone() -> None:
     assert (good.pixels, good.coverage_errors, good.complaint) == (36, 0, "")
     moved = [(x + 0x1000, *rest) for x, *rest in vertices]
     polygon = model.set_up([v[:4] for v in moved], 16, 16, False, Settings("exact", mapper="flat"))
-    errors, complaint = bounds.judge_coverage([v[:4] for v in vertices], polygon, Settings("exact"),
+    errors, complaint = bounds.check_coverage([v[:4] for v in vertices], polygon, Settings("exact"),
                                               16, 16)
     assert errors == 16 and "left out" in complaint and "0.0" in complaint
 

@@ -20,7 +20,7 @@ from tmap.accuracy import hard_report
 from tmap.base.errors import UserError
 from tmap.build import layout
 from tmap.corpus import hard_cases, hard_meshes, hard_planes
-from tmap.corpus.hard_case import FAR
+from tmap.corpus.hard_case import LIMIT
 from tmap.corpus.hard_cases import HEIGHT, WIDTH, Case
 from tmap.ideal import ideal
 from tmap.scene_file import scene_file
@@ -101,7 +101,7 @@ def test_vertices_are_what_the_format_takes() -> None:
     limits = layout.load().constants
     for case in CASES:
         assert 3 <= len(case.vertices) <= 64, case.name
-        assert all(-FAR << 16 <= c < FAR << 16 for v in case.vertices for c in v[:5]), case.name
+        assert all(-LIMIT << 16 <= c < LIMIT << 16 for v in case.vertices for c in v[:5]), case.name
         assert all(limits["W_MIN"] <= v[5] <= limits["W_MAX"] for v in case.vertices), case.name
         assert case.depth or all(v[5] == scene_file.ONE for v in case.vertices), case.name
 

@@ -102,7 +102,7 @@ WRONG = {
             (x, y, *(c & SIDE - 1 for c in uv)) for x, y, *uv in right(*given)],
         "splitting wrapping"),
     "lines are not clamped at their ends": (
-        polygon, "hold", lambda right: lambda lines, ranges: None, "held"),
+        polygon, "clamp", lambda right: lambda lines, ranges: None, "held"),
     "the plane is assumed to run through all vertices": (
         polygon, "plane_range", lambda right: lambda vertices, t: tuple(
             [f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max)), "held"),

@@ -85,7 +85,7 @@ def done(scenes, tmp_path_factory) -> list[emulator.Result]:
                                       .replace("../checker.png", str(SCENES / "checker.png")))
     files = {"input.scene": write(scenes["steps"]), "parts": 2 * PART.encode(),
              "face.scene": write(compile_scene(folder / "face.toml"))}
-    return emulator.run_many([*REFUSED, f'demo "" FRAMES {FRAMES} LOG'], files, "a1200-fast",
+    return emulator.run_batch([*REFUSED, f'demo "" FRAMES {FRAMES} LOG'], files, "a1200-fast",
                              folder / "run")
 
 

@@ -19,12 +19,12 @@ from tmap.ideal import glide
 from tmap.ideal.glide import Corner, Surface
 from tmap.ideal.texels import Coordinate
 
-ONE = 1 << 18  # in 14.18
+ONE_14_18 = 1 << 18  # in 14.18
 N = 65536  # in 16.16
 ROUNDING = 2.0**-36  # error of the ideal itself
 #: A polygon that recedes: s/w, t/w, 1/w.
-FAR = [Corner(0, 0, 0, 0, ONE_W), Corner(60 * N, 3 * N, 100 * ONE, 7 * ONE, ONE_W // 2),
-       Corner(5 * N, 50 * N, -9 * ONE, 40 * ONE, ONE_W // 7)]
+FAR = [Corner(0, 0, 0, 0, ONE_W), Corner(60 * N, 3 * N, 100 * ONE_14_18, 7 * ONE_14_18, ONE_W // 2),
+       Corner(5 * N, 50 * N, -9 * ONE_14_18, 40 * ONE_14_18, ONE_W // 7)]
 FLAT = [corner._replace(w=ONE_W) for corner in FAR]
 Y, X = (c.ravel() for c in np.mgrid[0:20:3, 0:30:4])
 
@@ -53,7 +53,7 @@ def test_coordinates_are_exact(polygon, perspective):
     for x, y, s_at, t_at in zip(X, Y, *(zip(*c) for c in found)):
         s, t, w = share(polygon, int(x) * N, int(y) * N)
         for name, value, at in (("s", s, s_at), ("t", t, t_at)):
-            exact = value / (w if perspective else ONE_W) * Fraction(ONE_W, ONE)
+            exact = value / (w if perspective else ONE_W) * Fraction(ONE_W, ONE_14_18)
             assert tuple(at) == (exact // 1, float(exact % 1)), f"{name} at pixel ({x}, {y})"
 
 
@@ -99,7 +99,7 @@ def test_levels_are_biased_and_limited():
 
 def placed(s: np.ndarray, t: np.ndarray) -> list[Coordinate]:
     """Exact coordinates of 14.18."""
-    return [Coordinate(c >> 18, (c & ONE - 1) / ONE) for c in (s, t)]
+    return [Coordinate(c >> 18, (c & ONE_14_18 - 1) / ONE_14_18) for c in (s, t)]
 
 
 def weights_error(bits: int) -> float:
@@ -136,9 +136,10 @@ def test_perspective():
     ways = [(coordinates(Modes(perspective=1, table_quotients=k), *iterated), k * TOO_LARGE)
             for k in (0, 1)]
     for found, exact, part in ((*two, part) for drawn, part in ways for two in zip(drawn, exacts)):
-        most = (0.5 / ONE + abs(exact.value) * 0.5 / ONE_W) / (iterated[2] / ONE_W) + 1 / ONE
+        most = (0.5 / ONE_14_18
+                + abs(exact.value) * 0.5 / ONE_W) / (iterated[2] / ONE_W) + 1 / ONE_14_18
         most += (abs(exact.value) + most) * part
-        check_within(found / ONE, exact.value, most + ROUNDING, f"table's part {part}: pixel")
+        check_within(found / ONE_14_18, exact.value, most + ROUNDING, f"table's part {part}: pixel")
 
 
 @pytest.mark.parametrize("size", [8, 16])
@@ -166,7 +167,7 @@ def test_perspective_in_pieces(size):
                 f"{count} pixels, w {w[0]} to {w[-1]}, pixel {n}: off by {off} units of 1/2^18; "
                 f"from {-most - size} to {most} may be")
             bent = max(bent, abs(off) - size)
-    assert bent > ONE / 64  # some lines do bend
+    assert bent > ONE_14_18 / 64  # some lines do bend
 
 
 def test_trilinear_samples():

@@ -22,7 +22,7 @@ from tmap.vectors.glide_text import random_ncc, read
 
 #: File: bits of its filter's weights.
 FILES = {"tmu_combine": 4, "tmu_decal": 4, "tmu_fixedlod": 4, "tmu2_decal": 8}
-ONE = 1 << 18  # in 14.18
+ONE_14_18 = 1 << 18  # in 14.18
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -105,18 +105,18 @@ def test_all_texel_centres(aspect, wide, linear, bits):
         start = level_bases(unit.modes)[level] // 2
         j, i = np.mgrid[:height, :width]
         want = start + j * width + i & 0xFFFF
-        s, t = ((2 * c + 1) * (ONE << level) // 2 for c in (i, j))
+        s, t = ((2 * c + 1) * (ONE_14_18 << level) // 2 for c in (i, j))
         lod = np.full(i.shape, 256 * level)
-        for moved in (0, 256 * ONE, -512 * ONE):
+        for moved in (0, 256 * ONE_14_18, -512 * ONE_14_18):
             for name, at in (("s", (s + moved, t)), ("t", (s, t + moved))):
                 check_equal(places(unit, *at, lod), want,
-                            f"level {level}, {name} {moved // ONE} farther: row, column")
+                            f"level {level}, {name} {moved // ONE_14_18} farther: row, column")
         longer, shorter = (s, t) if wide else (t, s)
-        assert longer.max() + (ONE << level) // 2 == 256 * ONE
+        assert longer.max() + (ONE_14_18 << level) // 2 == 256 * ONE_14_18
         if 256 >> aspect >= 1 << level:
-            assert shorter.max() + (ONE << level) // 2 == (256 >> aspect) * ONE
+            assert shorter.max() + (ONE_14_18 << level) // 2 == (256 >> aspect) * ONE_14_18
         else:
-            shorter[:] = (256 >> aspect) * ONE // 2
+            shorter[:] = (256 >> aspect) * ONE_14_18 // 2
             check_equal(places(unit, s, t, lod), want, f"level {level}, one texel: row, column")
 
 
@@ -166,7 +166,7 @@ def test_logarithm():
 
 def test_level_of_detail():
     """The level is log2 of the longer gradient in texels, 8.8; then w, bias and limits."""
-    start = base(4 * ONE, 0, 0, 0)
+    start = base(4 * ONE_14_18, 0, 0, 0)
     assert start == 0x200
     x = y = np.array(0)
     assert level_of_detail(Modes(), start, np.array(1 << 29), x, y) == 0x200
@@ -178,7 +178,7 @@ def test_level_of_detail():
     assert base(most, most, 0, 0) == 256 * 13 + 128 and base(0, 0, 0, 0) == LEAST
     bias = Modes(lod_bias=-6, lod_min=1)
     assert level_of_detail(bias, start, np.array(ONE_W), x, y) == 0x80
-    assert level_of_detail(bias, base(ONE, 0, 0, 0), np.array(ONE_W), x, y) == 0x40
+    assert level_of_detail(bias, base(ONE_14_18, 0, 0, 0), np.array(ONE_W), x, y) == 0x40
     assert level_of_detail(Modes(lod_max=63), np.array(0xF00), np.array(ONE_W), x, y) == 0x800
 
 
@@ -204,5 +204,5 @@ def test_levels_of_split_maps():
 def test_memory_is_a_ring():
     """Addresses wrap at the memory's size."""
     unit = numbered(only(0, 0, base=UNIT_MEMORY - 8))
-    s = np.arange(8) * ONE
+    s = np.arange(8) * ONE_14_18
     assert list(places(unit, s, s * 0, s * 0)) == [n & 0xFFFF for n in (*range(-4, 0), 0, 1, 2, 3)]

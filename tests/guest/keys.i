@@ -1,4 +1,4 @@
-; Keys that are pressed while a program runs, one each KEY_FIELDS: a part of citizen.s.
+; Keys that are pressed while a program runs, one each KEY_FIELDS: a part of endings.s.
 
 _LVOBeginIO             equ     -30     ; of a device
 io_Device               equ     20

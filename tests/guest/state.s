@@ -1,4 +1,4 @@
-; The machine's state as a line of numbers; STATE of tests/helpers/citizen.py has their names.
+; The machine's state as a line of numbers; STATE of tests/helpers/endings.py has their names.
 
         include "amiga.i"
         include "routine.i"

@@ -137,4 +137,4 @@ def test_scene_files_are_those_it_names() -> None:
 
 def test_a_module_that_does_not_exist_has_no_key() -> None:
     with pytest.raises(FileNotFoundError):
-        cache.sources("showcase")
+        cache.sources("scene_errors")

@@ -4,15 +4,15 @@ import re
 
 import pytest
 
-from tests.helpers import citizen, guest_program
-from tests.helpers.citizen import Ended
+from tests.helpers import endings, guest_program
+from tests.helpers.endings import Ended
 from tmap.base.errors import UserError
 from tmap.base.paths import GUEST, PROGRAMS
 from tmap.guest import emulator, kernels
 from tmap.guest.kernels import Case
 
-#: The routines of trouble.s, by number.
-TROUBLES = ("illegal_one", "zero_divide", "odd_jump", "privileged", "trap_five", "line_f",
+#: The routines of failures.s, by number.
+FAILURES = ("illegal_one", "zero_divide", "odd_jump", "privileged", "trap_five", "line_f",
             "jump_away", "quiet_illegal", "quiet_loop", "loud_loop", "reboot")
 CRASHES = {
     "illegal_one": r"exception 4 \(illegal instruction\) at PC \$[0-9a-f]+, in illegal_one\+\$c",
@@ -28,20 +28,20 @@ CRASHES = {
                   r"in quiet_loop\+\$"}
 
 
-def trouble(name: str) -> str:
-    return f"trouble {TROUBLES.index(name)}"
+def failing(name: str) -> str:
+    return f"failures {FAILURES.index(name)}"
 
 
 KERNEL = "bench kernels out"
 #: quiet_loop twice: each has an open file in the table's first slot. The last is loaded once.
-ENDED = [*map(trouble, CRASHES), trouble("quiet_loop"), KERNEL, "many trouble 90"]
+ENDED = [*map(failing, CRASHES), failing("quiet_loop"), KERNEL, "batch failures 90"]
 
 
 @pytest.fixture(scope="module")
 def programs(tmp_path_factory):
-    """A folder with ``trouble``."""
+    """A folder with ``failures``."""
     folder = tmp_path_factory.mktemp("programs")
-    guest_program.build(folder, GUEST / "trouble.s")
+    guest_program.build(folder, GUEST / "failures.s")
     return folder
 
 
@@ -49,22 +49,22 @@ def programs(tmp_path_factory):
 def ended(programs, tmp_path_factory) -> dict[str, Ended]:
     """Every crash in one boot, by command."""
     by_zero = Case("mul_div", registers={"d0": 1, "d1": 1, "a0": 0})
-    files = {"trouble": programs / "trouble", "bench": PROGRAMS / "bench",
+    files = {"failures": programs / "failures", "bench": PROGRAMS / "bench",
              "kernels": kernels.plan([by_zero]), "90.run": "".join(
-                 f"{TROUBLES.index(name)}\n" for name in ("quiet_illegal", "quiet_loop")).encode()}
-    return dict(zip(ENDED, citizen.run([(0, line) for line in ENDED], files, "a1200",
+                 f"{FAILURES.index(name)}\n" for name in ("quiet_illegal", "quiet_loop")).encode()}
+    return dict(zip(ENDED, endings.run([(0, line) for line in ENDED], files, "a1200",
                                        tmp_path_factory.mktemp("run"), "bench")))
 
 
 @pytest.mark.parametrize("name", CRASHES)
 def test_crash_is_reported(programs, ended, name):
-    found = ended[trouble(name)]
-    fault = emulator.explain_fault(programs / "trouble", found.output)
-    assert found.code == 20 and re.match(f"trouble crashed: {CRASHES[name]}", fault), fault
+    found = ended[failing(name)]
+    fault = emulator.explain_fault(programs / "failures", found.output)
+    assert found.code == 20 and re.match(f"failures crashed: {CRASHES[name]}", fault), fault
 
 
 def test_registers_are_reported(programs, ended):
-    fault = emulator.explain_fault(programs / "trouble", ended[trouble("illegal_one")].output)
+    fault = emulator.explain_fault(programs / "failures", ended[failing("illegal_one")].output)
     registers = [line.split()[1:] for line in fault.splitlines()[1:]]
     assert [len(bank) for bank in registers] == [8, 8]
     assert (registers[0][3], registers[1][4]) == ("12345678", "9abcdef0")
@@ -84,26 +84,26 @@ def test_everything_is_given_back(ended):
     codes = [emulator.read(found.directory / f"{number}.code").strip() for number in (90, 91)]
     assert codes == ["20", "20"]
     for name in ("quiet_illegal", "quiet_loop"):
-        assert ended[trouble(name)].output.startswith("1\n"), name
+        assert ended[failing(name)].output.startswith("1\n"), name
 
 
 def test_program_that_is_loaded_once(programs, tmp_path):
     """Each run finds the program's data as loaded, also after a crash or the watchdog; output and
     codes belong to the right run."""
     names = ["quiet_illegal", "illegal_one", "quiet_loop", "quiet_illegal"]
-    results = emulator.run_many([trouble(name) for name in names], {}, "a1200", tmp_path,
+    results = emulator.run_batch([failing(name) for name in names], {}, "a1200", tmp_path,
                                 programs=programs)
     assert (tmp_path / "volume" / "0.run").exists()
     for name, result in zip(names, results):
-        fault = emulator.explain_fault(programs / "trouble", result.output)
-        assert result.code == 20 and re.match(f"trouble crashed: {CRASHES[name]}", fault), fault
+        fault = emulator.explain_fault(programs / "failures", result.output)
+        assert result.code == 20 and re.match(f"failures crashed: {CRASHES[name]}", fault), fault
         if name.startswith("quiet"):  # the first slot of the file table was free
             assert result.output.startswith("1\n"), name
 
 
 def test_run_raises_what_run_many_returns(programs, tmp_path):
-    with pytest.raises(UserError, match=f"^trouble crashed: {CRASHES['quiet_loop']}"):
-        emulator.run(*trouble("quiet_loop").split(), {}, "a1200-fast", tmp_path, programs=programs)
+    with pytest.raises(UserError, match=f"^failures crashed: {CRASHES['quiet_loop']}"):
+        emulator.run(*failing("quiet_loop").split(), {}, "a1200-fast", tmp_path, programs=programs)
 
 
 @pytest.mark.parametrize("name", ["loud_loop", "reboot"])
@@ -111,8 +111,8 @@ def test_silent_guest_is_stopped(programs, tmp_path, monkeypatch, name):
     monkeypatch.setattr(emulator, "STALL_SECONDS", 4.0)
     seen = []
     with pytest.raises(UserError) as caught:
-        emulator.run(*trouble(name).split(), {}, "a1200-fast", tmp_path, seen.append, programs)
-    assert str(caught.value) == (f"{trouble(name)}: it did not end, 4 s of processor time after its "
+        emulator.run(*failing(name).split(), {}, "a1200-fast", tmp_path, seen.append, programs)
+    assert str(caught.value) == (f"{failing(name)}: it did not end, 4 s of processor time after its "
                                  "last sign of life; its last words: 'this far'")
     assert seen[-1] == "this far\n"
 

@@ -62,7 +62,7 @@ def test_bad_input_is_refused(tmp_path):
              "bench none out": "none: cannot be opened", "bench S out": "S: cannot be opened",
              "bench calls": "bench: usage", "bench calls S": "S: cannot be created",
              "bench calls :no/where": ":no/where: cannot be created"}
-    check(emulator.run_many(list(said), files, "a1200", tmp_path), said)
+    check(emulator.run_batch(list(said), files, "a1200", tmp_path), said)
     assert not list((tmp_path / "volume").glob("frame_*"))
 
 
@@ -82,7 +82,7 @@ def test_strange_scenes_draw_inside_the_frame(tmp_path):
             "render noise DIGEST :no/where": ":no/where: cannot be created",
             "render large": f"render: not enough memory for the frame: {2**20 + 8192} bytes; the"}
     (tmp_path / "volume" / "frame_001.chunky").mkdir(parents=True)
-    results = emulator.run_many(good + list(said), files, "a1200", tmp_path)
+    results = emulator.run_batch(good + list(said), files, "a1200", tmp_path)
     for command, result in zip(good, results):
         left_out = "render: not all could be drawn: a vertex is out of range\n" in result.output
         assert result.code == 5 * left_out, f"{command}: {result.output}"

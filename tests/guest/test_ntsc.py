@@ -8,7 +8,7 @@ import shutil
 import numpy as np
 import pytest
 
-from tests.helpers import citizen, guest_program
+from tests.helpers import endings, guest_program
 from tmap.base.paths import BASELINE, GUEST, PROGRAMS, ROOT
 from tmap.bench import bench, owner, scenes
 from tmap.build import layout
@@ -49,7 +49,7 @@ CALL = """\
         bsr.w   wait_{place}
         jsr     quiet_leave
 """
-SHOW = "citizen SYS:shown 0 SYS: display 0 0 96 60 noise"  # tests/guest/display.c
+SHOW = "endings SYS:shown 0 SYS: display 0 0 96 60 noise"  # tests/guest/display.c
 
 
 @pytest.fixture(scope="module")
@@ -87,18 +87,18 @@ def booted(committed, tmp_path_factory) -> list[emulator.Result]:
     folder = tmp_path_factory.mktemp("ntsc")
     (folder / "waits.s").write_text(waits())
     guest_program.build(folder, folder / "waits.s")
-    guest_program.build(folder, GUEST / "citizen.s", GUEST / "state.s")
+    guest_program.build(folder, GUEST / "endings.s", GUEST / "state.s")
     for name in ("render", "measure", "demo"):
         shutil.copy(PROGRAMS / name, folder)
     noise = np.random.default_rng(11).integers(0, 256, 3 * 96 * 60, np.uint8)
     files = {"it.scene": write(scenes.shown(SCENE)[0]), "plan": plan(committed),
-             "display": guest_program.build(folder, *citizen.DISPLAY),
+             "display": guest_program.build(folder, *endings.DISPLAY),
              "palette": noise[:1024].tobytes(), "noise": noise.tobytes(),
              "parts": (demo.SOURCE / demo.SCRIPT).read_bytes(),
              "race.scene": write(compile_scene(demo.SOURCE / "race.toml"))}
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(emulator.MACHINES, "ntsc", NTSC)
-        done = emulator.run_many(
+        done = emulator.run_batch(
             ["render it.scene FORM addx DIGEST digests", "measure table PLAN plan", SHOW,
              f'demo "" PART 1 FRAMES {FRAMES} LOG', "waits"], files, "ntsc", folder / "run",
             programs=folder, patience=60)

@@ -139,7 +139,7 @@ def test_the_program_refuses_bad_files() -> None:
     }
     cases = [(words, data) for words, several in files.items() for data in several]
     with emulator.workspace() as folder:
-        results = emulator.run_many([f"vectors q{n} a{n}" for n in range(len(cases))],
+        results = emulator.run_batch([f"vectors q{n} a{n}" for n in range(len(cases))],
                                     {f"q{n}": data for n, (_, data) in enumerate(cases)},
                                     "a1200-fast", folder)
         for n, ((words, _), done) in enumerate(zip(cases, results)):

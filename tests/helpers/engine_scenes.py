@@ -40,7 +40,7 @@ def scene_text(material: str, obj: str, pixels: str = "rgba8888", frames: int = 
             + f'[[objects]]\nmaterial = "it"\n{obj}\n')
 
 
-def many_text(width: int, height: int, pixels: str, engines) -> str:
+def batch_text(width: int, height: int, pixels: str, engines) -> str:
     """Returns a scene of one frame with texture engines as its materials m0, m1, ... and no object
     yet."""
     return (f'width = {width}\nheight = {height}\nframes = 1\nformat = "{pixels}"\n'

@@ -54,7 +54,8 @@ def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
     commands += [f"render {k}.scene {each.way} COUNT" for k, each in enumerate(asked)
                  if each.counted]
     with emulator.workspace() as folder:
-        done = emulator.run_many(commands, files, machine, folder, patience=emulator.PATIENT_SECONDS)
+        done = emulator.run_batch(commands, files, machine, folder,
+                                  patience=emulator.PATIENT_SECONDS)
         for command, result in zip(commands, done):
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
             if fault or result.code:

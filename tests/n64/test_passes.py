@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
-from tests.helpers.engine_scenes import compiled, many_text, save_noise
+from tests.helpers.engine_scenes import compiled, batch_text, save_noise
 
 PIXELS = ("rgba5551", "rgba8888")
 COLUMNS, SIDE, GAP = 5, 22, 26  # engines a row; pixels of a triangle, of its cell
@@ -116,7 +116,7 @@ def passes_text(pixels: str) -> str:
     """One frame of all engines."""
     lines = -(-len(ENGINES) // COLUMNS)
     engines = [engine for engine, _ in ENGINES.values()]
-    text = many_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, engines)
+    text = batch_text(GAP * COLUMNS + 6, GAP * lines + 4, pixels, engines)
     for n, engine in enumerate(engines):
         text += f'[[objects]]\nmaterial = "m{n}"\n{corners(n, engine)}\n'
     return text
@@ -127,7 +127,7 @@ def pages_text(pixels: str) -> str:
     separate row of cells."""
     columns = max(len(ranges) for _, ranges in PAGES.values())
     engines = [engine for engine, _ in PAGES.values()]
-    text = many_text(PAGE * columns, PAGE * len(PAGES), pixels, engines)
+    text = batch_text(PAGE * columns, PAGE * len(PAGES), pixels, engines)
     for n, (_, ranges) in enumerate(PAGES.values()):
         for k, (low, high) in enumerate(ranges):
             left, top = PAGE * k + 1, PAGE * n + 1

@@ -177,7 +177,7 @@ def test_the_guest_refuses_what_the_compiler_does(folder):
         "polygon": (replace(copied, materials=deep.materials, objects=deep.objects,
                             vertices=deep.vertices, poses=deep.poses), cycle)}
     files = {name: scene_file.write(scene) for name, (scene, _) in scenes.items()}
-    found = emulator.run_many([f"render {name} FRAMES 1" for name in files], files, "a1200",
+    found = emulator.run_batch([f"render {name} FRAMES 1" for name in files], files, "a1200",
                               folder / "run")
     for (name, (_, why)), result in zip(scenes.items(), found, strict=True):
         said = result.output.splitlines()

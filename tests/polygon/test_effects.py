@@ -1,5 +1,5 @@
 """The rotator and the lit scene have the features they are meant to show. That the guest draws them
-as the model does: tests/accuracy/test_showcase.py."""
+as the model does: tests/accuracy/test_scene_errors.py."""
 
 import numpy as np
 

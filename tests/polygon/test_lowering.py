@@ -36,7 +36,7 @@ def test_counts_show_that_nothing_else_ran(cases):
     ways = [None] + [case.rule for case in cases]
     commands = ["render rules.scene COUNT" + (f" OFF {rule}" if rule else "") for rule in ways]
     with emulator.workspace() as directory:
-        done = emulator.run_many(commands, {"rules.scene": write(scene)}, MACHINE, directory)
+        done = emulator.run_batch(commands, {"rules.scene": write(scene)}, MACHINE, directory)
     parsed = [run.parse_output(each.output, scene.frames, len(scene.materials)) for each in done]
     (figures, executed), *others = parsed
     for number, (case, (without, executed_without)) in enumerate(zip(cases, others), 1):

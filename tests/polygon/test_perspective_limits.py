@@ -8,7 +8,7 @@ import pytest
 from tmap.base.fixed import M32
 from tmap.build import layout
 from tmap.ideal import bounds_perspective
-from tmap.ideal.bounds import judge_set_up
+from tmap.ideal.bounds import check_set_up
 from tmap.ideal.ideal import UNIT
 from tmap.model import model
 from tmap.setup import logarithm, perspective, reciprocal
@@ -70,5 +70,5 @@ def test_k_takes_most_of_what_a_logarithm_was_rounded_by() -> None:
     settings = model.Settings("integer", perspective="pixel")
     corners = model.adapt(corners, settings, 256)
     polygon = model.set_up(corners, 96, 72, True, settings, (256, 256))
-    verdict = judge_set_up(corners, polygon, settings, 96, 72, (256, 256))
+    verdict = check_set_up(corners, polygon, settings, 96, 72, (256, 256))
     assert verdict.pixels > 2000 and not verdict.complaint

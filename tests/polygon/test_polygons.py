@@ -15,7 +15,7 @@ from tmap.bench import scenes
 from tmap.corpus import random_polygons
 from tmap.guest import guest_frames
 from tmap.ideal import ideal
-from tmap.ideal.bounds_coverage import judge_coverage
+from tmap.ideal.bounds_coverage import check_coverage
 from tmap.model import model
 from tmap.run.polygon_report import explain
 from tmap.scene_file import scene_file
@@ -100,7 +100,7 @@ def test_error_is_within_the_derived_bounds(seed: int) -> None:
                 errors += [("edge", *each[-2:]) for each in ideal.edge_errors(vertices, polygon)]
             else:
                 size = this.width, this.height
-                assert not judge_coverage(vertices, polygon, settings, *size)[0], what
+                assert not check_coverage(vertices, polygon, settings, *size)[0], what
             for name, error, bound in errors:
                 assert 0 <= error <= bound, f"{name}: {what}"
                 if settings is USUAL:

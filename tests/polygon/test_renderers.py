@@ -26,7 +26,7 @@ def dumps(tmp_path_factory):
     found = {}
     for pair in PAIRS:
         first, second = pair
-        result, = emulator.run_many([f"renderers {first}.scene {second}.scene {FRAMES}"], files,
+        result, = emulator.run_batch([f"renderers {first}.scene {second}.scene {FRAMES}"], files,
                                     "a1200-fast", tmp_path_factory.mktemp("drawn"), programs=programs,
                                     patience=emulator.PATIENT_SECONDS)
         assert result.code == 0, result.output

@@ -183,7 +183,7 @@ def save_to(content: bytes, folder: Path, **options: str) -> emulator.Result:
     """Runs the bench with its file on a floppy disk."""
     path = folder / "floppy.adf"
     disk.save(path, no_boot(content))
-    result, = emulator.run_many(["measure df0:x PLAN plan"], {"plan": small_plan(0)},
+    result, = emulator.run_batch(["measure df0:x PLAN plan"], {"plan": small_plan(0)},
                                 "a1200-fast", folder, drives=emulator.floppies(path) | options)
     return result
 
@@ -203,7 +203,7 @@ def test_what_is_lacking_is_said(tmp_path):
             "measure S PLAN right": ("S cannot be created: object is not of required type", 10)}
     files = {"right": plan, "wrong": wrong, "short": plan[:-4], "none": kernels.plan([]),
              "bench": kernels.plan([kernels.Case("nothing")])}
-    results = emulator.run_many(list(said), files, "a1200-fast", tmp_path)
+    results = emulator.run_batch(list(said), files, "a1200-fast", tmp_path)
     for (command, expected), result in zip(said.items(), results, strict=True):
         assert (result.output.splitlines()[-1], result.code) == expected, f"{command}: {result}"
     saved, other = (emulator.read(tmp_path / "volume" / name) for name in ("tmap020.txt", "other"))

@@ -1,5 +1,5 @@
 """The pages for readers: tables are generated, what the pages name exists, and pictures are what
-the tree draws; tests/accuracy/test_methods.py has one more picture."""
+the tree draws; tests/accuracy/test_italian_methods.py has one more picture."""
 
 import importlib
 import re

@@ -289,7 +289,7 @@ def test_example_draws_the_models_pictures(kit, tmp_path, tools):
     assert done.returncode == 0, done.stdout + done.stderr
     for name, most in MOST.items():
         assert (folder / tools / name).stat().st_size <= most, f"{tools}: {name}"
-    results = emulator.run_many(["example", "spans"], {}, "a1200", tmp_path,
+    results = emulator.run_batch(["example", "spans"], {}, "a1200", tmp_path,
                                 programs=folder / tools)
     assert [(result.code, result.output) for result in results] == [(0, "")] * 2
     volume = results[0].directory

@@ -8,8 +8,8 @@ import shutil
 import numpy as np
 import pytest
 
-from tests.helpers import citizen, guest_program
-from tests.helpers.citizen import AT_ONCE, KEYS
+from tests.helpers import endings, guest_program
+from tests.helpers.endings import AT_ONCE, KEYS
 from tmap.base.paths import PROGRAMS
 from tmap.build import layout
 from tmap.guest import emulator
@@ -70,10 +70,10 @@ def played(request, data, tmp_path_factory):
     """The machine; its parts; the ticks of the race's frames by render, one row a form; and the
     ticks of one piece of work, timed repeatedly, the first time with interrupts off."""
     programs = tmp_path_factory.mktemp("programs")
-    guest_program.build(programs, *citizen.DISPLAY)
+    guest_program.build(programs, *endings.DISPLAY)
     for name in ("demo", "render"):
         shutil.copy(PROGRAMS / name, programs)
-    done = emulator.run_many(
+    done = emulator.run_batch(
         [f'demo "" FRAMES {FRAMES} LOG', BUSY] + [f"render race.scene FORM {form} FRAMES {MOST}"
                                                   for form in FORMS],
         data, request.param, tmp_path_factory.mktemp("played"), programs=programs, patience=60)
@@ -181,9 +181,9 @@ def test_lanes_have_equal_time(played):
     machine, parts, *_ = played
     for number in (RACE, PERSPECTIVE):
         panes = parts[number].panes
-        dearest = max(used / pictures for pictures, _, used in panes)
+        worst = max(used / pictures for pictures, _, used in panes)
         spread = max(u for *_, u in panes) - min(u for *_, u in panes)
-        assert spread <= 2 * dearest, f"{machine}, part {number}: {panes}"
+        assert spread <= 2 * worst, f"{machine}, part {number}: {panes}"
 
 
 def changes(steps: list[int]) -> int:
@@ -224,10 +224,10 @@ ENDINGS = [(0, "demo SYS: PART 7 FRAMES 2", 0), (0, "demo SYS: PART 5 FRAMES 2",
 
 
 @pytest.fixture(scope="module")
-def ended(data, tmp_path_factory) -> list[citizen.Ended]:
+def ended(data, tmp_path_factory) -> list[endings.Ended]:
     parts = data[demo.SCRIPT]
     broken = parts + parts[parts.rindex(b"\npart "):].replace(b"scene mirror.", b"scene nothing.")
-    return citizen.run(ENDINGS, data | {"demo": PROGRAMS / "demo", "parts": broken}, "a1200-fast",
+    return endings.run(ENDINGS, data | {"demo": PROGRAMS / "demo", "parts": broken}, "a1200-fast",
                        tmp_path_factory.mktemp("ended"), "demo SYS: PART 6 FRAMES 2")
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from tests.helpers import citizen, guest_program
+from tests.helpers import endings, guest_program
 from tests.screen import copper_lists
 from tmap.base import maps, planar
 from tmap.build import layout
@@ -65,7 +65,7 @@ ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1
 def programs(tmp_path_factory):
     """A folder with the guest, linked as the Makefile does."""
     folder = tmp_path_factory.mktemp("programs")
-    guest_program.build(folder, *citizen.DISPLAY)
+    guest_program.build(folder, *endings.DISPLAY)
     return folder
 
 
@@ -83,14 +83,14 @@ def palette():
 
 
 @pytest.fixture(scope="module")
-def ended(programs, pixels, palette, tmp_path_factory) -> dict[str, citizen.Ended]:
+def ended(programs, pixels, palette, tmp_path_factory) -> dict[str, endings.Ended]:
     """All commands in one boot."""
     files = {"palette": palette.tobytes(), "display": programs / "display"} | {
         name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in pixels.items()}
     # Two at first: the system frees all it can, and allocates what it needs on first use.
     shows = [command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()]
     commands = [command("AGAIN"), *shows, *ENDINGS]
-    found = citizen.run([(0, each) for each in commands], files, MACHINE,
+    found = endings.run([(0, each) for each in commands], files, MACHINE,
                         tmp_path_factory.mktemp("run"), command("SHORT"))
     return dict(zip(commands[1:], found[1:]))
 

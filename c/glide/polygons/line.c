@@ -76,7 +76,7 @@ static void find_pieces(const struct glide_runs *runs, struct glide_steps *steps
 static void find_coordinates(struct glide_runs *runs, struct glide_steps *steps)
 {
     static const struct glide_iterators none = {0, 0, 0};
-    const int32 is_none = runs->part->looks_behind && runs->at.w < 0;
+    const int32 is_none = runs->part->hides_behind && runs->at.w < 0;
 
     if (runs->part->piece_bits) {
         find_pieces(runs, steps);

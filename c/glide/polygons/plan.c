@@ -60,8 +60,8 @@ static void find_bands(struct glide_part *part, const struct glide_range *range)
         last = glide_runs_band(part, part->glide->modes.dither ? GLIDE_DITHERS - 1 : 0, sizes->least);
     }
     if (range->least > 0)
-        part->looks_behind = 0;
-    part->is_one = part->band == last && !part->looks_behind;
+        part->hides_behind = 0;
+    part->is_one = part->band == last && !part->hides_behind;
     part->bits = 0;
     part->every = ~(uint32)0;
     for (uint32 n = part->band; n <= last; n++) {
@@ -105,7 +105,7 @@ static int32 find_part(struct glide_part *part, struct glide_pipe *pipe, uint32 
     part->piece_bits = divides ? glide_piece_bits(&pipe->chain, unit) : 0;
     part->coordinates = part->piece_bits ? glide_pieces : divides ? glide_divide
         : modes->clamp_s || modes->clamp_t ? glide_walk_clamp : glide_walk;
-    part->looks_behind = modes->clamp_negative_w && !divides;
+    part->hides_behind = modes->clamp_negative_w && !divides;
     part->ready = 0;
     find_bands(part, &iterations->ranges[points]);
     for (uint32 band = 0; band < part->bands->count; band++)

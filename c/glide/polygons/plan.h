@@ -43,7 +43,7 @@ struct glide_part {
     int32 first;                /* plane */
     int32 lod;                  /* the polygon's and the bias */
     int32 by_w;                 /* pixels' LODs depend on their w */
-    int32 looks_behind;         /* not divided; coordinates are 0 where w is negative */
+    int32 hides_behind;         /* not divided; coordinates are 0 where w is negative */
     int32 is_one;               /* all its pixels are of one band */
     uint32 band;                /* the first that pixels may have */
     uint32 bits, every;         /* bits of any, and of all, bands that pixels may have */

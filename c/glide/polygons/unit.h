@@ -17,7 +17,7 @@ struct glide_tile_store;
 struct glide_pipe {
     struct glide_chain chain;
     enum glide_result result;   /* why the last polygon was refused */
-    int32 memory;               /* enum memory_kind, of cached data */
+    int32 memory;               /* enum memory_type, of cached data */
     uint32 prefilter;           /* see glide_pipe_prefilter */
     int32 adds;                 /* see glide_pipe_adds */
     struct glide_tile_store *tiles;

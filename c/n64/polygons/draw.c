@@ -180,10 +180,10 @@ static enum n64_result judge(struct n64_unit *unit, const struct vertex *v, int3
 
     for (int32 i = 0; i < N64_TILES; i++)
         state += unit->n64.tile_generation[i];
-    if (state != unit->judged)
+    if (state != unit->validated)
         result = n64_check_drawing(&unit->n64);
     if (result == N64_DONE)
-        unit->judged = state;
+        unit->validated = state;
     for (; count > 0 && result == N64_DONE; count--, v++)
         result = n64_check_coordinates(&unit->n64, v->s, v->t);
     return result;

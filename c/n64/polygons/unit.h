@@ -15,13 +15,13 @@ struct n64_yuv_tables {
 struct n64_unit {
     struct n64 n64;
     enum n64_result result;     /* why the last polygon was refused */
-    int32 memory;               /* enum memory_kind, of cached data */
+    int32 memory;               /* enum memory_type, of cached data */
     uint32 **reciprocals;       /* of all units of a scene; *reciprocals is null until needed */
     struct n64_levels *levels;  /* made at mode_generation levels_made; or null */
     uint32 levels_made;
     uint8 *tables;              /* made at mode_generation tables_made; or null */
     uint32 tables_made;
-    uint32 judged;              /* sum of generations of the last state found valid */
+    uint32 validated;           /* sum of generations of the last state found valid */
     struct n64_yuv_tables *yuv;  /* made at mode_generation yuv_made; or null */
     uint32 yuv_made;
     struct page page;           /* a tile as the plain mappers read it: page.h */

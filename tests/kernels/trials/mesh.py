@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.mesh import cut_trial, faces_trial, looks_trial, outside, transform_trial
+from tmap.bench.mesh import cut_trial, faces_trial, attributes_trial, outside, transform_trial
 from tmap.bench.trial import Trial
 from tmap.model import mesh
 
@@ -55,7 +55,7 @@ def mesh_transform_trials(rng) -> list[Trial]:
     return trials
 
 
-def mesh_looks_trials(rng) -> list[Trial]:
+def mesh_attributes_trials(rng) -> list[Trial]:
     trials = []
     for count in (1, 2, 33) * 12:
         most = 1 << 14
@@ -63,7 +63,8 @@ def mesh_looks_trials(rng) -> list[Trial]:
         factors = [number(rng, 32767) for _ in range(3)]
         base, low = int(rng.integers(0, 256 * ONE)), int(rng.choice((-1 << 31, 0, 40 * ONE)))
         high = int(rng.choice((low, 200 * ONE, (1 << 31) - 1)))
-        trials.append(looks_trial(Memory(), normals, factors, base, low, high, f"{count} normals", 4))
+        trials.append(attributes_trial(Memory(), normals, factors, base, low, high,
+                                       f"{count} normals", 4))
     return trials
 
 
@@ -106,6 +107,6 @@ def mesh_faces_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    makers = mesh_transform_trials, mesh_looks_trials, mesh_cut_trials, mesh_faces_trials
+    makers = mesh_transform_trials, mesh_attributes_trials, mesh_cut_trials, mesh_faces_trials
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

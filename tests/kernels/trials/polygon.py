@@ -68,32 +68,33 @@ def polygons(rng: np.random.Generator) -> list[list[tuple]]:
 
 
 def wanted_sides(vertices):
-    """top, bottom, apex, left direction, area and whether the apex is right; or None."""
+    """top, bottom, middle, left direction, area and whether the middle is right; or None."""
     n = len(vertices)
     top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
     bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
     (ax, ay, *_), (bx, by, *_) = vertices[top], vertices[bottom]
     turns = [(bx - ax) * (v[1] - ay) - (v[0] - ax) * (by - ay) for v in vertices]
-    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
-    if turns[apex] == 0:
+    middle = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
+    if turns[middle] == 0:
         return None
-    forward = (apex - top) % n < (bottom - top) % n
-    return top, bottom, apex, 1 if (turns[apex] > 0) == forward else -1, abs(turns[apex]), turns[apex] < 0
+    forward = (middle - top) % n < (bottom - top) % n
+    direction = 1 if (turns[middle] > 0) == forward else -1
+    return top, bottom, middle, direction, abs(turns[middle]), turns[middle] < 0
 
 
 def sides_numbers(vertices, wanted) -> dict[str, int]:
     """The fields of struct sides that are numbers."""
     *_, direction, area, right = wanted
-    return {"apex_right": 255 * right,
+    return {"middle_right": 255 * right,
             "left_step": direction * layout.load().struct("vertex").size,
             "x_low": min(v[0] for v in vertices), "x_high": max(v[0] for v in vertices)}
 
 
 def sides_pointers(at: int, vertices, wanted) -> dict[str, int]:
     """The fields that point to vertices, as offsets."""
-    top, bottom, apex, *_ = wanted
+    top, bottom, middle, *_ = wanted
     return {name: vertex_at(at, k) for name, k in
-            dict(first=0, last=len(vertices) - 1, top=top, bottom=bottom, apex=apex).items()}
+            dict(first=0, last=len(vertices) - 1, top=top, bottom=bottom, middle=middle).items()}
 
 
 def sides_find_trials(rng) -> list[Trial]:

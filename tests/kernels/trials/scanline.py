@@ -1,4 +1,4 @@
-"""Trials of edge_ramp and edge_hold: u and v of each line against their definition."""
+"""Trials of edge_ramp and edge_clamp: u and v of each line against their definition."""
 
 import numpy as np
 
@@ -43,7 +43,7 @@ def ramp_trial(rng, truncated: bool, packed: bool, gap: tuple[int, int],
         f"{total} lines, truncated {truncated}, packed {packed}, gap {gap[1] / ONE:g}")
 
 
-def hold_trial(rng, most: int) -> Trial:
+def clamp_trial(rng, most: int) -> Trial:
     """A table with lines of up to ``most`` pixels."""
     counts = [int(rng.integers(-3, most + 1)) for _ in range(int(rng.integers(1, 30)))]
     longest = max(max(counts), 1) - 1
@@ -70,11 +70,12 @@ def hold_trial(rng, most: int) -> Trial:
         after.append(pack("plain", *kept) if count > 0 else {})
     memory = Memory(int(rng.integers(1 << 30)))
     at = memory.add(table_of(before), name="lines", shape=layout.load().struct("scanline"))
-    plan_at = memory.struct("hold_plan", dict(lines=at), **plan)
-    fields = layout.load().struct("hold_plan").fields
+    plan_at = memory.struct("clamp_plan", dict(lines=at), **plan)
+    fields = layout.load().struct("clamp_plan").fields
     writes = table_writes(at, after, "plain")
     writes += [long_write(plan_at + fields[s]["offset"], limited[s]) for s in ("dudx", "dvdx")]
-    return Trial(Case("edge_hold", memory, pointers={"a0": plan_at}), values(**plan), writes=writes)
+    return Trial(Case("edge_clamp", memory, pointers={"a0": plan_at}), values(**plan),
+                 writes=writes)
 
 
 def trials() -> list[Trial]:
@@ -88,4 +89,4 @@ def trials() -> list[Trial]:
     first = -16384 * ONE  # sides as far apart as they can be, and drifted a little further
     made += [ramp_trial(rng, *way, (gap, gap + 80), (first - 40, first + 40)) for way in ways
              for gap in (32767 * ONE, 32768 * ONE - 40) for _ in range(3)]
-    return made + [hold_trial(rng, most) for most in (1, 2, 3, 40, 320) for _ in range(20)]
+    return made + [clamp_trial(rng, most) for most in (1, 2, 3, 40, 320) for _ in range(20)]

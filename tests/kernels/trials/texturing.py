@@ -39,7 +39,7 @@ def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Tri
     cuts = dict(zip(("u_cut", "v_cut"), texturing.CUT.get(settings.mapper, (0, 0))))
     out = memory.struct("texturing", {}, **dict.fromkeys(layout.load().struct("texturing").fields, 7) | cuts)
     numbers = {name: int(getattr(t, name)) for name in
-               ("dudx", "dvdx", "wraps", "u_cut", "guard", "dudy", "dvdy", "u", "v", "i", "j")}
+               ("dudx", "dvdx", "wraps", "u_cut", "wrap_bit", "dudy", "dvdy", "u", "v", "i", "j")}
     writes = fields(out, "texturing", numbers)
     a, b, c = (vertices[k] for k in sides.corners)
     (x1, y1, s1, t1), (x2, y2, s2, t2) = ([p - q for p, q in zip(v, a)] for v in (b, c))
@@ -82,12 +82,13 @@ def texturing_wrap_trial(dvdx: int, dvdy: int, v: int, box, chain: int) -> Trial
     """How a polygon lives with wraps of v."""
     inside = chain >= 2 and texturing.inside_period(dvdx, dvdy, v, box)
     spare, guard, wraps = (0, 0, not inside) if chain == 3 else \
-        texturing.guarded(dvdx, box[2] - box[0], chain > 0 and not inside)
+        texturing.wrap_bits(dvdx, box[2] - box[0], chain > 0 and not inside)
     memory = Memory()
     box_at = box_block(memory, box)
-    at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, u_cut=0, v_cut=0, guard=7, dudy=0,
+    at = memory.struct("texturing", {}, dudx=0, dvdx=dvdx, wraps=7, u_cut=0, v_cut=0, wrap_bit=7,
+                       dudy=0,
                        dvdy=dvdy, u=0, v=v & M32, i=0, j=0)
-    writes = fields(at, "texturing", {"u_cut": spare, "guard": guard, "wraps": int(wraps)})
+    writes = fields(at, "texturing", {"u_cut": spare, "wrap_bit": guard, "wraps": int(wraps)})
 
     def sound(_: Result) -> str | None:
         left, top, right, bottom = box
@@ -127,7 +128,8 @@ def texturing_starts_trials(rng) -> list[Trial]:
             plane |= {"u": any_size(rng) & M32, "v": any_size(rng) & M32}
             i, j = (int(n) for n in rng.integers(0, 1024, 2))
             memory = Memory()
-            at = memory.struct("texturing", {}, **plane, i=i, j=j, wraps=0, u_cut=0, v_cut=0, guard=0)
+            at = memory.struct("texturing", {}, **plane, i=i, j=j, wraps=0, u_cut=0, v_cut=0,
+                               wrap_bit=0)
             shape, edges, writes = layout.load().struct("edge"), [], []
             for _ in range(count):
                 edges.append({"x": BIAS + int(rng.integers(-16384, 16384)),

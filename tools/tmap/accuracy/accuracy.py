@@ -153,9 +153,10 @@ def write_other(folder: Path, name: str, machine: str, progress) -> str:
         engine = engines.ENGINES[name]
         progress.add_task(engine.title, total=None)
         return engines.write(folder, engine, machine)
-    from tmap.accuracy import methods, showcase
+    from tmap.accuracy import italian_methods, scene_errors
 
-    tool, steps = {METHODS: (methods, methods.METHODS), SCENES: (showcase, showcase.NAMES)}[name]
+    tool, steps = {METHODS: (italian_methods, italian_methods.METHODS),
+                   SCENES: (scene_errors, scene_errors.NAMES)}[name]
     task = progress.add_task(name, total=len(steps))
     return tool.write(folder, machine, lambda: progress.advance(task))
 

@@ -37,7 +37,7 @@ UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycl
          "modes": "cycles_per_pixel", "first_frames": "cycles_more"}
 #: What stands over each kind's table.
 TITLES = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line",
-          "points": "Cycles a point (mesh_looks: a normal, mesh_faces: a face)",
+          "points": "Cycles a point (mesh_attributes: a normal, mesh_faces: a face)",
           "instructions": "Cycles of instructions, with a loop's around 16 of them",
           "frames": f"Cycles a frame, mean of {scenes.FRAMES}",
           "rules": "Cycles a polygon, with each rule of lowering and without it",

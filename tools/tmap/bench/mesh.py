@@ -59,24 +59,25 @@ def transform_case(is_inside: bool):
     return transform_trial(Arena(), ABOUT, points, row).row(COUNT)
 
 
-def looks_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int,
+def attributes_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int,
                 title: str = "", offset: int = 0) -> Trial:
-    """One of s, t and shade of normals; ``offset``: of it in struct mesh_look."""
-    size = layout.load().struct("mesh_look").size
-    to = arena.room("mesh_look", len(normals)) + offset
-    plan_at = arena.struct("look_plan", {
+    """One of s, t and shade of normals; ``offset``: of it in struct mesh_attributes."""
+    size = layout.load().struct("mesh_attributes").size
+    to = arena.room("mesh_attributes", len(normals)) + offset
+    plan_at = arena.struct("attribute_plan", {
         "from": table(arena, "scene_normal", normals), "to": to,
         "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")},
         count=len(normals), base=base, low=low, high=high)
     made = mesh.looks(normals, factors, base, low, high)
-    return Trial(Case("mesh_looks", arena, pointers={"a0": plan_at}), title,
+    return Trial(Case("mesh_attributes", arena, pointers={"a0": plan_at}), title,
                  writes=[long_write(to + size * k, value) for k, value in enumerate(made)])
 
 
-def looks_case():
+def attributes_case():
     """COUNT normals."""
     normals = [(*n, 0) for n in np.random.default_rng(2).integers(-9000, 9000, (COUNT, 3)).tolist()]
-    return looks_trial(Arena(), normals, [9000, -7000, 11000], 128 << 16, 0, 256 << 16).row(COUNT)
+    return attributes_trial(Arena(), normals, [9000, -7000, 11000], 128 << 16, 0,
+                            256 << 16).row(COUNT)
 
 
 def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
@@ -88,7 +89,7 @@ def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> T
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
     faces_at = table(arena, "scene_face", faces)
     placed = arena.struct("mesh_placed", {"corners": corners_at, "points": points_at},
-                          mesh=0, material=0, looks=0, flags=0)
+                          mesh=0, material=0, attributes=0, flags=0)
     to = arena.room("mesh_face", len(faces))
     plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to,
                                           "view": table(arena, "scene_view", [row])}, count=len(faces))
@@ -134,6 +135,7 @@ def cut_case():
 
 #: Names of rows and what makes each: units, case and check.
 CASES = {"mesh_transform": lambda: transform_case(True),
-         "mesh_transform_outside": lambda: transform_case(False), "mesh_looks": looks_case,
+         "mesh_transform_outside": lambda: transform_case(False),
+         "mesh_attributes": attributes_case,
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
          "mesh_cut": cut_case}

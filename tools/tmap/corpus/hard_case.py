@@ -15,7 +15,7 @@ from tmap.setup.texturing import Settings
 
 WIDTH, HEIGHT = 128, 96  # pixels of every case's frame
 UNIT = Fraction(1, 65536)
-FAR = 16384  # pixels and texels: coordinates reach from -FAR to FAR - UNIT
+LIMIT = 16384  # pixels and texels: coordinates reach from -LIMIT to LIMIT - UNIT
 MAPPERS = textures.MAPPERS[1]  # those that draw one-byte pixels
 SPREAD = Fraction(15, 16)  # the part of a map that a fitted texture uses
 
@@ -71,7 +71,7 @@ def make(name: str, sentence: str, points, texture: Texture | None = None, shade
     exact = [(x * UNIT, y * UNIT) for x, y in corners]
     plane = (texture or fitted(map_size))(exact)
     if shades is None:
-        shades = spread([2 * x + y for x, y in exact], Fraction(0), Fraction(255), FAR)
+        shades = spread([2 * x + y for x, y in exact], Fraction(0), Fraction(255), LIMIT)
     return Case(name, sentence,
                 tuple((*corner, fix(s), fix(t), fix(shade), ONE)
                       for corner, (s, t), shade in zip(corners, plane, shades)), mappers, map_size)

@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from tmap.base.fixed import fix
-from tmap.corpus.hard_case import FAR, HEIGHT, UNIT, WIDTH, Case, label
+from tmap.corpus.hard_case import LIMIT, HEIGHT, UNIT, WIDTH, Case, label
 from tmap.corpus.hard_outlines import FARTHEST, box, ring
 
 NEAREST, DEEPEST = Fraction(1, 256), Fraction(16384)  # w's range
@@ -156,7 +156,8 @@ def near_planes() -> Iterator[Case]:
         yield deep(f"near_plane_{way}_one_near", "One vertex at the nearest w, far off the screen, two "
                    "at the horizon.", [place(beside, -60), place(beside, 60), place(reach, 9)], surface)
     yield by_vertex("near_plane_corner", "Two vertices at the nearest w in corners of the whole range, "
-                    "one far away in the middle.", [(-FAR, FARTHEST), (FARTHEST, -FAR), (60, 50)],
+                    "one far away in the middle.", [(-LIMIT, FARTHEST), (FARTHEST, -LIMIT), (60,
+                                                                                             50)],
                     [(0, 0), (200, 10), (9000, 5000)], [NEAREST, NEAREST + UNIT, 5000])
     yield by_vertex("near_plane_on_screen", "A vertex at the nearest w on the screen, two at the "
                     "deepest w.", [(64, 90), (0, 5), (127, 8)], [(100, 100), (0, 0), (255, 0)],
@@ -177,7 +178,8 @@ def ratios() -> Iterator[Case]:
             ("in_a_span_back", band, across(WIDTH, 0, NEAREST, DEEPEST)),
             ("downwards", box(20, 0, 100, HEIGHT), down(0, HEIGHT, NEAREST, DEEPEST)),
             ("upwards", box(20, 0, 100, HEIGHT), down(HEIGHT, 0, NEAREST, DEEPEST)),
-            ("of_a_wide_polygon", box(-FAR, 20, FAR - 1, 70), across(-FAR, FAR - 1, NEAREST, DEEPEST))):
+            ("of_a_wide_polygon", box(-LIMIT, 20, LIMIT - 1, 70), across(-LIMIT, LIMIT - 1,
+                                                                         NEAREST, DEEPEST))):
         yield deep(f"all_depths_{where}", "From the nearest w to the deepest, four million times, "
                    f"{where.replace('_', ' ')}.", points, wall(points, inverse))
     yield by_vertex("all_depths_in_a_triangle", "The nearest w, the deepest and one between.",
@@ -251,15 +253,17 @@ def deep_slivers() -> Iterator[Case]:
 def deep_sizes() -> Iterator[Case]:
     """From within a pixel to the whole range of coordinates."""
     for size in (UNIT, Fraction(1, 2), 1, 2, 8):
-        for far in (4, FAR):
+        for far in (4, LIMIT):
             yield by_vertex(f"deep_triangle_{label(size)}_1_to_{far}", f"A triangle {float(size):.3g} "
                             f"pixels large, {far} times as deep at one end.",
                             [(50, 50), (50 + size, 50), (50, 50 + size)], [(0, 0), (250, 0), (0, 250)],
                             [1, far, 2])
-    for far in (4, FAR):
-        for way, inverse in (("right", across(-FAR, FARTHEST, 1, far)), ("down", down(-FAR, FARTHEST, 1, far))):
+    for far in (4, LIMIT):
+        for way, inverse in (("right", across(-LIMIT, FARTHEST, 1, far)),
+                             ("down", down(-LIMIT, FARTHEST, 1, far))):
             yield deep(f"deep_box_of_the_whole_range_1_to_{far}_{way}", "All coordinates there are, "
-                       f"{far} times as deep at the end, {way}.", box(-FAR, -FAR, FARTHEST, FARTHEST),
+                       f"{far} times as deep at the end, {way}.", box(-LIMIT, -LIMIT, FARTHEST,
+                                                                      FARTHEST),
                        over(inverse, (0, Fraction(1, 2 * far), 0), (0, 0, Fraction(1, 2 * far))))
 
 
@@ -272,7 +276,7 @@ def far_textures() -> Iterator[Case]:
                         [(0, 0), (200, 0), (s, t)], [1, 1, 100])
     yield by_vertex("repeated_over_the_whole_range", "Texels run through all values they have, a thousand "
                     "times as deep at one end.", [(2, 3), (126, 20), (30, 93)],
-                    [(-FAR, -FAR), (FARTHEST, 0), (0, FARTHEST)], [1, 1000, 30])
+                    [(-LIMIT, -LIMIT), (FARTHEST, 0), (0, FARTHEST)], [1, 1000, 30])
 
 
 def constant_texels() -> Iterator[Case]:

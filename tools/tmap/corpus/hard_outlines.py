@@ -5,12 +5,12 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from tmap.base.elementary import cos, sin
-from tmap.corpus.hard_case import FAR, HEIGHT, UNIT, WIDTH, Case, label, make
+from tmap.corpus.hard_case import LIMIT, HEIGHT, UNIT, WIDTH, Case, label, make
 
 MIDDLE = (WIDTH // 2, HEIGHT // 2)
 #: Lengths near the limits of the format: pixels.
 SMALL = (UNIT, 2 * UNIT, 256 * UNIT, Fraction(1, 2), 1 - UNIT, 1, 1 + UNIT)
-FARTHEST = FAR - UNIT
+FARTHEST = LIMIT - UNIT
 #: The eight directions on the screen, by name.
 OCTANTS = {"right": (1, 0), "right_down": (1, 1), "down": (0, 1), "left_down": (-1, 1),
            "left": (-1, 0), "left_up": (-1, -1), "up": (0, -1), "right_up": (1, -1)}
@@ -31,7 +31,7 @@ def ring(count: int, radius, centre=MIDDLE, turn: float = 0.3) -> list[tuple]:
 def leaning(units: Fraction) -> Fraction:
     """Returns the pixels by which an edge of ``units`` (1/65536 pixel per line) moves from the
     first line of the range to the screen's end."""
-    return units * UNIT * (FAR + HEIGHT)
+    return units * UNIT * (LIMIT + HEIGHT)
 
 
 def slivers() -> Iterator[Case]:
@@ -69,7 +69,7 @@ def without_area() -> Iterator[Case]:
     lines = {"level": [(10, 40), (100, 40), (50, 40)], "upright": [(50, 5), (50, 90), (50, 40)],
              "diagonal": [(10, 10), (40, 40), (90, 90)],
              "there_and_back": [(10, 10), (50, 30), (90, 50), (50, 30)],
-             "far": [(-FAR, -FAR), (FAR - 1, FAR - 1), (0, 0)]}
+             "far": [(-LIMIT, -LIMIT), (LIMIT - 1, LIMIT - 1), (0, 0)]}
     for way, points in lines.items():
         yield make(f"no_area_{way}", "Its vertices lie on one line: no area, no plane, no pixel.",
                    points)
@@ -166,7 +166,7 @@ def between_lines() -> Iterator[Case]:
 def slopes() -> Iterator[Case]:
     """An edge of each slope crosses the screen, as left and as right side."""
     for slope in (UNIT, Fraction(1, 4096), Fraction(1, 16), Fraction(1, 2), 1, 2, 16, 256, 4096,
-                  FAR):
+                  LIMIT):
         height = min(Fraction(88), Fraction(2 * FARTHEST, slope), Fraction(100 * 96, slope))
         height = max(height, 1 + UNIT)
         half = height * slope / 2
@@ -175,23 +175,23 @@ def slopes() -> Iterator[Case]:
         yield make(f"slope_{label(slope)}_on_the_left", f"Its left side moves {float(slope):.6g} "
                    "pixels a line.", [upper, (min(lower[0] + 30, FARTHEST), upper[1]), lower])
         yield make(f"slope_{label(slope)}_on_the_right", f"Its right side moves {float(slope):.6g} "
-                   "pixels a line.", [upper, lower, (max(upper[0] - 30, -FAR), lower[1])])
+                   "pixels a line.", [upper, lower, (max(upper[0] - 30, -LIMIT), lower[1])])
     yield make("slope_steepest", "The whole range in a line and a unit: the greatest slope of all.",
-               [(-FAR, 40), (FARTHEST, 41 + UNIT), (-FAR, 44)])
+               [(-LIMIT, 40), (FARTHEST, 41 + UNIT), (-LIMIT, 44)])
 
 
 def sizes() -> Iterator[Case]:
     """From one pixel to the whole range of coordinates."""
-    for size in (1, 2, 4, 16, 64, 256, 1024, 4096, FAR):
+    for size in (1, 2, 4, 16, 64, 256, 1024, 4096, LIMIT):
         yield make(f"triangle_{size}_pixels", f"A triangle {size} pixels large round the middle.",
                    ring(3, Fraction(size, 2)))
-    for size in (1, 128, FAR):
+    for size in (1, 128, LIMIT):
         yield make(f"hexagon_{size}_pixels", f"A hexagon {size} pixels large round the middle.",
                    ring(6, Fraction(size, 2)))
     yield make("box_of_the_whole_range", "All coordinates are the first or the last there is.",
-               box(-FAR, -FAR, FARTHEST, FARTHEST))
+               box(-LIMIT, -LIMIT, FARTHEST, FARTHEST))
     yield make("triangle_of_the_whole_range", "Half of the whole range of coordinates, cut "
-               "along the diagonal.", [(-FAR, -FAR), (FARTHEST, FARTHEST), (-FAR, FARTHEST)])
+               "along the diagonal.", [(-LIMIT, -LIMIT), (FARTHEST, FARTHEST), (-LIMIT, FARTHEST)])
 
 
 def off_screen() -> Iterator[Case]:
@@ -267,23 +267,24 @@ def long_edges() -> Iterator[Case]:
     for k, (x0, x1) in enumerate(((20, 100), (-5000, 5100), (100.3, 20.7))):
         yield make(f"long_edge_{k}", "An edge through all lines there are; the screen shows "
                    f"those in the middle, where its slope of {(x1 - x0) / 32767:.4f} has drifted.",
-                   [(x0, -FAR), (x1 + 20, FARTHEST), (x1, FARTHEST)])
+                   [(x0, -LIMIT), (x1 + 20, FARTHEST), (x1, FARTHEST)])
         yield make(f"long_edge_{k}_ends_on_screen", "An edge from the first line of all, at its "
                    "end on the screen, where it has drifted most.",
-                   [(x0, -FAR), (x1 / 50 + 100, 90.5), (x1 / 50, 91.25)])
+                   [(x0, -LIMIT), (x1 / 50 + 100, 90.5), (x1 / 50, 91.25)])
     for way, units in (("down", Fraction(69, 20)), ("up", Fraction(71, 20))):
         lean = leaning(units)
         yield make(f"long_edge_ends_at_right_border_rounded_{way}", "A right side from the first "
                    "line of all ends a unit from the screen's right border: it must not drift "
-                   "across.", [(1, -FAR), (WIDTH - UNIT - lean, -FAR), (WIDTH - UNIT, HEIGHT),
+                   "across.", [(1, -LIMIT), (WIDTH - UNIT - lean, -LIMIT), (WIDTH - UNIT, HEIGHT),
                                (1, HEIGHT)])
         yield make(f"long_edge_at_the_last_column_rounded_{way}", "A right side from the first "
                    "line of all ends at the last x there is: it must not drift across.",
-                   [(0, -FAR), (FARTHEST - lean, -FAR), (FARTHEST, HEIGHT), (0, HEIGHT)])
+                   [(0, -LIMIT), (FARTHEST - lean, -LIMIT), (FARTHEST, HEIGHT), (0, HEIGHT)])
     lean = 53 * UNIT  # in 97 lines: less than a unit a line, rounded to one
     yield make("sides_drift_apart_at_the_whole_range", "Its sides step a little too far out and "
                "leave the range of coordinates, each at one end.",
-               [(lean - FAR, 0), (FARTHEST - lean, 0), (FARTHEST, HEIGHT + 1), (-FAR, HEIGHT + 1)])
+               [(lean - LIMIT, 0), (FARTHEST - lean, 0), (FARTHEST, HEIGHT + 1), (-LIMIT,
+                                                                                  HEIGHT + 1)])
 
 
 FAMILIES = (slivers, needles, without_area, repeated_vertices, inside_one_pixel,

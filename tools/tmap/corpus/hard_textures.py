@@ -5,7 +5,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 from tmap.base.fixed import ONE, fix
-from tmap.corpus.hard_case import FAR, HEIGHT, UNIT, WIDTH, Case, fitted, label, laid, make
+from tmap.corpus.hard_case import LIMIT, HEIGHT, UNIT, WIDTH, Case, fitted, label, laid, make
 from tmap.corpus.hard_outlines import box, leaning
 from tmap.scene_file.textures import REPEATING
 
@@ -31,7 +31,7 @@ def far_outside() -> Iterator[Case]:
                                                      (1, 0.25), (-0.25, 1)))
     yield make("texture_over_the_whole_range", "Both s and t run through all values they can have.",
                [(0, 0), (WIDTH, 0), (0, HEIGHT)],
-               **on_map((-FAR, -FAR), (255.5, 0), (0, 340)))
+               **on_map((-LIMIT, -LIMIT), (255.5, 0), (0, 340)))
 
 
 def on_texel_borders() -> Iterator[Case]:
@@ -164,8 +164,8 @@ def long_spans() -> Iterator[Case]:
         yield make(f"long_span_{k}", f"Spans of the whole screen with steps of {float(step):.6g}.",
                    box(0, 0, WIDTH, HEIGHT), **on_map((0.5, 200.5), (step, -step), (step / 7, 1)))
         yield make(f"long_span_{k}_from_afar", "Spans that begin at the first column of all; the "
-                   "screen shows their middle.", box(-FAR, 10, FAR - UNIT, 80),
-                   **on_map((0.5 - FAR * step / 16, 200.5 + FAR * step / 16),
+                   "screen shows their middle.", box(-LIMIT, 10, LIMIT - UNIT, 80),
+                   **on_map((0.5 - LIMIT * step / 16, 200.5 + LIMIT * step / 16),
                                (step / 16, -step / 16), (step / 7, 1)))
     for where, step in (("first", Fraction(63, 16)), ("last", -Fraction(63, 16))):
         left = 43 + Fraction(1, 20)
@@ -174,7 +174,7 @@ def long_spans() -> Iterator[Case]:
         case = make(f"long_edge_beside_the_{where}_texel", "A left side from the first line of "
                     "all, beside the end of map and palette: were it to drift, a pixel too far left "
                     "would be beyond it.",
-                    [(left - leaning(Fraction(69, 20)), -FAR), (left, HEIGHT),
+                    [(left - leaning(Fraction(69, 20)), -LIMIT), (left, HEIGHT),
                      (60, HEIGHT)], shades=[start, start, start + away])
         yield replace(case, vertices=tuple(
             (x, y, fix(s), fix(t), *rest) for (x, y, _, _, *rest), s, t

@@ -62,7 +62,7 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
             model.draw(frame, made, texels, 200, textures(seed, block)[-1].texels)
         outside |= any(not -model.FAR <= c < model.FAR for v in adapted for c in v[:4])
         if bounds.has_ideal(adapted, settings):
-            verdict.merge(bounds.judge_set_up(adapted, made, settings, width, height, size))
+            verdict.merge(bounds.check_set_up(adapted, made, settings, width, height, size))
         else:
             judged = False
             verdict.pixels += made.pixels if made else 0

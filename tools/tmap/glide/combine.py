@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tmap.glide.lod import ONE
+from tmap.glide.lod import ONE_8_8
 from tmap.glide.state import (DETAIL, LOCAL, LOCAL_ALPHA, LOD_FRACTION, OTHER_ALPHA, Combination,
                               Modes)
 
@@ -11,7 +11,7 @@ ALPHA = 3
 
 def detail_factor(modes: Modes, lod: np.ndarray) -> np.ndarray:
     """Returns the weight of a detail map, 0..detail_max; it grows with nearness."""
-    near = np.maximum(modes.detail_bias * ONE - lod, 0)
+    near = np.maximum(modes.detail_bias * ONE_8_8 - lod, 0)
     return np.minimum(near << modes.detail_scale >> 8, modes.detail_max)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from tmap.glide.combine import combined
 from tmap.glide.filters import filters_linearly
-from tmap.glide.lod import ONE, QUARTER, chosen, within_limits
+from tmap.glide.lod import ONE_8_8, QUARTER, chosen, within_limits
 from tmap.glide.state import LAST_LEVEL, Modes, Unit
 from tmap.glide.texels import fetch, level_size
 from tmap.setup.polygon import set_up
@@ -20,7 +20,7 @@ MARGIN = 2 << 16  # texels to the place where they are clamped
 
 def only_lod(modes: Modes) -> int | None:
     """Returns the level of detail of all pixels, 8.8, if the limits allow only one, else None."""
-    least, most = modes.lod_min * QUARTER, min(modes.lod_max * QUARTER, LAST_LEVEL * ONE)
+    least, most = modes.lod_min * QUARTER, min(modes.lod_max * QUARTER, LAST_LEVEL * ONE_8_8)
     return int(within_limits(modes, np.int64(least))) if least >= most else None
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from tmap.glide.logarithm import log2
 from tmap.glide.state import COORDINATE_BITS, LAST_LEVEL, Modes
 
-ONE = 256  # of 8.8
+ONE_8_8 = 256  # of 8.8
 LEAST = -(1 << 15)
 MOST = (1 << 15) - 1
 W_BITS = 30  # fraction bits of W
@@ -23,7 +23,7 @@ def base(dsdx: np.ndarray, dtdx: np.ndarray, dsdy: np.ndarray, dtdy: np.ndarray)
     squares = [np.abs(np.asarray(g, np.int64)).astype(np.uint64) ** 2
                for g in (dsdx, dtdx, dsdy, dtdy)]
     most = np.maximum(squares[0] + squares[1], squares[2] + squares[3])
-    double = log2(np.maximum(most, np.uint64(1))) - 2 * ONE * COORDINATE_BITS
+    double = log2(np.maximum(most, np.uint64(1))) - 2 * ONE_8_8 * COORDINATE_BITS
     return np.where(most == 0, LEAST, np.sign(double) * (np.abs(double) >> 1))
 
 
@@ -35,7 +35,7 @@ def level_of_detail(modes: Modes, start: np.ndarray, w: np.ndarray, x: np.ndarra
     lod = np.asarray(start, np.int64)
     if modes.perspective:
         size = np.abs(w)
-        near = log2(np.maximum(size, 1).astype(np.uint64)) - ONE * W_BITS
+        near = log2(np.maximum(size, 1).astype(np.uint64)) - ONE_8_8 * W_BITS
         lod = np.where(size == 0, MOST, lod - near)
     lod = lod + modes.lod_bias * QUARTER
     if modes.dither:
@@ -45,7 +45,7 @@ def level_of_detail(modes: Modes, start: np.ndarray, w: np.ndarray, x: np.ndarra
 
 def within_limits(modes: Modes, lod: np.ndarray) -> np.ndarray:
     """Clamps a level to the map's limits; if they cross, the upper one is used."""
-    most = min(modes.lod_max * QUARTER, LAST_LEVEL * ONE)
+    most = min(modes.lod_max * QUARTER, LAST_LEVEL * ONE_8_8)
     return np.minimum(np.maximum(lod, modes.lod_min * QUARTER), most)
 
 

@@ -3,7 +3,7 @@
 A run has one private directory: it is the boot volume, and holds the programs, their input and all
 that they write. The guest's start-up script runs each command with its output in ``N.log``, writes
 its return code to ``N.code``, and at last writes ``end`` (the sentinel) and leaves the emulator by
-``uaequit``. If consecutive commands run the same program, ``many`` loads it once and does the same
+``uaequit``. If consecutive commands run the same program, ``batch`` loads it once and does the same
 for each.
 """
 
@@ -190,7 +190,7 @@ def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Po
 
 def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], programs: Path,
             apart: bool) -> None:
-    """Writes a run's volume; parameters as in run_many."""
+    """Writes a run's volume; parameters as in run_batch."""
     volume = directory / "volume"
     (volume / "S").mkdir(parents=True)
     for name, content in files.items():
@@ -200,7 +200,7 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
             shutil.copyfile(content, volume / name)
     for name in {command.split()[0] for command in commands}:
         shutil.copyfile(programs / name, volume / name)
-    for name in ("uaequit", "many"):
+    for name in ("uaequit", "batch"):
         shutil.copyfile(PROGRAMS / name, volume / name)
     script = ["failat 100"]  # no return code ends the script
     for program, numbered in itertools.groupby(enumerate(commands), lambda c: c[1].split()[0]):
@@ -209,7 +209,7 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
         if len(some) > 1 and not apart:
             run = "".join(f"{line}\n" for line in arguments)
             (volume / f"{numbers[0]}.run").write_text(run)
-            script += [f"many {program} {numbers[0]}"]
+            script += [f"batch {program} {numbers[0]}"]
         else:
             for number, line in zip(numbers, arguments):
                 script += [f"{program} >{number}.log {line}", f"echo >{number}.code $RC"]
@@ -249,7 +249,7 @@ def explain_end(program: Path, arguments: str, output: str, silence: str, log: s
     return f"{program.name} {arguments}: {how}; {explain_fault(program, output) or said}"
 
 
-def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
+def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
              on_output=None, programs: Path = PROGRAMS,
              patience: float | None = None, apart: bool = False,
              display: Display = HIDDEN, drives: dict[str, str] | None = None) -> list[Result]:
@@ -277,15 +277,15 @@ def run_many(commands: list[str], files: dict[str, bytes | Path], machine: str, 
         why = explain_end(programs / program, arguments, outputs[last], silence, read(log))
         raise (Closed if not silence and process.returncode == 0 else UserError)(why)
     if "" in codes:
-        raise UserError(f"{commands[codes.index('')]}: many could not run it")
+        raise UserError(f"{commands[codes.index('')]}: batch could not run it")
     return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]
 
 
 def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
         directory: Path, on_output=None, programs: Path = PROGRAMS,
         patience: float | None = None, display: Display = HIDDEN) -> Result:
-    """Runs one command as ``run_many`` does; raises UserError for a crash too."""
-    result, = run_many([f"{program} {arguments}"], files, machine, directory, on_output, programs,
+    """Runs one command as ``run_batch`` does; raises UserError for a crash too."""
+    result, = run_batch([f"{program} {arguments}"], files, machine, directory, on_output, programs,
                        patience, display=display)
     fault = explain_fault(programs / program, result.output)
     if fault:

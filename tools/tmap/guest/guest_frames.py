@@ -19,13 +19,13 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
          on_output: Callable[[str], None] | None = None,
          patience: float | None = None, apart: bool = False) -> list[np.ndarray]:
     """Returns the digests of each scene's frames, drawn in one boot. Each scene comes with its form
-    and any further arguments of ``render``. ``patience``, ``apart``: as in run_many."""
+    and any further arguments of ``render``. ``patience``, ``apart``: as in run_batch."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
     commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest"
                 for k, (_, form) in enumerate(scenes)]
     with emulator.workspace() as directory:
-        done = emulator.run_many(commands, files, machine, directory, on_output,
+        done = emulator.run_batch(commands, files, machine, directory, on_output,
                                  patience=patience, apart=apart)
         for result in done:
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)

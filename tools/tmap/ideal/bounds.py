@@ -53,7 +53,7 @@ that the spans drop: (|i - c| + 1) (2^cut - 1) U.
 **Mappers.** Generated code replaces the start's fraction f by 520 U, which is more than the
 shortfall of 1,023 steps, (U/2 + 256 / 2^31 + 3 / 2^32) each: f - 520 U below, or 520 U - f above.
 If u leaves its row of the map in a line, affine spans draw the polygon. Dithered points are moved
-by 3/8 texel at most, exactly: moves are whole units. For lines held in a range (edge_hold), let B
+by 3/8 texel at most, exactly: moves are whole units. For lines held in a range (edge_clamp), let B
 be the polygon's largest bound plus the distance of its plane beyond the range at a vertex. A step
 shrinks by 2B over the longest line and is cut (U), and a start moves no farther than its ends were
 outside, 3B + U: 6B + 2U. Negative steps are then 2 units smaller: a line whose first pixel is on
@@ -74,7 +74,7 @@ from tmap.base.fixed import ceil16
 from tmap.corpus.random_polygons import is_convex
 from tmap.ideal import bounds_fetched, bounds_perspective, ideal, planarity
 from tmap.ideal.bounds_coverage import (FLOAT, LARGEST, crossing, edge_bound, edges_by_line,
-                                        judge_coverage)
+                                        check_coverage)
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import in_front
 from tmap.model import model
@@ -82,7 +82,7 @@ from tmap.setup import spans, tolerance
 from tmap.setup.dithered import MOST as DITHERED
 from tmap.setup.edges import Edge
 from tmap.setup.spans import BIAS
-from tmap.setup.texturing import CUT, STEEP, Line, Settings
+from tmap.setup.texturing import CUT, STEEP_256, Line, Settings
 
 
 @dataclass
@@ -189,7 +189,7 @@ def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column
 
 def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> float:
     """Returns the most by which starts of `polygon` are raised, in texels."""
-    lines, whole = edge.end - edge.top, min(c.g + c.step + 2, STEEP)
+    lines, whole = edge.end - edge.top, min(c.g + c.step + 2, STEEP_256)
     line = 3 + whole if settings.start == "subtexel" else 1
     return ((lines * line + (width + 1) * coarse(c.cut)) / 2 + 2 * whole + 2) * UNIT
 
@@ -206,7 +206,8 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
     if settings.gradients == "plane":
         return off, off
     # if the longest line is narrower than a pixel, its quotient is off by more than half a texel
-    wide = exact and c.g < STEEP - 6 and c.step < (1 + c.g) * UNIT / 2 + coarse(c.cut) * UNIT / 2
+    wide = exact and c.g < STEEP_256 - 6 and c.step < (1
+                                                       + c.g) * UNIT / 2 + coarse(c.cut) * UNIT / 2
     width = t.box[2] - t.box[0]
     sure = wide and i - edge.column(edge.top) <= width and i - column <= width
     return 0.0 if sure else off, off + raised_starts(c, edge, width, settings)
@@ -275,7 +276,7 @@ def line_errors(key: str, c: Coordinate, values: np.ndarray, pixel: tuple[int, i
     return errors, [plane_bound(c, t, edges[0], i, y, settings) for i in (left, last)]
 
 
-def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int],
+def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int],
                  beyond: float | None, out: Verdict) -> None:
     """Adds the error of u and v at both ends of every line inside the exact polygon, as both are
     linear between them, and judges the texels that are fetched at all its pixels."""
@@ -311,7 +312,7 @@ def judge_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
         bounds_fetched.judge(*each, allowed, out)
 
 
-def judge_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
+def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     """Adds the error of the level at both ends of every line inside the exact polygon."""
     t, light, plane = polygon.shading.plane, polygon.shading, ideal.plane_of(vertices, -1)
     (least, _), (most, _) = model.plane_range(vertices, t)
@@ -341,25 +342,25 @@ def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
     return max(0, *(max(first - low, high - last) for low, high, (first, last) in ends)) * UNIT
 
 
-def judge_set_up(adapted, polygon: model.Polygon | None, settings: Settings, width: int,
+def check_set_up(adapted, polygon: model.Polygon | None, settings: Settings, width: int,
                  height: int, size: tuple[int, int]) -> Verdict:
     """``judge`` for the results of ``model.adapt`` and ``model.set_up``."""
     out = Verdict(pixels=polygon.pixels if polygon else 0)
-    out.coverage_errors, out.complaint = judge_coverage(adapted, polygon, settings, width, height)
+    out.coverage_errors, out.complaint = check_coverage(adapted, polygon, settings, width, height)
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
     if polygon and polygon.perspective:
-        bounds_perspective.judge_texels(adapted, polygon, settings.perspective,
+        bounds_perspective.check_texels(adapted, polygon, settings.perspective,
                                         settings.tolerance * UNIT, size, out)
     elif polygon and settings.perspective != "none" and len({v[4] for v in adapted}) > 1:
         flat = tolerance.is_flat(adapted, settings.tolerance)
-        bounds_perspective.judge_flattened(adapted, polygon,
+        bounds_perspective.check_flattened(adapted, polygon,
                                            settings.tolerance * UNIT if flat else None, size,
                                            out)
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
-        judge_texels(adapted, polygon, settings, size,
+        check_texels(adapted, polygon, settings, size,
                      held_beyond(adapted, polygon, settings, size), out)
         if polygon.shading:
-            judge_levels(adapted, polygon, out)
+            check_levels(adapted, polygon, out)
     return out
 
 
@@ -377,5 +378,5 @@ def judge(vertices, settings: Settings, width: int, height: int,
     for part in parts:
         adapted = model.adapt(part, settings, max(size))
         polygon = model.set_up(adapted, width, height, settings.mapper != "flat", settings, size)
-        out.merge(judge_set_up(adapted, polygon, settings, width, height, size))
+        out.merge(check_set_up(adapted, polygon, settings, width, height, size))
     return out

@@ -62,7 +62,7 @@ def exact_extents(vertices, width: int, height: int) -> dict[int, list[tuple[int
             for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height))}
 
 
-def judge_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
+def check_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
                    height: int) -> tuple[int, str]:
     """The count of a convex polygon's wrong pixels; a text on the first too far from its edge."""
     exact = exact_extents(vertices, width, height)

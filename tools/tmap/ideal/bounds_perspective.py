@@ -233,7 +233,7 @@ def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool
     return bool((error[:sure] < -FLOAT).any())
 
 
-def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
+def check_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
                 size: tuple[int, int], out) -> None:
     """Judges the fetched texels of a line; ``off``: errors of u or v, ``allowed``: the most."""
     side = size["uv".index(key)]
@@ -241,7 +241,8 @@ def judge_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray,
                          (allowed, allowed), out)
 
 
-def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int], out) -> None:
+def check_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int],
+                 out) -> None:
     """Adds the error of u and v at every pixel inside the exact polygon to a Verdict, and judges
     the texels; ``asked``: the material's setting, ``tolerance``: in texels, ``size``: the map's."""
     for key, y, columns, found, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
@@ -255,7 +256,7 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[in
             continue
         if len(vertices) == 3 and falls_short(polygon, y, columns, error):
             out.complain(f"{key} on line {y} is {-error.min():.9f} below the exact value")
-        judge_shown(key, y, int(columns[0]), found, error - wanted, allowed, size, out)
+        check_shown(key, y, int(columns[0]), found, error - wanted, allowed, size, out)
         off = abs(error - wanted)
         k = int(off.argmax())
         out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
@@ -264,7 +265,7 @@ def judge_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[in
                          f"setting intends, {allowed:.9f} are allowed")
 
 
-def judge_flattened(vertices, polygon, tolerance: float | None, size: tuple[int, int], out) -> None:
+def check_flattened(vertices, polygon, tolerance: float | None, size: tuple[int, int], out) -> None:
     """Judges a polygon that is drawn affine though w differs: by its tolerance, or (None) because
     its planes are not accurate enough; out.unsure counts those."""
     out.unsure += tolerance is None
@@ -277,7 +278,7 @@ def judge_flattened(vertices, polygon, tolerance: float | None, size: tuple[int,
             bound = max(plane.bound(i, y, t, t.cuts[key - 2]) for i in (left, right - 1)) + (
                 spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
             error = curve.errors(found[seen], columns, y)
-            judge_shown("uv"[key - 2], y, left, found[seen], error, bound, size, out)
+            check_shown("uv"[key - 2], y, left, found[seen], error, bound, size, out)
             error = abs(error)
             k = int(error.argmax())
             out.note(error[k], bound)

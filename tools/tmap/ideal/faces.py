@@ -264,7 +264,7 @@ def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
                    first + (columns - line.left) * (plane.nx / plane.d))
 
 
-def judge_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdict) -> None:
+def check_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdict) -> None:
     """Adds u and v of all pixels that are in both the exact face and the drawn one; ``errors``:
     those of ``curve_bound``, but of all corners."""
     order, (e, f, off) = ideal.corners(adapted), errors
@@ -287,7 +287,7 @@ def judge_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdi
                    f"({columns[0]}, {y}) on,")
 
 
-def judge_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[float],
+def check_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[float],
                  out: Verdict) -> None:
     """Adds the pixels that are wrongly drawn or left out."""
     drawn = {polygon.top + k: (line.left, line.right)
@@ -302,7 +302,7 @@ def judge_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[
                              "all edges")
 
 
-def judge_looks(instance: Instance, vertices, face: Face, longer: int, out: Verdict) -> None:
+def check_attributes(instance: Instance, vertices, face: Face, longer: int, out: Verdict) -> None:
     """Adds the values that normals gave to the corners of a face that is not cut."""
     light = face.camera.looks[2]
     columns = [(2, 3, RADIUS, longer / 256), (3, 4, RADIUS, longer / 256)]
@@ -339,16 +339,16 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
     if settings.edges != "integer" and settings.clip == "scissor":
         stepped = (camera.height + 1) * UNIT / 2 if settings.edges == "subpixel" else 0.0
-        judge_pixels(face, vertices, polygon, [o + stepped for o in off], out)
+        check_pixels(face, vertices, polygon, [o + stepped for o in off], out)
     if not polygon:
         return out
     longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
     if not cut:
-        judge_looks(instance, vertices, face, longer, out)
+        check_attributes(instance, vertices, face, longer, out)
     if settings.perspective != "none":
         f = ideal_mesh.look_error(RADIUS) if instance.flags & ENVIRONMENT else 0.0
         f = (f + ideal_mesh.CUT * cut) * longer / 256 + UNIT * (longer != 256)
-        judge_texels(face, model.adapt(vertices, settings, longer), polygon, (e, f, off), out)
+        check_texels(face, model.adapt(vertices, settings, longer), polygon, (e, f, off), out)
     return out
 
 

@@ -51,7 +51,7 @@ def project(scene, x: int, y: int, w: int) -> tuple[int, int]:
 
 
 def looks(normals, factors, base: int, low: int, high: int) -> list[int]:
-    """mesh_looks: computes one field of all normals."""
+    """mesh_attributes: computes one field of all normals."""
     a, b, c = factors
     return [min(max(base + ((a * x + b * y + c * z) >> 5), low), high) for x, y, z, _ in normals]
 

@@ -56,7 +56,7 @@ def of_scene(name: str, machine: str) -> Entry:
     path = SCENES / f"{name}.toml"
 
     def make(folder: Path) -> dict:
-        from tmap.accuracy import showcase
+        from tmap.accuracy import scene_errors
         from tmap.run import run
         from tmap.compiler.scene import compile_scene
 
@@ -64,9 +64,9 @@ def of_scene(name: str, machine: str) -> Entry:
         for file in set(folder.iterdir()) - {folder / kept for kept in SCENE_FILES}:
             file.unlink()
         return {name: value for name, value in about.items() if name != "palette"} | {
-            "errors": asdict(showcase.errors_of(compile_scene(path)))}
+            "errors": asdict(scene_errors.errors_of(compile_scene(path)))}
 
-    identity = key("tmap/accuracy/showcase", cache.scene_files(path), machine)
+    identity = key("tmap/accuracy/scene_errors", cache.scene_files(path), machine)
     return cache.kept(f"scene_{name}", identity, make)
 
 
@@ -103,14 +103,15 @@ def of_accuracy(tell: Tell) -> Entry:
 def of_methods(tell: Tell) -> Entry:
     """Returns a turning face by each method."""
     def make(folder: Path) -> dict:
-        from tmap.accuracy import methods
+        from tmap.accuracy import italian_methods
 
         done = count(1)
-        table = methods.write(folder, MACHINE, lambda: tell(next(done), len(methods.METHODS)))
+        table = italian_methods.write(folder, MACHINE, lambda: tell(next(done),
+                                                                    len(italian_methods.METHODS)))
         return provenance.record() | {"machine": MACHINE, "table": table}
 
     files = cache.scene_files(SCENES / "face.toml")
-    return cache.kept("methods", key("tmap/accuracy/methods", files, MACHINE), make)
+    return cache.kept("methods", key("tmap/accuracy/italian_methods", files, MACHINE), make)
 
 
 def of_polys(_: Tell) -> Entry:

@@ -7,7 +7,7 @@ import jinja2
 from markdown_it import MarkdownIt
 from markupsafe import Markup
 
-from tmap.accuracy import engines, polys, rows, showcase
+from tmap.accuracy import engines, polys, rows, scene_errors
 from tmap.accuracy.errors import Errors
 from tmap.accuracy.hard_report import every_case
 from tmap.base import markdown
@@ -126,5 +126,5 @@ def page(found: Found, pictures: Path) -> str:
         hard=hard_cases(found.hard) if found.hard else None,
         polys_030=polys.table(found.polys["rows_68030"]),
         polys_source=source("a1200, a1200-fast, a1200-030", found.polys),
-        errors=showcase.table([(s["scene"], s["totals"], s["count"], Errors(**s["errors"]))
+        errors=scene_errors.table([(s["scene"], s["totals"], s["count"], Errors(**s["errors"]))
                                for s in scenes], scenes[0]["machine"]), Source=source)

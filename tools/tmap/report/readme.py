@@ -8,7 +8,7 @@ import json
 import numpy as np
 from PIL import Image
 
-from tmap.accuracy import engines, methods, polys
+from tmap.accuracy import engines, italian_methods, polys
 from tmap.base import rooms
 from tmap.base.markdown import MACHINES
 from tmap.base.outputs import save_animation
@@ -85,7 +85,7 @@ def command() -> int:
     frame, = run.render(first, "a1200-fast", "addx").frames
     run.picture_of(frame, first).save(PICTURE, optimize=True)
     save_animation(ANIMATION, animation(), 80)
-    methods.write_picture(methods.measure("a1200-fast"), METHODS)
+    italian_methods.write_picture(italian_methods.measure("a1200-fast"), METHODS)
     pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]
     print(f"written: {', '.join([*changed, *pictures])}")
     return 0

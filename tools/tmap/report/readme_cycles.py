@@ -117,7 +117,7 @@ def dithered_tables(baseline: dict) -> str:
 #: Meshes: title of a line, bench row.
 MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
               ("a point outside the borders", "mesh_transform_outside"),
-              ("a normal: one of s, t and shade", "mesh_looks"),
+              ("a normal: one of s, t and shade", "mesh_attributes"),
               ("a face of four corners that is seen", "mesh_faces"),
               ("a face seen from the back", "mesh_faces_back"),
               ("a new corner where a border cuts", "mesh_cut"))

@@ -166,7 +166,7 @@ def bounds_table() -> str:
         ("a rounded edge, pixels: its first line", edge_off(1), "ideal.bounds.edge_bound"),
         ("... 256 lines below", edge_off(257), "ideal.bounds.edge_bound"),
         ("... 1,022 lines below, the most", edge_off(1023), "ideal.bounds.edge_bound"),
-        ("an exact edge: the rational result", None, "ideal.bounds.judge_coverage"),
+        ("an exact edge: the rational result", None, "ideal.bounds.check_coverage"),
         ("a gradient of 1 texel a pixel before it is rounded", ideal.Plane.cut(1), "ideal.ideal.Plane.cut"),
         ("... of 256", ideal.Plane.cut(256), "ideal.ideal.Plane.cut"),
         ("u in the corner of a polygon of 320x256 pixels", corner[0], "ideal.ideal.Plane.bound"),

@@ -6,7 +6,7 @@ import re
 
 from PIL import Image
 
-from tmap.accuracy.methods import is_of_the_note
+from tmap.accuracy.italian_methods import is_of_the_note
 from tmap.base.errors import UserError
 from tmap.base.markdown import table
 from tmap.base.paths import SCENES

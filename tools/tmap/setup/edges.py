@@ -67,16 +67,16 @@ class Sides:
 
 
 def corners_of(vertices) -> tuple[tuple[int, int, int], int]:
-    """Returns top, bottom and apex of a polygon, as indices, and twice their area, above 0 if the
-    apex is left of the line from top to bottom."""
+    """Returns top, bottom and middle of a polygon, as indices, and twice their area, above 0 if the
+    middle is left of the line from top to bottom."""
     n = len(vertices)
     top = min(range(n), key=lambda k: (vertices[k][1], vertices[k][0]))
     bottom = min(range(n), key=lambda k: (-vertices[k][1], vertices[k][0]))
     ax, ay = vertices[top][:2]
     dx, dy = vertices[bottom][0] - ax, vertices[bottom][1] - ay
     turns = [dx * (v[1] - ay) - (v[0] - ax) * dy for v in vertices]
-    apex = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
-    return (top, bottom, apex), turns[apex]
+    middle = min(range(n), key=lambda k: (-abs(turns[k]), vertices[k][1], vertices[k][0]))
+    return (top, bottom, middle), turns[middle]
 
 
 def measure(vertices, width: int, height: int) -> Sides | None:
@@ -85,13 +85,13 @@ def measure(vertices, width: int, height: int) -> Sides | None:
     if n < 3:
         return None
     corners, area = corners_of(vertices)
-    top, bottom, apex = corners
+    top, bottom, middle = corners
     x_low, x_high = min(v[0] for v in vertices), max(v[0] for v in vertices)
     box = (max(ceil16(x_low - EDGE_ERROR), 0), max(ceil16(vertices[top][1]), 0),
            min(ceil16(x_high + EDGE_ERROR), width), min(ceil16(vertices[bottom][1]), height))
     if box[0] >= box[2] or box[1] >= box[3] or area == 0:
         return None
-    forward = (apex - top) % n < (bottom - top) % n
+    forward = (middle - top) % n < (bottom - top) % n
     return Sides(corners, 1 if (area > 0) == forward else -1, box)
 
 

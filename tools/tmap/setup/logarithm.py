@@ -26,7 +26,7 @@ POWERS = OCTAVES * OCTAVE
 LEAST = 3 * OCTAVE  # 1/32 texel
 FURTHEST = 8
 PARTS = 256
-ONE = 1 << 30  # of mantissas
+ONE_2_30 = 1 << 30  # of mantissas
 FACTORS = 128
 #: Centres the error of ``parts``: between entries it is below the curve by 11.5 at most, taken half
 #: (11.5 / 2), and it is cut.
@@ -58,12 +58,12 @@ LIMITS = [limit(bucket) for bucket in range(48)]
 @cache
 def mantissas() -> np.ndarray:
     """Returns 2^(t / OCTAVE) in 2.30 for t from 0 to OCTAVE."""
-    rows = [[ONE], [ONE]]
+    rows = [[ONE_2_30], [ONE_2_30]]
     for row, factor in zip(rows, (COARSE, FINE)):
         while len(row) < FACTORS:
             row.append(row[-1] * factor >> 30)
     made = (np.array(rows[0])[:, None] * np.array(rows[1]) >> 30).ravel()
-    return np.append(made, 2 * ONE)
+    return np.append(made, 2 * ONE_2_30)
 
 
 @cache
@@ -91,7 +91,7 @@ def parts() -> list[int]:
     """Returns log2(1 + i / PARTS) in 1/256 units."""
     m, out = mantissas(), []
     for k in range(PARTS):
-        x = ONE + (k << 22)
+        x = ONE_2_30 + (k << 22)
         t = int(np.searchsorted(m, x, "right")) - 1
         out.append((t << 8) + ((x - int(m[t])) << 8) // int(m[t + 1] - m[t]))
     return [*out, OCTAVE << 8]

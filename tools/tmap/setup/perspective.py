@@ -20,7 +20,7 @@ from tmap.setup.texturing import gradients
 Q_ONE = 1 << 30  # q of the nearest vertex
 Q_SURE = 4  # the least ratio of q to its error
 TOO_STEEP = 1 << 28  # Q_SURE times this is above every q except the nearest one's
-STEEP = 1 << 14  # 2^16 units per pixel: half of the range of 32 bits
+STEEP_2_14 = 1 << 14  # 2^16 units per pixel: half of the range of 32 bits
 PIECES = {"every16": 16, "every8": 8}
 CURVES = ("pixel", "fine")
 OCTAVE = 64  # steps of a logarithm
@@ -158,7 +158,7 @@ def perspective(vertices, corners, box) -> Perspective | None:
     """Returns the planes of (x, y, u, v, w) vertices; None if the polygon is drawn affine: w is
     constant, or the planes are not accurate enough.
 
-    ``corners``: indices of top, bottom and apex.
+    ``corners``: indices of top, bottom and middle.
     """
     ws = [v[4] for v in vertices]
     if min(ws) == max(ws):
@@ -190,7 +190,7 @@ def perspective(vertices, corners, box) -> Perspective | None:
     for plane, units in zip(st, raised):  # s / q is never below u
         plane.at += units << 16
     base = tuple(b + 1 for b in base)  # quotients are cut
-    gentle = all(abs(signed(g, 64)) >> 32 < STEEP for g in (q.dx, q.dy, *(p.dx for p in st)))
+    gentle = all(abs(signed(g, 64)) >> 32 < STEEP_2_14 for g in (q.dx, q.dy, *(p.dx for p in st)))
     return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top, base,
                        shift, least, low, high, gentle, raised)
 

@@ -23,7 +23,7 @@ CORNERS_MAX = 64
 FAR = 16384 << 16
 INSET = ONE // 16  # see c/drawing/material.c
 ON_PLANE = 3 * INSET // 4
-STEEP = 4 << 16
+STEEP_4 = 4 << 16
 
 
 @dataclass
@@ -76,7 +76,7 @@ class Polygon:
 def is_steep(settings: Settings, dudx: int, dvdx: int) -> bool:
     """Returns true if an edge's error may move values out of the vertices' range by over INSET."""
     return settings.gradients != "plane" or not all(
-        -STEEP < signed(step) < STEEP for step in (dudx, dvdx))
+        -STEEP_4 < signed(step) < STEEP_4 for step in (dudx, dvdx))
 
 
 def plane_range(vertices, t: Texturing) -> tuple[list[int], list[int]]:
@@ -106,7 +106,7 @@ def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Te
     return None if inside and not steep else ranges
 
 
-def hold(lines: list[Line], ranges) -> None:
+def clamp(lines: list[Line], ranges) -> None:
     """Moves the lines, all with the same steps, so that no pixel leaves the ranges. Negative steps
     are made smaller by two units: a start may be moved a unit below the far border, and u must be
     above the exact value again one pixel on."""
@@ -207,7 +207,7 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
         ranges = held_range(vertices, settings, size, polygon.texturing,
                             is_steep(settings, lines[0].dudx, lines[0].dvdx))
         if ranges:
-            hold(lines, ranges)
+            clamp(lines, ranges)
     return True
 
 

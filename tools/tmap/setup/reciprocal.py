@@ -20,7 +20,7 @@ ORIGIN = LOWEST + COUNT // 2
 FURTHEST = 8
 TWO, THREE, LEAST = 0x40000000, 0xAAAA0000, LOWEST + 2 << 16
 FLAT = 1 << 8
-FAR = 512 << 16  # of K, u and v from their base
+FAR_512 = 512 << 16  # of K, u and v from their base
 TABLE = [((1 << 30) + i) // (2 * i + 1) for i in range(LOWEST, 65536)]
 
 
@@ -102,9 +102,9 @@ def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
         k.append(full >> 32)
         dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << 6, 64))
         c.append(signed((plane.value(x, y) - product(full, q) << 6) - y * dc[-1], 64))
-    if max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) >= FAR:
+    if max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) >= FAR_512:
         return None
-    far = FAR if piece is None else reach(piece, width) << 16
+    far = FAR_512 if piece is None else reach(piece, width) << 16
     if any(max(low - n, n - high) > far for n, high, low in zip(k, p.high, p.low)):
         return None
     more = [raised(piece, width, *each) for each in zip(k, p.low, p.high)]

@@ -10,7 +10,7 @@ from tmap.setup.texturing import CUT, Line
 #: The start of u and v in generated code, units: steps rounded to the nearest never make them late.
 BIAS = 520
 #: The least step of u at which generated code draws no line: 8 such steps leave the map's row.
-STEEP = 32 << 16
+STEEP_32 = 32 << 16
 
 
 def coordinates(line: Line, mapper: str = "affine", y: int = 0) -> tuple[np.ndarray, np.ndarray]:
@@ -40,7 +40,7 @@ def stays_in_row(line: Line) -> bool:
     u is monotonic along the line, so the last texel decides."""
     steps, dudx = line.right - line.left - 1, signed(line.dudx)
     last = (line.u >> 16 & 255) + (BIAS + steps * dudx >> 16)
-    return steps < 0 or (abs(dudx) < STEEP and 0 <= last <= 255)
+    return steps < 0 or (abs(dudx) < STEEP_32 and 0 <= last <= 255)
 
 
 def texel_generated(u: int, v: int, dudx: int, dvdx: int, count: int) -> np.ndarray:

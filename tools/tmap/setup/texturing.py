@@ -10,7 +10,7 @@ from tmap.setup.edges import Edge
 #: Mappers whose u and v share an addx chain.
 CHAINED = ("affine", "lit")
 #: Texels per pixel from which on the shortfall of a step without a plane is not compensated.
-STEEP = 256
+STEEP_256 = 256
 #: Low bits of u and v that a mapper's spans drop; "levels": those of levels of light.
 CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 
@@ -54,7 +54,7 @@ class Texturing:
     dudx: int
     dvdx: int
     u_cut: int  # low bits of u that the spans drop ...
-    guard: int  # ... and their value: 1 if v falls in a chain
+    wrap_bit: int  # ... and their value: 1 if v falls in a chain
     wraps: bool
     v_cut: int = 0
     dudy: int = 0
@@ -81,12 +81,12 @@ def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
             and travel <= v >> 8 & 0xFFFF < 0x10000 - travel)
 
 
-def guarded(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
-    """Returns u_cut, guard and wraps of struct texturing; ``wraps``: v may wrap in a chain."""
+def wrap_bits(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
+    """Returns u_cut, wrap_bit and wraps of struct texturing; ``wraps``: v may wrap in a chain."""
     speed = signed(dvdx, 24)
     once = ((abs(speed) >> 8) + 1) * width <= 0x10000
-    spare = int(wraps and once)
-    return spare, spare & (speed < 0), wraps and not once
+    has_wrap_bit = int(wraps and once)
+    return has_wrap_bit, has_wrap_bit & (speed < 0), wraps and not once
 
 
 def whole_texels(gradient: int) -> int:
@@ -144,9 +144,10 @@ def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
     dvdx, dvdy, v = coordinate(1, v_cut)
     chained = settings.mapper in CHAINED  # only their u and v share a chain
     inside = settings.start == "subtexel" and inside_period(dvdx, dvdy, v, box)
-    spare, guard, wraps = guarded(dvdx, right - left, chained and not inside)
-    dudx, dudy, u = coordinate(0, u_cut or spare)
-    return Texturing(dudx, dvdx, u_cut or spare, guard, wraps, v_cut, dudy, dvdy, u | guard, v, i, j,
+    has_wrap_bit, wrap_bit, wraps = wrap_bits(dvdx, right - left, chained and not inside)
+    dudx, dudy, u = coordinate(0, u_cut or has_wrap_bit)
+    return Texturing(dudx, dvdx, u_cut or has_wrap_bit, wrap_bit, wraps, v_cut, dudy, dvdy,
+                     u | wrap_bit, v, i, j,
                      box)
 
 
@@ -165,12 +166,12 @@ def longest(vertices, corners, box, settings: Settings) -> Texturing:
         y = part[1]
         part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
     dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
-    spare, guard, wraps = guarded(dvdx, box[2] - box[0], settings.mapper in CHAINED)
+    has_wrap_bit, wrap_bit, wraps = wrap_bits(dvdx, box[2] - box[0], settings.mapper in CHAINED)
     u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
-    u_cut = u_cut or spare
+    u_cut = u_cut or has_wrap_bit
     dudx, dvdx = (step + (1 << cut >> 1) >> cut << cut & M32
                   for step, cut in ((dudx, u_cut), (dvdx, v_cut)))
-    return Texturing(dudx, dvdx, u_cut, guard, wraps, v_cut, box=box)
+    return Texturing(dudx, dvdx, u_cut, wrap_bit, wraps, v_cut, box=box)
 
 
 def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> int:
@@ -179,7 +180,7 @@ def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> i
     whole = (abs(signed(step)) >> 16) + 2
     coarse = (1 << cut) + 1 if cut else 1
     line = 3 + whole if start == "subtexel" else 1
-    return 0 if whole > STEEP else (lines * line + (width + 1) * coarse >> 1) + 2 * whole + 2
+    return 0 if whole > STEEP_256 else (lines * line + (width + 1) * coarse >> 1) + 2 * whole + 2
 
 
 def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
@@ -228,7 +229,7 @@ def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int,
         first = [f + edge_shortfall(m, cut, edge.end - edge.top, t.box[2] - t.box[0], settings.start)
                  for f, m, cut in zip(first, moves, t.cuts)]
     first = [raised(f, cut) for f, cut in zip(first, t.cuts)]
-    first[0] |= t.guard
+    first[0] |= t.wrap_bit
     steps = [raised(s, cut) for s, cut in zip(steps, t.cuts)]
     starts = []
     for n, column in enumerate(columns):

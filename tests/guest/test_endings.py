@@ -1,7 +1,7 @@
-"""The Amiga programs as good citizens: return codes, Ctrl-C, and the machine as it was, however
+"""How the Amiga programs end: return codes, Ctrl-C, and the machine as it was, however
 they end, started by a shell or by a double click; what a machine lacks is reported in one line.
 
-A separate program (citizen.s) runs each and prints the machine's state before and after.
+A separate program (endings.s) runs each and prints the machine's state before and after.
 """
 
 import shutil
@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.helpers import citizen
-from tests.helpers.citizen import AT_ONCE, DOUBLE_CLICK, IN_RAM, OLD_KICKSTART, Ended
+from tests.helpers import endings
+from tests.helpers.endings import AT_ONCE, DOUBLE_CLICK, IN_RAM, OLD_KICKSTART, Ended
 from tmap.base.paths import PROGRAMS
 from tmap.guest import emulator, kernels
 from tmap.guest.kernels import Case
@@ -115,10 +115,10 @@ ENDINGS = [
     (0, "vectors asked", 10, "vectors: usage: vectors QUESTIONS ANSWERS"),
     (0, "vectors broken told", 10, "broken: not a usable file of questions: size"),
     (AT_ONCE, "vectors asked gone", 5, BREAK, "gone"),
-    (0, "many render 90", 0, None),
-    (0, "many render", 10, "many: usage: many PROGRAM FIRST"),
-    (0, "many nothing 90", 10, "nothing: cannot be loaded"),
-    (AT_ONCE, "many render 91", 5, BREAK, "92.code"),
+    (0, "batch render 90", 0, None),
+    (0, "batch render", 10, "batch: usage: batch PROGRAM FIRST"),
+    (0, "batch nothing 90", 10, "nothing: cannot be loaded"),
+    (AT_ONCE, "batch render 91", 5, BREAK, "92.code"),
     (0, "three", 0, ""),
     (AT_ONCE, "three", 5, BREAK),
     (0, "huge", 20, "not enough memory"),
@@ -133,7 +133,7 @@ FULL = [(IN_RAM, "render SYS:wide"), (IN_RAM, "render frame_008.chunky")]
 @pytest.fixture(scope="module")
 def ended(files, tmp_path_factory) -> list[Ended]:
     """ENDINGS, CLICKED and FULL in one boot; the volume in memory comes last."""
-    return citizen.run(ENDINGS + CLICKED + FULL, files, "some", tmp_path_factory.mktemp("some"))
+    return endings.run(ENDINGS + CLICKED + FULL, files, "some", tmp_path_factory.mktemp("some"))
 
 
 def test_endings(ended):
@@ -159,7 +159,7 @@ def test_full_volume(ended):
 
 
 def test_data_cache_is_as_before(files, tmp_path):
-    for found in citizen.run([(0, "render good DCACHE"), (AT_ONCE, "render good DCACHE")], files,
+    for found in endings.run([(0, "render good DCACHE"), (AT_ONCE, "render good DCACHE")], files,
                              "cached", tmp_path):
         assert not found.lost() and found.said[0].startswith("frame 0 ticks"), found.said
 
@@ -173,13 +173,13 @@ def test_double_click(ended):
 
 
 def test_processor_that_is_too_small(files, tmp_path):
-    lines = ("render good", "bench calls out", "vectors asked told", "many render 90", "three")
+    lines = ("render good", "bench calls out", "vectors asked told", "batch render 90", "three")
     programs = tmp_path / "programs"
     programs.mkdir()
     for line in lines:
         name = line.split()[0]
         shutil.copy(files.get(name, PROGRAMS / name), programs)
-    results = emulator.run_many(list(lines), {}, "a600", tmp_path / "run", programs=programs,
+    results = emulator.run_batch(list(lines), {}, "a600", tmp_path / "run", programs=programs,
                                 apart=True)
     for line, result in zip(lines, results):
         assert (result.output, result.code) == ("needs a 68020 or better\n", 20), line

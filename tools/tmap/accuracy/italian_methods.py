@@ -16,7 +16,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from PIL import Image
 
-from tmap.accuracy import showcase
+from tmap.accuracy import scene_errors
 from tmap.accuracy.errors import Errors
 from tmap.base import markdown
 from tmap.base.outputs import save_animation
@@ -68,7 +68,7 @@ def measure(machine: str, on_step=None) -> list[Method]:
         drawn = render(scene, machine, "addx")
         spent = sum(figure["cycles"] for figure in drawn.figures) / scene.frames
         made.append(Method(name, scene.palette[np.stack(drawn.frames)], spent,
-                           showcase.errors_of(scene, 1, True)))
+                           scene_errors.errors_of(scene, 1, True)))
         if on_step:
             on_step()
     return made

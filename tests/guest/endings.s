@@ -1,7 +1,7 @@
 ; Runs a program as a shell or a double click does; prints the machine's state before and after,
 ; and how the program ended. For tests only.
 ;
-;       citizen LOG HOW DRAWER PROGRAM ARGUMENTS
+;       endings LOG HOW DRAWER PROGRAM ARGUMENTS
 ;
 ; The program's output goes to LOG. HOW is 0, or the number of fields until a Ctrl-C, -1 at once;
 ; -2 is a double click on the program in DRAWER, then Ctrl-\ is pressed in the window titled
@@ -253,7 +253,7 @@ find_window:
 
         include "tests/guest/keys.i"
 
-        section .data.citizen,data
+        section .data.endings,data
         cnop    0,4
 server  dc.l    0,0
         dc.b    2,0
@@ -286,7 +286,7 @@ input_name      dc.b    'input.device',0
 intuition_name  dc.b    'intuition.library',0
 blank           dc.b    ' ',0
 
-        section .bss.citizen,bss
+        section .bss.endings,bss
 items
 output          ds.l    1
 how             ds.l    1

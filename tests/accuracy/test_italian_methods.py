@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from tmap.accuracy import methods
+from tmap.accuracy import italian_methods
 from tmap.ideal import bounds
 from tmap.model import model
 from tmap.model.mesh import polygons_at
@@ -15,15 +15,15 @@ from tmap.report import readme
 
 
 @pytest.fixture(scope="module")
-def found() -> dict[str, methods.Method]:
-    return {m.name: m for m in methods.measure("a1200-fast")}
+def found() -> dict[str, italian_methods.Method]:
+    return {m.name: m for m in italian_methods.measure("a1200-fast")}
 
 
-@pytest.mark.parametrize("name", methods.METHODS)
+@pytest.mark.parametrize("name", italian_methods.METHODS)
 def test_frames_and_errors(found, name: str) -> None:
     """The frames are the model's. Errors are within the derived bounds."""
-    settings = methods.METHODS[name]
-    scene, total = methods.scene_of(settings), bounds.Verdict()
+    settings = italian_methods.METHODS[name]
+    scene, total = italian_methods.scene_of(settings), bounds.Verdict()
     expected = scene.palette[np.stack([model.render(scene, k) for k in range(scene.frames)])]
     assert np.array_equal(found[name].frames, expected)
     if settings.perspective == "none":
@@ -31,7 +31,7 @@ def test_frames_and_errors(found, name: str) -> None:
     for number in range(scene.frames):
         for which, vertices in polygons_at(scene, number):
             polygon = model.prepare_polygon(scene, which, vertices)
-            total.merge(bounds.judge_set_up(model.adapt(vertices, settings, 256), polygon, settings,
+            total.merge(bounds.check_set_up(model.adapt(vertices, settings, 256), polygon, settings,
                                             scene.width, scene.height, (256, 256)))
     assert not total.complaint and found[name].errors.worst <= total.texel_error + 2**-24
 
@@ -52,15 +52,15 @@ def test_each_method_is_as_exact_as_it_says(found) -> None:
 def test_pictures(found, tmp_path) -> None:
     """The page's picture shows the current frames; so do the cycles and errors in it as text."""
     made = list(found.values())
-    methods.write_picture(made, tmp_path / "methods.png")
-    methods.write_animation(made, tmp_path / "methods.gif")
-    assert len(methods.table(made, "a1200").splitlines()) == 2 + len(found)
+    italian_methods.write_picture(made, tmp_path / "methods.png")
+    italian_methods.write_animation(made, tmp_path / "methods.gif")
+    assert len(italian_methods.table(made, "a1200").splitlines()) == 2 + len(found)
     with Image.open(tmp_path / "methods.gif") as moving:
         assert (moving.size, moving.n_frames) == ((960, 288), 2 * len(made[0].frames) - 2)
     with Image.open(readme.METHODS) as picture:
         shown = json.loads(picture.text["Description"])
     again = "the README's picture of methods is not today's: scripts/tmap readme"
-    for name, figures in methods.described(made).items():
+    for name, figures in italian_methods.described(made).items():
         assert shown[name].pop("cycles") == pytest.approx(figures.pop("cycles"), rel=0.001), again
         assert shown.pop(name) == figures, again
     assert not shown

@@ -29,7 +29,7 @@ line_length macro
 
 ; Clamps the start \1 of a line of d6 + 1 pixels with the step \2, so that it and the line's end
 ; are within [\3, \4]. Uses d1-d2.
-hold_line macro
+clamp_line macro
         move.l  \2,d1
         muls.l  d6,d1
         move.l  \3,d2

@@ -1,6 +1,6 @@
-; trouble - fails in a way chosen by number; tests/guest/test_emulator.py has the names.
+; failures - fails in a way chosen by number; tests/guest/test_emulator.py has the names.
 ;
-; trouble N
+; failures N
 
         include "amiga.i"
         include "routine.i"
@@ -92,7 +92,7 @@ say     pea     words
         addq.l  #4,sp
         jmp     _text_print
 
-        section .data.trouble,data
+        section .data.failures,data
         cnop    0,4
 away    dc.w    $a000,$a000
 table   dc.l    illegal_one,zero_divide,odd_jump,privileged,trap_five,line_f,jump_away
@@ -100,5 +100,5 @@ table   dc.l    illegal_one,zero_divide,odd_jump,privileged,trap_five,line_f,jum
 template dc.b   'N/A/N',0
 words   dc.b    'this far',0
 kept    dc.b    'kept',0
-        section .bss.trouble,bss
+        section .bss.failures,bss
 items   ds.l    1

@@ -1,6 +1,6 @@
-/* many - runs a program with one line of arguments after the other, loading it once.
+/* batch - runs a program with one line of arguments after the other, loading it once.
 
-   many PROGRAM FIRST
+   batch PROGRAM FIRST
    Takes the lines from FIRST.run and numbers them from FIRST. The program's output goes to N.log,
    its return code to N.code. Before each run the program's data is restored as it was loaded. */
 #include "system/file.h"
@@ -36,7 +36,7 @@ static int32 keep(struct hunk *hunk, uint32 *link)
     if (at == hunk->longs)
         return 1;
     if (!mem_alloc(&hunk->kept, (int32)(4 * hunk->longs), MEMORY_ANY))
-        return outcome_lack_memory("many", "a copy of the program's data");
+        return outcome_lack_memory("batch", "a copy of the program's data");
     for (at = 0; at < hunk->longs; at++)
         hunk->kept[at] = hunk->at[at];
     return 1;
@@ -49,7 +49,7 @@ static int32 keep_all(struct data *data, uint32 program)
     for (data->count = 0; *link; data->count++) {
         link = (uint32 *)(*link << 2);
         if (data->count == HUNKS)
-            return text_refuse("many", "the program has too many hunks");
+            return text_refuse("batch", "the program has too many hunks");
         if (!keep(&data->hunks[data->count], link))
             return 0;
     }
@@ -135,7 +135,7 @@ int main(void)
     char name[NAME];
 
     if (!args_read("PROGRAM/A,FIRST/A/N", args)) {
-        print("many: usage: many PROGRAM FIRST\n");
+        print("batch: usage: batch PROGRAM FIRST\n");
         return RETURN_ERROR;
     }
     number = *(const int32 *)args[FIRST];

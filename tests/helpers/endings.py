@@ -1,4 +1,4 @@
-"""Runs programs by tests/guest/citizen.s, which prints the machine's state before and after."""
+"""Runs programs by tests/guest/endings.s, which prints the machine's state before and after."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -44,12 +44,13 @@ def run(commands: list[tuple], files: dict[str, bytes | Path], machine: str, fol
     """Runs (how, command line, ...) in one boot; ``files``: programs and their input. ``first`` is
     run before them, as the first program opens what stays open."""
     (folder / "programs").mkdir()
-    guest_program.build(folder / "programs", GUEST / "citizen.s", GUEST / "state.s")
+    guest_program.build(folder / "programs", GUEST / "endings.s", GUEST / "state.s")
     lines = []
     for number, (how, line, *_) in enumerate([(0, first), *commands]):
         drawer, home = ("RAM:", "SYS:") if how == IN_RAM else ("SYS:", "")
-        lines.append(f"citizen {home}its.{number} {how} {drawer} {home}{line}")
-    results = emulator.run_many(lines, files, machine, folder / "run", programs=folder / "programs",
+        lines.append(f"endings {home}its.{number} {how} {drawer} {home}{line}")
+    results = emulator.run_batch(lines, files, machine, folder / "run",
+                                 programs=folder / "programs",
                                 apart=True, patience=60)
     found = []
     for number, result in enumerate(results):
