@@ -14,19 +14,7 @@ enum n64_source {
     N64_ALPHA_OF = 16           /* and a colour: its alpha */
 };
 
-enum n64_which { N64_A, N64_B, N64_C, N64_D };
-
-/* combine.c. By codes below 16: of A and D of R G B and A, B and D of alpha, of B and C of R G B,
-   of C of alpha. All higher codes are N64_ZERO. */
-extern const uint8 n64_sources[4][16];
-
-/* Returns the enum n64_source of an input's A, B, C or D. */
-static inline uint32 n64_source(const struct n64_input *input, int32 is_alpha, int32 which)
-{
-    const uint32 code = (&input->a)[which];
-    const int32 row = which == N64_C ? 2 + is_alpha : which == N64_B && !is_alpha;
-
-    return code < 16 ? n64_sources[row][code] : (uint32)N64_ZERO;
-}
+/* Places in a row of n64->sources: those of R G B; N64_OF_ALPHA and these are alpha's. */
+enum n64_which { N64_A, N64_B, N64_C, N64_D, N64_OF_ALPHA };
 
 #endif

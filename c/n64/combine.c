@@ -3,7 +3,9 @@
 #include "n64/codes.h"
 #include "n64/pixel.h"
 
-const uint8 n64_sources[4][16] = {
+/* By codes below 16: of A and D of R G B and A, B and D of alpha, of B and C of R G B, of C of
+   alpha. All higher codes are N64_ZERO. */
+static const uint8 selected[4][16] = {
     {0, 1, 2, 3, 4, 5, N64_ONE, 7, 7, 7, 7, 7, 7, 7, 7, 7},
     {0, 1, 2, 3, 4, 5, 7, N64_K4, 7, 7, 7, 7, 7, 7, 7, 7},
     {0, 1, 2, 3, 4, 5, 7, 16, 17, 18, 19, 20, 21, N64_FRACTION, N64_PRIMITIVE_FRACTION, N64_K5},
@@ -30,34 +32,23 @@ static int32 combine(int32 a, int32 b, int32 c, int32 d)
     return sum >> 8 & 0x1ff;
 }
 
-/* Makes channels first to end - 1 from an input of R G B or of alpha. */
-static void combine_channels(const struct inputs *in, const struct n64_input *codes, int32 first,
-                             int32 end, int32 *made)
+static int32 value(const struct inputs *in, uint32 source, int32 channel)
 {
-    const int32 *from[4];
-    int32 steps[4];
-
-    for (int32 which = 0; which < 4; which++) {
-        const uint32 source = n64_source(codes, first == 3, which);
-
-        steps[which] = source < N64_ONE;
-        from[which] = source < N64_ONE ? &in->colours[source][first]
-            : source >= N64_ALPHA_OF ? &in->colours[source - N64_ALPHA_OF][3]
-            : &in->singles[source - N64_ONE];
-    }
-    for (int32 i = first; i < end; i++) {
-        made[i] = combine(*from[N64_A], *from[N64_B], *from[N64_C], *from[N64_D]);
-        for (int32 which = 0; which < 4; which++)
-            from[which] += steps[which];
-    }
+    return source < N64_ONE ? in->colours[source][channel]
+        : source < N64_ALPHA_OF ? in->singles[source - N64_ONE]
+        : in->colours[source - N64_ALPHA_OF][3];
 }
 
-static void combine_cycle(const struct n64_combine *codes, int32 cycle, struct inputs *in)
+static void combine_cycle(const uint8 *of, struct inputs *in)
 {
     int32 made[4];
 
-    combine_channels(in, &codes->rgb[cycle], 0, 3, made);
-    combine_channels(in, &codes->alpha[cycle], 3, 4, made);
+    for (int32 i = 0; i < 4; i++) {
+        if (i == 3)
+            of += N64_OF_ALPHA;
+        made[i] = combine(value(in, of[N64_A], i), value(in, of[N64_B], i),
+                          value(in, of[N64_C], i), value(in, of[N64_D], i));
+    }
     for (int32 i = 0; i < 4; i++)
         in->colours[N64_COMBINED][i] = made[i];
 }
@@ -97,11 +88,11 @@ uint32 n64_combine_pixel(const struct n64 *n64, const struct n64_sources *source
     in.singles[N64_K4 - N64_ONE] = n64->k[4];
     in.singles[N64_K5 - N64_ONE] = n64->k[5];
     if (n64->modes.cycle == N64_TWO_CYCLES) {
-        combine_cycle(&n64->combine, 0, &in);
+        combine_cycle(n64->sources[0], &in);
         put(&in, N64_TEXEL0, &sources->texel1);
         put(&in, N64_TEXEL1, &sources->texel0);
     }
-    combine_cycle(&n64->combine, 1, &in);
+    combine_cycle(n64->sources[1], &in);
     for (int32 i = 0; i < 4; i++)
         colour = colour << 8 | (uint32)clamp_9(in.colours[N64_COMBINED][i]);
     return colour;
@@ -116,18 +107,29 @@ enum n64_result n64_check_combine(const struct n64_combine *combine)
     return N64_DONE;
 }
 
-static uint32 cycle_inputs(const struct n64_combine *combine, int32 cycle)
+static void find_sources(uint8 *to, const struct n64_input *input, int32 is_alpha)
 {
-    static const uint8 of[] = {0, N64_INPUT_TEXEL0, N64_INPUT_TEXEL1, 0, N64_INPUT_SHADE, 0};
+    for (int32 which = 0; which < 4; which++) {
+        const uint32 code = (&input->a)[which];
+        const int32 row = which == N64_C ? 2 + is_alpha : which == N64_B && !is_alpha;
+
+        to[which] = code < 16 ? selected[row][code] : N64_ZERO;
+    }
+}
+
+static uint32 cycle_inputs(struct n64 *n64, int32 cycle)
+{
+    uint8 *of = n64->sources[cycle];
+    static const uint8 bits[] = {0, N64_INPUT_TEXEL0, N64_INPUT_TEXEL1, 0, N64_INPUT_SHADE, 0};
     uint32 inputs = 0;
 
+    find_sources(of, &n64->combine.rgb[cycle], 0);
+    find_sources(of + N64_OF_ALPHA, &n64->combine.alpha[cycle], 1);
     for (int32 i = 0; i < 8; i++) {
-        const uint32 source = n64_source(i < 4 ? &combine->rgb[cycle] : &combine->alpha[cycle],
-                                         i >= 4, i & 3);
-        const uint32 colour = source < N64_ALPHA_OF ? source : source - N64_ALPHA_OF;
+        const uint32 colour = of[i] < N64_ALPHA_OF ? of[i] : of[i] - N64_ALPHA_OF;
 
-        inputs |= source == N64_FRACTION ? N64_INPUT_LOD_FRACTION
-            : colour < N64_ONE ? of[colour] : 0;
+        inputs |= of[i] == N64_FRACTION ? N64_INPUT_LOD_FRACTION
+            : colour < N64_ONE ? bits[colour] : 0;
     }
     return inputs;
 }
@@ -137,7 +139,8 @@ static uint32 cycle_inputs(const struct n64_combine *combine, int32 cycle)
 void n64_find_inputs(struct n64 *n64)
 {
     const uint32 both = N64_INPUT_TEXEL0 | N64_INPUT_TEXEL1;
-    uint32 inputs = cycle_inputs(&n64->combine, 1);
+    const uint32 first = cycle_inputs(n64, 0);
+    uint32 inputs = cycle_inputs(n64, 1);
 
     if (n64->modes.cycle != N64_TWO_CYCLES) {
         if (inputs & both)
@@ -145,7 +148,7 @@ void n64_find_inputs(struct n64 *n64)
     } else {
         if ((inputs & both) == N64_INPUT_TEXEL0 || (inputs & both) == N64_INPUT_TEXEL1)
             inputs ^= both;
-        inputs |= cycle_inputs(&n64->combine, 0);
+        inputs |= first;
     }
     n64->inputs = n64->modes.cycle == N64_COPY ? N64_INPUT_TEXEL0 : inputs;
 }

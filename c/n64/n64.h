@@ -139,6 +139,7 @@ struct n64 {
     uint8 primitive_tile;       /* 0-7: T0, or the first of a mipmap */
     uint32 other_modes;         /* bits 23:0 of the last set other modes */
     uint32 inputs;              /* enum n64_inputs, of this combine mode and cycle type */
+    uint8 sources[2][8];        /* by cycle: enum n64_source of A, B, C, D of R G B, of alpha */
     const uint8 *dram;          /* the memory that image addresses refer to, */
     uint32 dram_bytes;          /* multiple of 8 */
     /* Generation counters for cache invalidation: TMEM's counts loads, the others only real
@@ -213,7 +214,7 @@ int32 n64_loadable_pair(uint32 format, uint32 size);
 /* check.c: returns non-zero if texels have half of their bytes in each half of TMEM. */
 int32 n64_is_split(const struct n64_tile *tile);
 
-/* combine.c: n64_find_inputs recalculates n64->inputs. n64_check_combine returns N64_DONE if all
+/* combine.c: n64_find_inputs recalculates n64->sources and inputs. n64_check_combine returns N64_DONE if all
    codes are supported. */
 void n64_find_inputs(struct n64 *n64);
 enum n64_result n64_check_combine(const struct n64_combine *combine);

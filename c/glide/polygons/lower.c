@@ -44,16 +44,27 @@ static uint32 pixel_of(const struct showing *m, uint32 i, uint32 j, int32 pixel_
 }
 
 /* Both axes repeat within the page. */
-static void make_texels(uint8 *row, const struct showing *m, uint32 v, int32 pixel_bytes)
+static void make_row_16(uint16 *row, const struct showing *m, uint32 v)
 {
-    const uint32 columns = m->level.columns;
+    const uint32 wide = 1u << m->bits, period = m->level.columns << m->bits;
 
-    for (uint32 i = 0; i < columns; i++) {
-        const uint32 pixel = pixel_of(m, i, v, pixel_bytes);
+    for (uint32 u = 0; u < SIDE; u += wide) {
+        const uint16 pixel = u < period ? (uint16)pixel_of(m, u >> m->bits, v, 2) : row[u - period];
 
-        for (uint32 texel = i; texel << m->bits < SIDE; texel += columns)
-            for (uint32 k = 0; k < 1u << m->bits; k++)
-                pixel_write(row, (int32)((texel << m->bits) + k), pixel_bytes, pixel);
+        for (uint32 k = u; k < u + wide; k++)
+            row[k] = pixel;
+    }
+}
+
+static void make_row_32(uint32 *row, const struct showing *m, uint32 v)
+{
+    const uint32 wide = 1u << m->bits, period = m->level.columns << m->bits;
+
+    for (uint32 u = 0; u < SIDE; u += wide) {
+        const uint32 pixel = u < period ? pixel_of(m, u >> m->bits, v, 4) : row[u - period];
+
+        for (uint32 k = u; k < u + wide; k++)
+            row[k] = pixel;
     }
 }
 
@@ -81,8 +92,10 @@ static void make_row(void *context, int32 v, int32 from, int32 end)
 
         for (int32 k = 0; k < SIDE * bytes / 4; k++)
             row[k] = other[k];
+    } else if (bytes == 2) {
+        make_row_16((uint16 *)row, m, j);
     } else {
-        make_texels((uint8 *)row, m, j, bytes);
+        make_row_32(row, m, j);
     }
 }
 

@@ -8,19 +8,6 @@
     | 1u << N64_PRIMITIVE_FRACTION | 1u << N64_K4 | 1u << N64_K5 \
     | 1u << (N64_ALPHA_OF + N64_PRIMITIVE) | 1u << (N64_ALPHA_OF + N64_ENVIRONMENT))
 
-/* The sources of a cycle for R G B and for alpha: A, B, C, D. */
-struct sources {
-    uint8 rgb[4], alpha[4];
-};
-
-static void find_sources(struct sources *to, const struct n64 *n64, int32 cycle)
-{
-    for (int32 i = 0; i < 4; i++) {
-        to->rgb[i] = (uint8)n64_source(&n64->combine.rgb[cycle], 0, i);
-        to->alpha[i] = (uint8)n64_source(&n64->combine.alpha[cycle], 1, i);
-    }
-}
-
 /* Returns non-zero if (A - B) C + D is this source, unchanged. */
 static int32 is_only(const uint8 *of, uint32 source)
 {
@@ -29,10 +16,9 @@ static int32 is_only(const uint8 *of, uint32 source)
 
 static int32 is_input(const struct n64 *n64, int32 cycle, uint32 source)
 {
-    struct sources of;
+    const uint8 *of = n64->sources[cycle];
 
-    find_sources(&of, n64, cycle);
-    return is_only(of.rgb, source) && is_only(of.alpha, source);
+    return is_only(of, source) && is_only(of + N64_OF_ALPHA, source);
 }
 
 /* Returns non-zero if (A - B) C + D is the source times shade; COMBINED is 0 in one-cycle mode. */
@@ -55,15 +41,14 @@ static int32 has_tables(const uint8 *of, uint32 source)
 /* Finds the second part of a form: the cycle's operation on this source. */
 static void find_second(struct n64_form *form, const struct n64 *n64, int32 cycle, uint32 source)
 {
-    struct sources of;
+    const uint8 *rgb = n64->sources[cycle], *alpha = rgb + N64_OF_ALPHA;
 
-    find_sources(&of, n64, cycle);
     form->cycle = (uint8)cycle;
-    if (is_only(of.rgb, source) && is_only(of.alpha, source))
+    if (is_only(rgb, source) && is_only(alpha, source))
         form->second = N64_SECOND_NOTHING;
-    else if (is_product(n64, of.rgb, source) && is_product(n64, of.alpha, source))
+    else if (is_product(n64, rgb, source) && is_product(n64, alpha, source))
         form->second = N64_SECOND_MODULATE;
-    else if (has_tables(of.rgb, source) && has_tables(of.alpha, source))
+    else if (has_tables(rgb, source) && has_tables(alpha, source))
         form->second = N64_SECOND_TABLES;
     else
         form->any = 1;
@@ -91,16 +76,12 @@ static int32 is_blend(const uint8 *of, uint32 from, uint32 to)
 /* Finds the first cycle as a blend of both texels; returns 0 if it is none. */
 static int32 find_blend(struct n64_form *form, const struct n64 *n64)
 {
-    struct sources of;
-    int32 fraction, swapped;
-    uint32 from, to;
+    const uint8 *rgb = n64->sources[0], *alpha = rgb + N64_OF_ALPHA;
+    const int32 fraction = blend_fraction(n64, rgb[N64_C], alpha[N64_C]);
+    const int32 swapped = rgb[N64_A] == N64_TEXEL0;
+    const uint32 from = swapped ? N64_TEXEL1 : N64_TEXEL0, to = swapped ? N64_TEXEL0 : N64_TEXEL1;
 
-    find_sources(&of, n64, 0);
-    fraction = blend_fraction(n64, of.rgb[N64_C], of.alpha[N64_C]);
-    swapped = of.rgb[N64_A] == N64_TEXEL0;
-    from = swapped ? N64_TEXEL1 : N64_TEXEL0;
-    to = swapped ? N64_TEXEL0 : N64_TEXEL1;
-    if (!is_blend(of.rgb, from, to) || !is_blend(of.alpha, from, to) || fraction < -1)
+    if (!is_blend(rgb, from, to) || !is_blend(alpha, from, to) || fraction < -1)
         return 0;
     form->swapped = (uint8)swapped;
     form->fraction = (int16)fraction;
@@ -131,13 +112,10 @@ void n64_form_find(struct n64_form *form, const struct n64 *n64)
     }
 }
 
-/* A cycle's inputs. */
-struct inputs {
-    const struct n64 *n64;
-    const struct n64_places *from;
-    int32 cycle;
-    struct n64_wide primitive, environment;
-    int16 singles[6];           /* N64_ONE to N64_K5; the level's fraction is not there */
+/* Where a source is: from pixel to pixel a step in bytes, from channel to channel one in words. */
+struct place {
+    const int16 *at;
+    int32 step, across;
 };
 
 /* Extends 9 bits as A, B and D do. */
@@ -147,65 +125,73 @@ static int16 extended(int32 value)
     return (int16)((value & 0x180) == 0x180 ? value - 512 : value);
 }
 
-static void set_constants(struct inputs *in, const struct n64 *n64)
+static void set_place(struct place *to, const int16 *at, int32 step, int32 across)
 {
-    for (int32 i = 0; i < 4; i++) {
-        in->primitive.channels[i] = n64->primitive[i];
-        in->environment.channels[i] = n64->environment[i];
-    }
-    in->singles[0] = 0x100;
-    in->singles[N64_ZERO - N64_ONE] = 0;
-    in->singles[N64_PRIMITIVE_FRACTION - N64_ONE] = n64->primitive_fraction;
-    in->singles[N64_K4 - N64_ONE] = extended(n64->k[4]);
-    in->singles[N64_K5 - N64_ONE] = n64->k[5];
+    to->at = at;
+    to->step = step;
+    to->across = across;
 }
 
-/* Where an input is; sets *step to the bytes from pixel to pixel. COMBINED is 0 in the first cycle;
-   texel 0 and 1 change places in the second of two. */
-static const int16 *place(const struct inputs *in, int32 which, int32 channel, int32 *step)
+/* Finds all sources of a cycle. COMBINED is 0 in the first one; texel 0 and 1 change places in the
+   second of two. singles: N64_ONE to N64_K5; the level's fraction is not there. */
+static void find_places(struct place *to, const struct n64_places *from, int32 is_second,
+                        const struct n64_wide *primitive, const struct n64_wide *environment,
+                        const int16 *singles)
 {
-    const struct n64_combine *combine = &in->n64->combine;
-    const int32 is_alpha = channel == 3;
-    const int32 second = in->cycle && in->n64->modes.cycle == N64_TWO_CYCLES;
-    const struct n64_places *from = in->from;
-    uint32 source = n64_source(is_alpha ? &combine->alpha[in->cycle] : &combine->rgb[in->cycle],
-                               is_alpha, which);
+    const int32 step = sizeof(struct n64_wide);
+    const struct n64_wide *texel0 = is_second ? from->texel1 : from->texel0;
+    const struct n64_wide *texel1 = is_second ? from->texel0 : from->texel1;
 
+    for (int32 source = N64_ONE; source <= N64_K5; source++)
+        set_place(&to[source], singles++, 0, 0);
+    to[N64_COMBINED] = to[N64_ZERO];
+    if (is_second)
+        set_place(&to[N64_COMBINED], from->combined->channels, step, 1);
+    set_place(&to[N64_TEXEL0], texel0->channels, step, 1);
+    set_place(&to[N64_TEXEL1], texel1->channels, step, 1);
+    set_place(&to[N64_PRIMITIVE], primitive->channels, 0, 1);
+    set_place(&to[N64_SHADE], from->shade->channels, from->shade_step, 1);
+    set_place(&to[N64_ENVIRONMENT], environment->channels, 0, 1);
+    set_place(&to[N64_FRACTION], from->fraction, from->fraction_step, 0);
+}
+
+static const int16 *place(const struct place *places, uint32 source, int32 channel, int32 *step)
+{
     if (source >= N64_ALPHA_OF) {
         source -= N64_ALPHA_OF;
         channel = 3;
     }
-    if (source == N64_COMBINED && !second)
-        source = N64_ZERO;
-    *step = source <= N64_TEXEL1 ? (int32)sizeof(struct n64_wide)
-        : source == N64_SHADE ? from->shade_step : source == N64_FRACTION ? from->fraction_step : 0;
-    switch (source) {
-    case N64_COMBINED: return &from->combined->channels[channel];
-    case N64_TEXEL0: return &(second ? from->texel1 : from->texel0)->channels[channel];
-    case N64_TEXEL1: return &(second ? from->texel0 : from->texel1)->channels[channel];
-    case N64_PRIMITIVE: return &in->primitive.channels[channel];
-    case N64_SHADE: return &from->shade->channels[channel];
-    case N64_ENVIRONMENT: return &in->environment.channels[channel];
-    case N64_FRACTION: return from->fraction;
-    default: return &in->singles[source - N64_ONE];
-    }
+    *step = places[source].step;
+    return places[source].at + (places[source].across ? channel : 0);
 }
 
 void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
                        struct n64_wide *results, int32 count)
 {
+    const int32 is_second = cycle && n64->modes.cycle == N64_TWO_CYCLES;
+    const uint8 *of = n64->sources[cycle];
+    struct n64_wide primitive, environment;
+    int16 singles[N64_K5 - N64_ONE + 1];
+    struct place places[N64_K5 + 1];
     struct n64_combination combination;
-    struct inputs in;
 
-    in.n64 = n64;
-    in.from = at;
-    in.cycle = cycle;
-    set_constants(&in, n64);
+    for (int32 i = 0; i < 4; i++) {
+        primitive.channels[i] = n64->primitive[i];
+        environment.channels[i] = n64->environment[i];
+    }
+    singles[0] = 0x100;
+    singles[N64_ZERO - N64_ONE] = 0;
+    singles[N64_PRIMITIVE_FRACTION - N64_ONE] = n64->primitive_fraction;
+    singles[N64_K4 - N64_ONE] = extended(n64->k[4]);
+    singles[N64_K5 - N64_ONE] = n64->k[5];
+    find_places(places, at, is_second, &primitive, &environment, singles);
     for (int32 channel = 0; channel < 4; channel++) {
-        combination.a = place(&in, N64_A, channel, &combination.a_step);
-        combination.b = place(&in, N64_B, channel, &combination.b_step);
-        combination.c = place(&in, N64_C, channel, &combination.c_step);
-        combination.d = place(&in, N64_D, channel, &combination.d_step);
+        if (channel == 3)
+            of += N64_OF_ALPHA;
+        combination.a = place(places, of[N64_A], channel, &combination.a_step);
+        combination.b = place(places, of[N64_B], channel, &combination.b_step);
+        combination.c = place(places, of[N64_C], channel, &combination.c_step);
+        combination.d = place(places, of[N64_D], channel, &combination.d_step);
         n64_combiner(0, &results->channels[channel], &combination, count);
     }
 }
