@@ -19,7 +19,6 @@ from tmap.corpus import written
 from tmap.glide import polygon
 from tmap.glide.coordinates import quotient
 from tmap.glide.state import ONE_W
-from tmap.ideal import glide
 from tmap.model import model
 from tmap.model.model import Settings
 from tmap.setup import texturing, unit_planes
@@ -223,7 +222,7 @@ def test_quotients_of_glides_unit_are_never_below_the_exact_ones() -> None:
         *overs, inverse = exact.terms(at.x, at.y)
         depth = signed(w.values[0])
         for key, (value, over) in enumerate(zip(st.values, overs)):
-            meant = (over << glide.TO_WHOLE + 18) // inverse
+            meant = (over << 18) // inverse
             off = quotient(signed(value), depth) - meant
             more = st.above + 2 * unit_planes.divided_more(corners, key, w, polygon.SCALE)
             most = more * ONE_W / np.maximum(depth, 1) + 1

@@ -1,10 +1,9 @@
-"""Published loops beside ours: the same work measured on the same emulator.
+"""Published loops beside ours: the same work measured on the same emulator. published.toml has their
+figures, in cycles a pixel, and where they are from."""
 
-Their inner loops were taken as published and run under the bench's conditions: a span of 256
-pixels, code in fast RAM, du 1.5, dv 1.25, FS-UAE 3.1.66, DMA off. The figures are cycles a pixel.
-"""
-
+import tomllib
 from dataclasses import dataclass
+from pathlib import Path
 
 from tmap.base.markdown import MACHINES
 from tmap.bench import bench
@@ -19,26 +18,18 @@ class Loop:
 
     name: str
     source: str
-    cycles: tuple[float, float, float]  # of LONG pixels, in the order of MACHINES
-    short: float | None  # of SHORT pixels with set-up, fast RAM
+    cycles: list[float]  # of LONG pixels, in the order of MACHINES
     exact: bool  # to 16 fraction bits
+    short: float | None = None  # of SHORT pixels with set-up, fast RAM
     ours: bool = False
+    repository: str = ""
+    file: str = ""
+    commit: str = ""
 
 
 #: Kind of work to the published loops for it.
-PUBLISHED = {
-    "textured": (
-        Loop("move and swap, dbra", "the textbook loop", (40.2, 44.3, 44.5), 37.8, True),
-        Loop("move and swap, eight times unrolled", "the textbook loop in its best form",
-             (29.3, 33.4, 33.6), None, True),
-        Loop("Quake, 1x1 pixels", "a Quake port for the 68060: the best exact one published",
-             (25.8, 33.9, 34.1), 37.2, True),
-        Loop("demo loop, 8.8 steps", "the best one published in a demo; one texel in four is wrong "
-             "on odd slopes", (22.4, 34.6, 45.0), 28.5, False)),
-    "lit": (
-        Loop("R_DrawSpan", "DoomAttack, 68020 and 68030: 64x64 texels through a light table",
-             (31.9, 39.6, 40.8), 54.3, True),),
-}
+PUBLISHED = {kind: [Loop(**loop) for loop in loops] for kind, loops in tomllib.loads(
+    Path(__file__).with_suffix(".toml").read_text()).items()}
 #: Kind of work to our rows of the bench: row, name, what it is, whether it is exact.
 OURS = {
     "textured": (("affine_addx", "affine, addx", "one circular chain of addx", True),
@@ -55,8 +46,8 @@ OURS = {
 def ranked(kind: str, measured: dict) -> list[Loop]:
     """All loops for a kind of work, ours from the bench; the fastest in fast RAM first."""
     figures = bench.figures(measured["rows"])
-    ours = [Loop(name, source, tuple(figures[row, machine, LONG] for machine in MACHINES),
-                 figures[row, "a1200-fast", SHORT], exact, True)
+    ours = [Loop(name, source, [figures[row, machine, LONG] for machine in MACHINES], exact,
+                 figures[row, "a1200-fast", SHORT], True)
             for row, name, source, exact in OURS[kind]]
     return sorted([*PUBLISHED[kind], *ours], key=lambda loop: loop.cycles[0])
 
