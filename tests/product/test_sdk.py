@@ -220,6 +220,18 @@ def test_objects_are_the_measured_ones(elf):
             assert home[name].data[start:start + section.size] == section.data, name
 
 
+@pytest.mark.parametrize("name", ["span/affine_addx", "glide/bilinear"])
+def test_hunks_are_as_vasm_writes_them(libraries, tmp_path, name):
+    source, target = ROOT / "src68k" / f"{name}.s", tmp_path / "object"
+    subprocess.run([ROOT / "scripts" / "vasm", "-quiet", "-m68020", "-Fhunk",
+                    f"-I{ROOT / 'src68k' / 'include'}", f"-I{ROOT / 'build' / 'gen'}",
+                    "-o", target, source], check=True)
+    (theirs,), = units(target.read_bytes()).values()
+    ours, = libraries["vlink"][f"{name.replace('/', '_')}.o"]
+    assert (theirs.data, theirs.kind, theirs.defined, theirs.inside, theirs.outside) == (
+        ours.data, ours.kind, ours.defined, ours.inside, ours.outside)
+
+
 @pytest.mark.parametrize("size, relative", [(2, True), (4, True), (2, False)])
 def test_distances_to_other_objects_are_refused(size, relative):
     section = Section("x.o", ".text", bytes(8), 8, 4, True, False,
