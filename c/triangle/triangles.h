@@ -1,0 +1,57 @@
+/* Batches of triangles with snapped vertices, set up in 32 bits. */
+#ifndef TRIANGLES_H
+#define TRIANGLES_H
+
+#include "compiler.h"
+
+enum snapped_limits {
+    /* Vertices are snapped to 1/SNAPPED_ONE pixel. */
+    SNAPPED_BITS = 4,
+    SNAPPED_ONE = 1 << SNAPPED_BITS,
+
+    /* A triangle is drawn where x is 0 to SNAPPED_WIDTH, it covers less than SNAPPED_LINES lines, and
+       u and v of its vertices are -SNAPPED_TEXELS to SNAPPED_TEXELS (excluded). */
+    SNAPPED_WIDTH = 352,
+    SNAPPED_LINES = 128,
+    SNAPPED_TEXELS = 512,
+
+    /* Added to u and v of vertices, 1/65536 texel: as much as a pixel's may be too low. */
+    SNAPPED_RAISED = 512,
+
+    /* Reciprocals: 2^31 / dy, from FINER_HEIGHT sixteenths of a line on 2^39 / dy. */
+    FINER_HEIGHT = 256,
+    SNAPPED_RECIPROCALS = SNAPPED_LINES * SNAPPED_ONE,
+
+    /* Up to these areas, in 1/512 square pixel, the quotient of a gradient may not fit 32 bits. Its
+       dividend is below 2 * 2^30 dy, u and v being less than 1,024 texels apart. */
+    SLIVER_SMALL = 256,         /* dy up to 224 */
+    SLIVER_WIDE = 2048
+};
+
+/* A vertex of a batch. */
+struct snapped_vertex {
+    int16 x, y;                 /* 12.4: x + 1 and y + 15/16; x below 0: out of range */
+    int32 u, v;                 /* 12.20 texels, modulo 4,096 */
+    int32 shade;                /* 12.20 */
+};
+
+struct triangle {
+    const struct snapped_vertex *a, *b, *c;
+};
+
+/* Everything a routine for triangles needs. */
+struct triangle_plan {
+    const struct triangle *list, *end;
+    uint8 *row;                 /* row 0 of the frame */
+    int32 pitch;                /* bytes from line to line, up to 2,048 */
+    const uint8 *map;           /* texel (0, 0) */
+    const int32 *reciprocals;   /* SNAPPED_RECIPROCALS */
+    uint32 colour;              /* flat: the pixel */
+    int32 cull;                 /* 1: triangles seen from the back are left out */
+};
+
+/* src68k/triangle: contracts there. They draw the list up to the first triangle that they cannot
+   draw, and return its address, or the list's end. */
+const struct triangle *triangles_affine(const struct triangle_plan *plan);
+
+#endif

@@ -1,0 +1,222 @@
+; Triangles of a batch that are set up in 32 bits: what the loops of all mappers share.
+;
+; A vertex is a struct snapped_vertex. Its first longword is x + 1 pixel and y + 15/16 pixel, 12.4
+; each, so that x:y of two vertices are subtracted at once, y >> 4 is the first line at or below
+; the vertex, and ~y & 15 are the sixteenths of a line from the vertex down to there.
+;
+; The long edge goes from the top vertex to the bottom one, the two short ones by the middle vertex.
+; Values are interpolated along the long edge; a line is drawn away from it, to the right if it is
+; the left one, else to the left. In names, l is the long edge's side and r the other one.
+;
+; Slopes are products with a table of reciprocals (c/triangle/reciprocals.c): 2^31 / dy below
+; FINER_HEIGHT sixteenths of a line, 2^39 / dy from there on.
+
+        include "routine.i"
+
+; What the set-up reads while a triangle is made: above the loop's values on the stack, at a5.
+                rsreset
+batch_cull      rs.l    1
+batch_end       rs.l    1               ; of the list
+batch_row       rs.l    1               ; row 0 of the frame
+batch_map       rs.l    1
+batch_reciprocals rs.l  1
+batch_pitch     rs.l    1
+batch_sizeof    rs.l    0
+
+; Begins a routine that draws the batch a0.
+triangles_open macro
+        save_all
+        lea     -batch_sizeof(sp),sp
+        movea.l sp,a5
+        move.l  triangle_plan_cull(a0),batch_cull(a5)
+        move.l  triangle_plan_end(a0),batch_end(a5)
+        move.l  triangle_plan_row(a0),batch_row(a5)
+        move.l  triangle_plan_map(a0),batch_map(a5)
+        move.l  triangle_plan_reciprocals(a0),batch_reciprocals(a5)
+        move.l  triangle_plan_pitch(a0),batch_pitch(a5)
+        movea.l triangle_plan_list(a0),a0
+        bra     triangle_next
+        endm
+
+; Ends it. a0: the first triangle that was not drawn.
+triangles_close macro
+        move.l  a0,d0
+        lea     batch_sizeof(sp),sp
+        return_all
+        endm
+
+; Reads the next triangle of the list a0 and turns it: a1 top vertex, d0 its x:y, a2 and a3 the next
+; two in order, d1 and d2 their x:y less the top's, d6 twice the area in 1/256 square pixel, above
+; 0. d5 = 15. Leaves the routine at the list's end and at a triangle with a vertex out of range. A
+; triangle without area is left out; one seen from the back is left out or turned round.
+triangle_fetch macro
+triangle_handed
+        lea     -12(a0),a0
+triangle_done
+        triangles_close
+triangle_back
+        tst.l   d6
+        beq.s   triangle_next
+        tst.l   batch_cull(a5)
+        bne.s   triangle_next
+        exg     d1,d2
+        exg     a2,a3
+        neg.l   d6
+        bra.s   triangle_turned
+triangle_next
+        cmpa.l  batch_end(a5),a0
+        bhs.s   triangle_done
+        movem.l (a0)+,a1-a3
+        move.l  (a1),d0
+        bmi.s   triangle_handed
+        move.l  (a2),d1
+        bmi.s   triangle_handed
+        move.l  (a3),d2
+        bmi.s   triangle_handed
+        cmp.w   d1,d0
+        bgt.s   .not_first
+        cmp.w   d2,d0
+        ble.s   .first
+.last   exg     a1,a3                   ; the last is the top
+        exg     a2,a3
+        exg     d0,d2
+        exg     d1,d2
+        bra.s   .first
+.not_first
+        cmp.w   d2,d1
+        bgt.s   .last
+        exg     a1,a2
+        exg     a2,a3
+        exg     d0,d1
+        exg     d1,d2
+.first  sub.l   d0,d1
+        sub.l   d0,d2
+        move.l  d1,d6
+        swap    d6
+        muls.w  d2,d6
+        move.l  d2,d7
+        swap    d7
+        muls.w  d1,d7
+        sub.l   d7,d6
+        ble.s   triangle_back
+triangle_turned
+        moveq   #15,d5
+        endm
+
+; Makes a2 the middle vertex and a3 the bottom one, with d1 and d2. Goes to \1 if the long edge is
+; on the right.
+triangle_order macro
+        cmp.w   d1,d2
+        blt     \1
+        endm
+
+; Goes to \1 unless the triangle is small: SMALL_HEIGHT sixteenths of a line high and \2 * 16 pixels
+; wide at most. Uses d7.
+triangle_small macro
+        cmp.w   #SMALL_HEIGHT,d2
+        bgt     \1
+        moveq   #0,d7
+        move.w  d2,d7
+        lsl.l   #8,d7
+        ifeq    \2-2
+        add.l   d7,d7
+        endc
+        cmp.l   d7,d6
+        bgt     \1
+        endm
+
+; d3 = the first line, d7 = the middle vertex's, d4 = the one below the last. Goes to \1 if there is
+; no line.
+triangle_lines macro
+        moveq   #0,d3
+        move.w  d0,d3
+        moveq   #0,d4
+        move.w  d3,d4
+        add.w   d2,d4
+        lsr.w   #4,d4
+        moveq   #0,d7
+        move.w  d3,d7
+        lsr.w   #4,d3
+        cmp.w   d3,d4
+        beq     \1
+        add.w   d1,d7
+        lsr.w   #4,d7
+        endm
+
+; d4 = the step a pixel away from the long edge of the value at \1 in a vertex, 16.16, towards zero;
+; \2 = its difference along that edge. d1 and d3: dy of the middle and of the bottom vertex, d6
+; twice the area. \3: the routine that divides where the quotient may not fit, if it may. Uses
+; d0/d5/d7.
+gradient macro
+        move.l  \1(a1),d0
+        move.l  \1(a2),d4
+        sub.l   d0,d4
+        move.l  \1(a3),d7
+        sub.l   d0,d7
+        movea.l d7,\2
+        muls.l  d3,d5:d4
+        muls.l  d1,d0:d7
+        sub.l   d7,d4
+        subx.l  d0,d5
+        ifb     \3
+        divs.l  d6,d5:d4
+        else
+        bsr     \3
+        endc
+        endm
+
+; d4 = d5:d4 / d6 towards zero; 0 where it does not fit. Uses d0/d5.
+triangle_quotient macro
+        move.l  d5,d0
+        bpl.s   .positive
+        not.l   d0
+.positive
+        add.l   d0,d0
+        cmp.l   d6,d0
+        bhs.s   .wide
+        divs.l  d6,d5:d4
+        rts
+.wide   moveq   #0,d4
+        rts
+        endm
+
+; Packs u (\1) and v (\2), 16.16, into \1 = B, uuVv, and \2 = A, v--U. Uses \3.
+pack_pair macro
+        moveq   #0,\3
+        move.b  \2,\3
+        ror.l   #8,\3
+        swap    \1
+        move.b  \1,\3
+        lsr.l   #8,\2
+        move.w  \2,\1
+        move.l  \3,\2
+        endm
+
+; The same for steps: where v falls, every addition of its 24 bits carries into u, so u's step is
+; one less.
+pack_step macro
+        tst.l   \2
+        minus   <subq.l #1,\1>
+        pack_pair \1,\2,\3
+        endm
+
+; The value at \1 in a vertex, at the first pixel: \3 (an address register), and d7 = its step a line
+; from first pixel to first pixel, or one pixel less. d7 is its step a line along the long edge, \2 its
+; step a pixel; d3, d5 and d6 as the long edge leaves them. Uses d0/d2.
+value_first macro
+        move.l  d3,d2
+        muls.l  d7,d2
+        add.l   \1(a1),d2
+        asr.l   #4,d2
+        movea.l d2,\3
+        move.l  \2,d0
+        muls.l  d5,d2:d0
+        add.l   d0,d0
+        addx.l  d2,d2
+        sub.l   d2,d7
+        move.l  \2,d0
+        muls.l  d6,d2:d0
+        move.w  d2,d0
+        swap    d0
+        adda.l  d0,\3
+        endm

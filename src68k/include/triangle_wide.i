@@ -1,0 +1,247 @@
+; Triangles that are not small. An edge is a pointer to its first pixel and an error of 32 bits: a
+; carry moves the pointer one pixel to the right.
+;
+; Its pixels are exact: x is a multiple of 1/dy. In units of 2^-32 pixel: the error begins BELOW under
+; x + 1. Products by the table are off by |dx| a line where dy is below FINER_HEIGHT, 95,406 in 16.94
+; lines for |dx| up to SNAPPED_WIDTH, so x is never too large. It is too small by less than twice that,
+; of 2^32 / 4,080 = 1,052,688. From FINER_HEIGHT on they are off by |dx| / 256, 2,816 in 128 lines, and
+; fractions, rounded down, by 130: x is too small by less than 105,400, of 2^32 / 32,752 = 131,136.
+
+        include "triangle_small.i"
+
+; The stack while lines are drawn, longwords.
+                rsreset
+wide_count      rs.l    1               ; lines of this part that are left
+wide_l_part     rs.l    1
+wide_l_step     rs.l    1
+wide_r_error    rs.l    1
+wide_r          rs.l    1
+wide_r_part     rs.l    1
+wide_r_step     rs.l    1
+wide_r_error_2  rs.l    1
+wide_r_part_2   rs.l    1
+wide_r_step_2   rs.l    1
+wide_count_1    rs.l    1
+wide_r_2        rs.l    1
+wide_count_2    rs.l    1               ; of the second part, until it is taken
+wide_list       rs.l    1
+wide_sizeof     rs.l    0
+
+BELOW           equ     102400
+
+; \1:\2 = the slope dx:dy of \3, whole pixels and a fraction, 0.32. \4: dy's reciprocal. d5 = 15.
+slope_wide macro
+        move.l  \3,\2
+        clr.w   \2
+        cmp.w   #FINER_HEIGHT,\3
+        bcs.s   .coarse\@
+        asr.l   #7,\2                   ; 2^9 dx
+        bra.s   .scaled\@
+.coarse\@
+        add.l   \2,\2                   ; 2^17 dx
+.scaled\@
+        muls.l  \4,\1:\2                ; 16.48
+        move.w  \1,\2
+        swap    \2
+        swap    \1
+        ext.l   \1
+        endm
+
+; From the slope d6:d4 and the vertex x:y \1: d6 = x of the first line's first pixel, d4 its error.
+; d5 = 15. Uses d3/d7.
+place_wide macro
+        move.l  \1,d3
+        not.w   d3
+        and.w   d5,d3                   ; prestep
+        ext.l   d3
+        muls.l  d3,d6
+        mulu.l  d3,d7:d4
+        add.l   d7,d6                   ; d6:d4 = 1/16 pixels
+        move.l  \1,d3
+        clr.w   d3
+        swap    d3
+        add.l   d3,d6
+        move.l  d6,d3
+        and.l   d5,d3
+        asr.l   #4,d6
+        ror.l   #4,d3
+        lsr.l   #4,d4
+        or.l    d3,d4
+        sub.l   #BELOW,d4
+        bcc.s   .placed\@
+        subq.l  #1,d6
+.placed\@
+        endm
+
+; An edge from the vertex x:y \2 over dx:dy \1: pushes step and part; d6 x, d4 its error. Uses
+; d3/d7.
+edge_wide macro
+        slope_wide d6,d4,\1,(a4,\1.w*4)
+        move.l  d6,d3
+        add.l   batch_pitch(a5),d3
+        move.l  d3,-(sp)
+        move.l  d4,-(sp)
+        place_wide \2
+        endm
+
+; The long edge, whose dx:dy is d2: a0 = its first pixel, pushes step, part and error; d1 = its
+; reciprocal, d3 = the prestep in 1/16 line, d4 = the shift for value_start_wide, d5 = the slope's
+; fraction, 0.31, d6 = the distance from the edge to the first pixel, 0.16, both away from the edge.
+; d5 is 15 before. \1: left or right. Uses d0/d7.
+long_wide macro
+        movea.l batch_reciprocals(a5),a5
+        move.l  (a5,d2.w*4),d1
+        lea     wide_sizeof-wide_r_error(sp),a5
+        slope_wide d6,d4,d2,d1
+        move.l  d6,d3
+        add.l   batch_pitch(a5),d3
+        move.l  d3,-(sp)
+        move.l  d4,-(sp)
+        move.l  d4,d0
+        place_wide (a1)
+        adda.l  d6,a0
+        move.l  d4,-(sp)
+        moveq   #0,d6
+        swap    d4
+        move.w  d4,d6
+        move.w  2(a1),d3
+        not.w   d3
+        and.l   d5,d3
+        move.l  d0,d5
+        lsr.l   #1,d5
+        ifc     '\1','left'
+        not.w   d6
+        else
+        neg.l   d5
+        addq.l  #1,d6
+        endc
+        moveq   #0,d4
+        cmp.w   #FINER_HEIGHT,d2
+        bcs.s   .coarse\@
+        moveq   #8,d4
+.coarse\@
+        endm
+
+; The same for the value at \1 in a vertex, whose difference along the edge is \2 and whose step a
+; pixel is \3: \4 (an address register) = the value at the first pixel, d7 = its step a line. Takes
+; d1 and d3 to d6 from long_wide. Uses d0/d2.
+value_start_wide macro
+        move.l  \2,d2
+        muls.l  d1,d7:d2
+        add.l   d2,d2
+        addx.l  d7,d7
+        asr.l   d4,d7
+        value_first \1,\3,\4
+        endm
+
+; Sets up a triangle that is not small: long edge on the side \1, left or right, values of the
+; mapper \2, whose macro \2_wide finds them and goes to its lines.
+wide_set_up macro
+        cmp.w   #SNAPPED_LINES*16,d2
+        bge     triangle_handed
+        triangle_lines triangle_next
+        move.l  a0,-(sp)
+        movea.l d6,a6                   ; the area
+        movea.l batch_reciprocals(a5),a4
+        move.w  batch_pitch+2(a5),d6
+        mulu.w  d3,d6
+        movea.l batch_row(a5),a0
+        adda.l  d6,a0                   ; the first line's row
+        sub.w   d7,d4
+        beq     .one\@
+        sub.w   d3,d7
+        beq     .two\@
+        move.w  batch_pitch+2(a5),d6
+        mulu.w  d7,d6
+        add.l   a0,d6
+        move.l  d4,-(sp)
+        move.l  d6,-(sp)
+        move.l  d7,-(sp)
+        move.l  d2,d7
+        sub.l   d1,d7
+        add.l   d0,d1
+        edge_wide d7,d1
+        sub.l   d0,d1
+        add.l   d6,wide_r_2-wide_r_part_2(sp)
+        move.l  d4,-(sp)
+        edge_wide d1,d0
+.edges\@
+        add.l   a0,d6
+        move.l  d6,-(sp)
+        move.l  d4,-(sp)
+        \2_wide \1
+.one\@
+        sub.w   d3,d7
+        clr.l   -(sp)
+        subq.l  #4,sp
+        move.l  d7,-(sp)
+        lea     -12(sp),sp
+        edge_wide d1,d0
+        bra     .edges\@
+.two\@
+        clr.l   -(sp)
+        subq.l  #4,sp
+        move.l  d4,-(sp)
+        lea     -12(sp),sp
+        move.l  d2,d7
+        sub.l   d1,d7
+        add.l   d0,d1
+        edge_wide d7,d1
+        sub.l   d0,d1
+        bra     .edges\@
+        endm
+
+; The lines of wide triangles with values of the mapper \2, long edge on the side \1. a0 the long
+; edge's pixel, a6 the short one's, d5 and d6 their errors, d4's lower word free, d0 free between
+; lines. Macros as in small_lines; \2_enter_wide also draws whole rounds, up to a6.
+wide_lines macro
+        cnop    0,4
+        \2_rounds_\1
+wide_next_\1
+        subq.l  #1,(sp)
+        beq     wide_part_\1
+        adda.l  wide_r_step(sp),a6
+        add.l   wide_r_part(sp),d6
+        bcc.s   wide_stepped_\1
+        addq.l  #1,a6
+wide_stepped_\1
+        clr.w   d4
+        \2_line
+        adda.l  wide_l_step(sp),a0
+        add.l   wide_l_part(sp),d5
+        bcs.s   wide_more_\1
+wide_first_\1
+        \2_keep
+        ifc     '\1','left'
+        move.w  a0,d4
+        sub.w   a6,d4
+        else
+        move.w  a6,d4
+        sub.w   a0,d4
+        endc
+        bpl.s   wide_next_\1
+        movea.l a0,a1
+        \2_enter_wide \1
+wide_more_\1
+        addq.l  #1,a0
+        \2_more_\1
+        bra.s   wide_first_\1
+wide_part_\1
+        move.l  wide_count_2(sp),(sp)
+        beq     wide_end
+        clr.l   wide_count_2(sp)
+        move.l  wide_r_step_2(sp),wide_r_step(sp)
+        move.l  wide_r_part_2(sp),wide_r_part(sp)
+        movea.l wide_r_2(sp),a6
+        move.l  wide_r_error_2(sp),d6
+        bra     wide_stepped_\1
+        endm
+
+; Ends a wide triangle.
+wide_close macro
+wide_end
+        lea     wide_list(sp),sp
+        movea.l (sp)+,a0
+        movea.l sp,a5
+        bra     triangle_next
+        endm

@@ -1,0 +1,188 @@
+        include "chain.i"
+        include "triangle_wide.i"
+
+; triangles_affine - draws a batch of triangles from a 256x256 map
+;
+; in:      a0  triangle_plan*  the list, the frame, the map, the reciprocals
+; out:     d0  triangle*  the first triangle that was not drawn: the list's end, or one with a
+;                         vertex out of range, or of SNAPPED_LINES lines or more
+; reads:   the plan, its list, the vertices' x, y, u, v, the reciprocals, the map
+; writes:  pixels
+; formats: vertices in 12.4, u and v in 12.20; steps a pixel and a line 16.16; u and v of a
+;          pixel 8.16, both wrap at 256 any number of times; 8-bit texels
+; error:   coverage: none for the snapped vertices. u and v: 0 to 1/64 texel above the exact
+;          ones where steps are below 8 texels a pixel; tools/tmap/ideal/bounds_snapped.py
+; cost:    bench rows polygon_affine
+
+; A line's pixels step B and A, the chain of span_affine_addx. So do lines: u counts how often v
+; wraps, by 1/65536 texel each time. B in d0, A in d1, their steps a pixel in d2 and d3, a line in
+; d7 and a5, those of the line's first pixel in a3 and a4; d4 is mm00.
+
+affine_unrolled equ     16
+
+affine_line macro
+        move.l  a4,d1
+        add.l   a5,d1
+        move.l  a3,d0
+        addx.l  d7,d0
+        addx.b  d4,d1
+        endm
+
+affine_keep macro
+        movea.l d0,a3
+        movea.l d1,a4
+        endm
+
+affine_more_left macro
+        add.l   d3,d1
+        addx.l  d2,d0
+        addx.b  d4,d1
+        endm
+
+affine_more_right macro
+        sub.l   d3,d1
+        subx.l  d2,d0
+        subx.b  d4,d1
+        endm
+
+affine_pixel_left macro
+        texel_next d2,d3
+        movea.l d4,a2
+        move.b  (a2),(a1)+
+        endm
+
+affine_pixel_right macro
+        texel_next d2,d3
+        movea.l d4,a2
+        move.b  (a2),-(a1)
+        endm
+
+affine_enter macro
+        lea     affine_end_\1(pc,d4.w*4),a2
+        add.l   d3,d1
+        jmp     (a2,d4.w*8)
+        endm
+
+affine_rounds_left macro
+affine_round_left
+        rept    16
+        affine_pixel_left
+        endr
+affine_round_end_left
+        cmpa.l  a6,a1
+        bne     affine_round_left
+        endm
+
+affine_rounds_right macro
+affine_round_right
+        rept    16
+        affine_pixel_right
+        endr
+affine_round_end_right
+        cmpa.l  a6,a1
+        bne     affine_round_right
+        endm
+
+affine_enter_wide macro
+        or.w    #-16,d4
+        lea     affine_round_end_\1(pc,d4.w*4),a2
+        add.l   d3,d1
+        jmp     (a2,d4.w*8)
+        endm
+
+; The gradients: a4 and a2 = the steps a pixel of u and v, a6 and a3 = their differences along the
+; long edge. \1: the routine that divides. d3 = dy2 and d1 = dy1 as longwords.
+affine_gradients macro
+        move.l  a6,d6
+        move.w  d2,d3
+        ext.l   d3
+        ext.l   d1
+        cmp.l   #\1,d6
+        bls.s   .sliver\@
+        gradient snapped_vertex_u,a6
+        movea.l d4,a4
+        gradient snapped_vertex_v,a3
+        bra.s   .found\@
+.sliver\@
+        gradient snapped_vertex_u,a6,affine_quotient
+        movea.l d4,a4
+        gradient snapped_vertex_v,a3,affine_quotient
+.found\@
+        movea.l d4,a2
+        endm
+
+; Packs the starts a6 and a3, the steps a pixel a4 and a2, the steps a line (sp)+ and d7.
+affine_pack macro
+        move.l  a6,d0
+        move.l  a3,d3
+        pack_pair d0,d3,d1
+        move.l  a4,d2
+        move.l  a2,d4
+        pack_step d2,d4,d1
+        move.l  d3,d1
+        sub.b   d4,d1                   ; the first pixel's addition adds it again
+        ifc     '\1','right'
+        bset    #23,d1                  ; what is subtracted from U does not reach v
+        endc
+        move.l  d4,d3
+        move.l  (sp)+,d5
+        pack_step d5,d7,d4
+        move.l  batch_map(a5),d4
+        movea.l d7,a5
+        move.l  d5,d7
+        endm
+
+affine_small macro
+        affine_gradients SLIVER_SMALL
+        move.l  a2,d4
+        moveq   #15,d5
+        long_small \1
+        move.l  a2,-(sp)
+        movea.l d4,a2
+        value_start snapped_vertex_u,a6,a4,a6
+        move.l  d7,-(sp)
+        value_start snapped_vertex_v,a3,a2,a3
+        affine_pack \1
+        movea.l (sp)+,a6
+        move.l  (sp)+,d5
+        move.l  (sp)+,d6
+        bra     small_first_\1
+        endm
+
+affine_wide macro
+        affine_gradients SLIVER_WIDE
+        moveq   #15,d5
+        long_wide \1
+        value_start_wide snapped_vertex_u,a6,a4,a6
+        move.l  d7,-(sp)
+        value_start_wide snapped_vertex_v,a3,a2,a3
+        affine_pack \1
+        move.l  (sp)+,d5
+        move.l  wide_r_error-4(sp),d6
+        movea.l wide_r-4(sp),a6
+        move.l  wide_count_1-4(sp),-(sp)
+        bra     wide_first_\1
+        endm
+
+        routine triangles_affine,a0
+        triangles_open
+affine_quotient
+        triangle_quotient
+        small_close
+        wide_close
+        triangle_fetch
+        triangle_order .right
+        triangle_small .left_wide,1
+        small_set_up left,affine
+.left_wide
+        wide_set_up left,affine
+.right  exg     d1,d2
+        exg     a2,a3
+        triangle_small .right_wide,1
+        small_set_up right,affine
+.right_wide
+        wide_set_up right,affine
+        small_lines left,affine
+        small_lines right,affine
+        wide_lines left,affine
+        wide_lines right,affine

@@ -1,0 +1,161 @@
+"""The integer model of triangles with snapped vertices: src68k/triangle, c/triangle.
+
+Vertices are snapped to 1/16 pixel; edges are exact for these. Steps and starts of interpolated values
+come from a table of reciprocals and 32-bit arithmetic, along the long edge, from the top vertex to
+the bottom one. Lines are drawn away from it.
+"""
+
+from dataclasses import dataclass
+
+from tmap.base.fixed import M32, signed
+from tmap.build import layout
+
+M24 = (1 << 24) - 1
+#: Heights of small triangles, 1/16 line: SMALL_HEIGHT of src68k/include/triangle_small.i.
+SMALL_HEIGHT = 224
+#: How far the wide triangles' edges begin below x + 1, 2^-32 pixel: BELOW of triangle_wide.i.
+BELOW = 102400
+#: Widths of small triangles, pixels, by mapper.
+SMALL_WIDTH = {"affine": 16, "gouraud": 32, "flat": 32}
+
+LIMITS = layout.load().constants
+WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
+    "SNAPPED_WIDTH", "SNAPPED_LINES", "SNAPPED_TEXELS", "SNAPPED_RAISED", "FINER_HEIGHT"))
+
+
+def snap(coordinate: int) -> int:
+    """Rounds a coordinate, 16.16, to the nearest 1/16 pixel; the result counts sixteenths."""
+    return coordinate + (1 << 11) >> 12
+
+
+def reciprocal(dy: int) -> int:
+    """Returns the table's reciprocal of a height in sixteenths of a line."""
+    return min((1 << (39 if dy >= FINER else 31)) * 2 // dy + 1 >> 1, (1 << 31) - 1) if dy else 0
+
+
+def towards_zero(part: int, whole: int) -> int:
+    """Divides as divs does."""
+    quotient = abs(part) // abs(whole)
+    return quotient if (part < 0) == (whole < 0) else -quotient
+
+
+@dataclass(frozen=True)
+class Value:
+    """An interpolated value: at the first line's first pixel, its steps a pixel away from the long
+    edge, and a line as that edge moves by whole pixels; 16.16."""
+
+    at: int
+    pixel: int
+    line: int
+
+
+@dataclass(frozen=True)
+class Triangle:
+    """A set-up triangle. ``edges``: the long one's first pixel on each line, and the other side's;
+    a line's pixels are from the left one's up to the right one's (excluded)."""
+
+    top: int
+    right: bool  # the long edge is on the right
+    whole: int  # pixels that it moves a line, one more after a carry
+    long: list[int]
+    short: list[int]
+    values: list[Value]
+
+    def steps(self, line: int, column: int) -> tuple[int, int, int]:
+        """Returns how a pixel is reached: lines, pixels added and taken away at carries, pixels
+        along the line."""
+        first = self.long[line]
+        carries = first - self.long[0] - line * self.whole
+        return line, carries, first - 1 - column if self.right else column - first
+
+
+class Edge:
+    """An edge from a vertex (x, y) over (dx, dy), in sixteenths."""
+
+    def __init__(self, x: int, y: int, dx: int, dy: int, small: bool):
+        slope = self.slope = self.slope_of(dx, dy)  # 32 bits of fraction
+        self.x, self.y, self.dx, self.dy = x, y, dx, dy
+        prestep = -y & 15
+        if small:
+            self.bits, self.step = 16, slope >> 16
+            self.at = ((x + 16 << 16) + prestep * self.step >> 4) - 2
+        else:
+            self.bits, self.step = 32, slope
+            self.at = ((x + 16 << 32) + prestep * slope >> 4) - BELOW
+
+    @staticmethod
+    def slope_of(dx: int, dy: int) -> int:
+        """Returns dx / dy with 32 bits of fraction."""
+        return dx * reciprocal(dy) >> 7 if dy >= FINER else 2 * dx * reciprocal(dy)
+
+    def columns(self, count: int) -> list[int]:
+        """Returns the first pixel at or right of the edge on its first lines."""
+        return [self.at + n * self.step >> self.bits for n in range(count)]
+
+
+def gradient(top, middle, bottom, key: int, area: int, small: bool) -> int:
+    """Returns a value's step a pixel away from the long edge; 0 where it does not fit."""
+    n = (middle[key] - top[key]) * (bottom[1] - top[1]) \
+        - (bottom[key] - top[key]) * (middle[1] - top[1])
+    high = n >> 32
+    sliver = area <= LIMITS["SLIVER_SMALL" if small else "SLIVER_WIDE"]
+    if sliver and 2 * (high if high >= 0 else ~high) >= area:
+        return 0
+    return towards_zero(n, area)
+
+
+def value_of(top, bottom, key: int, edge: Edge, pixel: int, right: bool) -> Value:
+    """Returns a value along the long edge. ``pixel``: its gradient."""
+    along = 2 * (bottom[key] - top[key]) * reciprocal(edge.dy) >> (40 if edge.dy >= FINER else 32)
+    fraction = (edge.slope & M32) >> 1
+    place = edge.at >> edge.bits - 16 & 0xFFFF
+    away = place + 1 if right else 0xFFFF - place
+    at = signed(top[key] + (-edge.y & 15) * along) >> 4
+    return Value(at + (away * pixel >> 16), pixel,
+                 along - ((-fraction if right else fraction) * pixel >> 31))
+
+
+def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | None:
+    """Sets a triangle up; returns None if it covers no line or has no area. ``vertices``: (x, y,
+    values ...): sixteenths of a pixel, and 1/2^20 of a texel or shade; ``keys``: how many values."""
+    if vertices[0][1] > vertices[1][1]:
+        k = 2 if vertices[1][1] > vertices[2][1] else 1
+    else:
+        k = 2 if vertices[0][1] > vertices[2][1] else 0
+    top, one, two = (vertices[(k + n) % 3] for n in range(3))
+    area = (one[0] - top[0]) * (two[1] - top[1]) - (two[0] - top[0]) * (one[1] - top[1])
+    if area == 0 or area < 0 and cull:
+        return None
+    if area < 0:
+        one, two, area = two, one, -area
+    right = two[1] < one[1]
+    middle, bottom = (two, one) if right else (one, two)
+    (x, y), dx, dy = top[:2], bottom[0] - top[0], bottom[1] - top[1]
+    small = dy <= SMALL_HEIGHT and area <= dy * 16 * SMALL_WIDTH[mapper]
+    first, half, end = (v[1] + 15 >> 4 for v in (top, middle, bottom))
+    if first == end:
+        return None
+    short: list[int] = []
+    for a, b, lines in ((top, middle, half - first), (middle, bottom, end - half)):
+        if lines:
+            short += Edge(a[0], a[1], b[0] - a[0], b[1] - a[1], small).columns(lines)
+    edge = Edge(x, y, dx, dy, small)
+    values = [value_of(top, bottom, key, edge, gradient(top, middle, bottom, key, area, small), right)
+              for key in range(2, 2 + keys)]
+    return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values)
+
+
+def chain_of(u: int, v: int) -> int:
+    """Packs a step of u and v as the chain adds it, 48 bits: u's 24, then v's."""
+    return ((u - (v < 0)) & M24) << 24 | v & M24
+
+
+def chained(triangle: Triangle, line: int, column: int) -> tuple[int, int]:
+    """Returns u and v of a pixel, 8.16, as the chain of both steps them."""
+    u, v = triangle.values
+    n, carries, along = triangle.steps(line, column)
+    sign = -1 if triangle.right else 1
+    pixel = chain_of(u.pixel, v.pixel)
+    at = ((u.at & M24) << 24 | v.at & M24) + n * chain_of(u.line, v.line) \
+        + (along + sign * carries) * pixel
+    return at >> 24 & M24, at & M24
