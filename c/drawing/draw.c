@@ -19,6 +19,7 @@
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
 #include "polygon/shading.h"
+#include "triangle/polygon.h"
 
 /* Uses of the scratch room by polygons without perspective, one at a time. */
 union made {
@@ -147,7 +148,7 @@ static void make_lines(struct setup *s, enum span_kind kind)
 {
     const struct line_routines *routines = &line_routines[kind_lines[kind]];
 
-    outline_lines(s, s->material->edges == EDGES_EXACT ? routines->exact_edges : routines->edges,
+    outline_lines(s, EDGES_ARE_EXACT(s->material->edges) ? routines->exact_edges : routines->edges,
                   routines->scissor);
 }
 
@@ -332,6 +333,19 @@ static enum polygon_result draw(struct setup *s)
     return POLYGON_DRAWN;
 }
 
+/* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
+static void count_snapped(struct setup *s)
+{
+    s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, s->material);
+    s->kind = triangle_kind(s->material);
+    if (outline_find(s) != POLYGON_DRAWN)
+        return;
+    s->span.lines = s->edges.lines;
+    s->span.count = s->box.bottom - s->box.top;
+    outline_lines(s, edge_flat_exact, scissor_flat);
+    count_lines(s, s->kind);
+}
+
 enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon *polygon,
                                  const struct material *material)
 {
@@ -339,6 +353,15 @@ enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon
 
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
+    if (material->edges == EDGES_SNAPPED && triangle_may(renderer, polygon, material)
+        && triangle_polygon(renderer, polygon, material,
+                            !renderer->counts || !renderer->only_counts)) {
+        if (renderer->counts) {
+            setup_begin(&s, renderer, polygon, material);
+            count_snapped(&s);
+        }
+        return POLYGON_DRAWN;
+    }
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);
     if (begins_outside(&s) && lower_to_nothing(&s))

@@ -1,24 +1,20 @@
 #include "drawing/material.h"
 
 #include "math/math.h"
+#include "polygon/shading.h"
 
 /* INSET: how far u and v of a triangle may be outside the vertices' range at a pixel's centre. The
    parts: edges are within EDGE_ERROR pixels, half as much in a frame's 1,024 lines, times STEEP_4
    texels a pixel: 1/32; 512 steps are rounded by 1/2^17 each in both directions, and starts are
    raised by as much: 1/64; the plane itself is off by less than 1/2^10. ON_PLANE: only the edges
    count if the range is that of the stepped plane. */
-#define INSET (65536 / 16)
+#define INSET SHADE_INSET
 #define ON_PLANE (3 * INSET / 4)
 #define STEEP_4 (4 * 65536)
 
-/* Sets the limits of the vertices' shades that keep every pixel in the vertices' range. */
-static void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high)
-{
-    *high = vertex_range(&vertices->shade, count, low);
-    *high += *low;
-    *low = (*low & ~0xffff) + INSET;
-    *high = (*high | 0xffff) - INSET;
-}
+/* Vertices are snapped to 1/16 pixel. */
+#define SNAP_MASK 0xfff
+#define SNAP_HALF 0x800
 
 const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,
                                        const struct material *material)
@@ -28,16 +24,20 @@ const struct vertex *material_vertices(struct vertex *to, const struct vertex *f
 
     if (material->mapper == MAPPER_GOURAUD)
         shade_range(from, count, &low, &high);
-    else if (material->edges != EDGES_INTEGER && scale == 65536)
+    else if (material->edges != EDGES_INTEGER && material->edges != EDGES_SNAPPED
+             && scale == 65536)
         return from;
     for (int32 i = 0; i < count; i++) {
         to[i] = from[i];
         if (material->edges == EDGES_INTEGER) {
             to[i].x &= ~0xffff;
             to[i].y &= ~0xffff;
+        } else if (material->edges == EDGES_SNAPPED) {
+            to[i].x = (to[i].x + SNAP_HALF) & ~SNAP_MASK;
+            to[i].y = (to[i].y + SNAP_HALF) & ~SNAP_MASK;
         }
         if (material->mapper == MAPPER_GOURAUD) {
-            to[i].s = from[i].shade < low ? low : from[i].shade > high ? high : from[i].shade;
+            to[i].s = shade_limited(from[i].shade, low, high);
             to[i].t = 0;
         } else if (scale != 65536) {
             to[i].s = mul_round(from[i].s, scale);

@@ -4,7 +4,8 @@
 
 #include "polygon/setup.h"
 
-/* Returns the vertices for the set-up: x and y in whole pixels with EDGES_INTEGER; s and t in
+/* Returns the vertices for the set-up: x and y in whole pixels with EDGES_INTEGER, in
+   1/16 pixel with EDGES_SNAPPED; s and t in
    texels (rounded down to 1/65536), or with MAPPER_GOURAUD the shade as s, limited so that rounding
    gives no shade outside the vertices' range. */
 const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,

@@ -38,7 +38,7 @@ static inline int32 outline_box(struct rectangle *box, const struct sides *sides
    are not clipped: a new vertex on the border is rounded, so they would no longer be exact. */
 static inline enum polygon_result outline_find(struct setup *s)
 {
-    const int32 exact = s->material->edges == EDGES_EXACT;
+    const int32 exact = EDGES_ARE_EXACT(s->material->edges);
     enum polygon_result result = sides_find(&s->sides, s->vertices, s->count);
 
     if (result != POLYGON_DRAWN)
@@ -83,7 +83,7 @@ static inline enum polygon_result outline_flat(struct setup *s)
     result = outline_find(s);
     if (result != POLYGON_DRAWN)
         return result;
-    outline_lines(s, s->material->edges == EDGES_EXACT ? edge_flat_exact : edge_flat,
+    outline_lines(s, EDGES_ARE_EXACT(s->material->edges) ? edge_flat_exact : edge_flat,
                   scissor_flat);
     return POLYGON_DRAWN;
 }

@@ -15,9 +15,15 @@ enum edges {
     EDGES_INTEGER,              /* vertices cut to whole pixels */
     EDGES_SUBPIXEL,             /* slopes in 16.16, started at the first line: neighbours
                                    leave no gap, but both may draw a pixel beside a sliver */
+    EDGES_SNAPPED,              /* vertices rounded to 1/16 pixel, edges exact for these; triangles
+                                   in range are set up in 32 bits (c/triangle), others as with
+                                   EDGES_EXACT */
     EDGES_EXACT,                /* integer quotient and remainder */
     EDGES_KINDS
 };
+
+/* Edges by integer quotient and remainder. */
+#define EDGES_ARE_EXACT(edges) ((edges) >= EDGES_SNAPPED)
 
 enum gradients {
     GRADIENTS_SCANLINE,         /* two divides a scanline */
@@ -35,7 +41,7 @@ enum start {
 /* How a polygon is clipped to the frame. */
 enum clip {
     CLIP_SCISSOR,               /* lines are cut, edges begin at the frame's top line */
-    CLIP_VERTICES,              /* the outline is clipped; with EDGES_EXACT lines are cut */
+    CLIP_VERTICES,              /* the outline is clipped; lines are cut if edges are exact */
     CLIP_KINDS
 };
 
@@ -151,6 +157,7 @@ struct renderer {
     struct scratch *scratch;    /* polygon/scratch.h; undefined between polygons */
     const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
     const struct logarithm_tables *logarithms;  /* pixel; 0: divide instead */
+    const int32 *snapped_reciprocals;   /* triangle_reciprocals; 0: EDGES_SNAPPED set up as exact */
 };
 
 /* Draws or counts a polygon. */

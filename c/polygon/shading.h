@@ -6,7 +6,19 @@
 #include "polygon/polygon.h"
 #include "span/scanline.h"
 
-enum { LEVEL_BITS = 18 };       /* a shade's level is shade >> LEVEL_BITS */
+enum {
+    LEVEL_BITS = 18,            /* a shade's level is shade >> LEVEL_BITS */
+    SHADE_INSET = 65536 / 16    /* how far Gouraud's shades are kept inside the vertices' range */
+};
+
+/* Finds the limits of the vertices' shades that keep every pixel in the vertices' range, and applies
+   them. */
+void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high);
+
+static inline fix16 shade_limited(fix16 shade, fix16 low, fix16 high)
+{
+    return shade < low ? low : shade > high ? high : shade;
+}
 
 /* Sets the light of a span plan to the row of a shade; returns 0 if the material has no light
    table. */

@@ -51,6 +51,9 @@
     SPAN(DITHERED_16_WRAP, dithered_16_wrap, ADDX) \
     SPAN(DITHERED_32, dithered_32, ADDX) \
     SPAN(DITHERED_32_WRAP, dithered_32_wrap, ADDX) \
+    OTHER(TRIANGLES_FLAT, triangles_flat) \
+    OTHER(TRIANGLES_GOURAUD, triangles_gouraud) \
+    OTHER(TRIANGLES_AFFINE, triangles_affine) \
     OTHER(N64_PASSES, n64_passes) \
     OTHER(N64_PIXELS, n64_pixels) \
     OTHER(GLIDE_PASSES, glide_passes) \

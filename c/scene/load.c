@@ -101,7 +101,9 @@ static const char *wrong_material(const struct scene *scene)
             return "material.unit";
         if (m->primitive >= (m->mapper == MAPPER_N64 ? UNIT_PRIMITIVES : 1))
             return "material.primitive";
-        if (m->edges >= EDGES_KINDS || (is(m->mapper, MAPPER_UNIT) && m->edges == EDGES_INTEGER))
+        if (m->edges >= EDGES_KINDS
+            || (is(m->mapper, MAPPER_UNIT)
+                && (m->edges == EDGES_INTEGER || m->edges == EDGES_SNAPPED)))
             return "material.edges";
         if (m->gradients >= GRADIENTS_KINDS
             || (is(m->mapper, MAPPER_PLANE) && m->gradients != GRADIENTS_PLANE))
@@ -264,7 +266,7 @@ static const char *wrong_entry(const struct scene *scene)
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
     static const char *const purposes[] = {
-        "", "the textures", "the reciprocals of perspective", "the logarithms of perspective",
+        "", "the textures", "the reciprocals", "the logarithms of perspective",
         "the materials", "the meshes", "the texture units"
     };
     enum scene_memory lacks;

@@ -28,8 +28,10 @@ struct scene {
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* if a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
-    uint8 tried_reciprocals, tried_logarithms;  /* 1: not made again where memory was short */
-    uint8 spare[2];
+    const int32 *snapped_reciprocals;           /* the same */
+    uint8 tried_reciprocals, tried_logarithms, tried_snapped;   /* 1: not made again where memory
+                                   was short */
+    uint8 spare;
     struct n64_unit *engines;   /* one a unit */
     uint32 *n64_reciprocals;    /* of all units; null until a polygon needs them */
     struct glide *glide;        /* one each of glide_units */

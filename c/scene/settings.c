@@ -11,6 +11,7 @@ static const struct {
     {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_TRUNCATED, "subpixel, polygon, truncated"},
     {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_SUBTEXEL, "subpixel, polygon, subtexel"},
     {EDGES_SUBPIXEL, GRADIENTS_PLANE, START_SUBTEXEL, "subpixel, plane, subtexel"},
+    {EDGES_SNAPPED, GRADIENTS_PLANE, START_SUBTEXEL, "snapped, plane, subtexel"},
     {EDGES_EXACT, GRADIENTS_PLANE, START_SUBTEXEL, "exact, plane, subtexel"}
 };
 
@@ -47,7 +48,8 @@ static void set_accuracy(struct material *to, const struct scene_material *from,
     if (step == SETTINGS_OWN)
         return;
     to->edges = accuracy[step].edges;
-    if (mappers[from->mapper].is & MAPPER_UNIT && to->edges == EDGES_INTEGER)
+    if (mappers[from->mapper].is & MAPPER_UNIT
+        && (to->edges == EDGES_INTEGER || to->edges == EDGES_SNAPPED))
         to->edges = EDGES_SUBPIXEL;
     if (is_fixed(from->mapper) || to->perspective)
         return;

@@ -7,7 +7,7 @@
    - gradients and start: not set if perspective is drawn, nor with MAPPER_LIT_GOURAUD,
      MAPPER_DITHERED or texture units;
    - gradients: not set if one of the material's polygons or faces has more than three corners;
-   - edges: subpixel instead of integer with texture units;
+   - edges: subpixel instead of integer and snapped with texture units;
    - tolerance: the scene's, but 0 with PERSPECTIVE_FINE.
    Fields that are not set have the scene's values. */
 #ifndef SETTINGS_H
@@ -17,7 +17,7 @@
 
 enum settings_steps {
     SETTINGS_OWN = -1,          /* the scene's */
-    ACCURACY_STEPS = 5
+    ACCURACY_STEPS = 6
 };
 
 struct settings {

@@ -2,6 +2,7 @@
 
 #include "span/logarithm.h"
 #include "system/system.h"
+#include "triangle/triangles.h"
 
 static int32 needs_reciprocals(const struct material *material)
 {
@@ -20,6 +21,22 @@ static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct ma
         if (needs(&scene->drawn[i]))
             return 1;
     return 0;
+}
+
+static int32 needs_snapped(const struct material *material)
+{
+    return material->edges == EDGES_SNAPPED;
+}
+
+static void make_snapped(struct scene *scene)
+{
+    int32 *table;
+
+    scene->tried_snapped = 1;
+    if (!mem_alloc(&table, SNAPPED_RECIPROCALS * sizeof *table, MEMORY_ANY))
+        return;
+    triangle_reciprocals(table);
+    scene->snapped_reciprocals = table;
 }
 
 static void make_reciprocals(struct scene *scene)
@@ -50,11 +67,15 @@ enum scene_memory scene_make_tables(struct scene *scene)
 {
     const int32 reciprocals = is_needed(scene, needs_reciprocals);
     const int32 logarithms = is_needed(scene, needs_logarithms);
+    const int32 snapped = is_needed(scene, needs_snapped);
 
     if (reciprocals && !scene->tried_reciprocals)
         make_reciprocals(scene);
+    if (snapped && !scene->tried_snapped)
+        make_snapped(scene);
     if (logarithms && !scene->tried_logarithms)
         make_logarithms(scene);
-    return reciprocals && !scene->reciprocals ? SCENE_RECIPROCALS
+    return (reciprocals && !scene->reciprocals) || (snapped && !scene->snapped_reciprocals)
+         ? SCENE_RECIPROCALS
          : logarithms && !scene->logarithms ? SCENE_LOGARITHMS : SCENE_MADE;
 }

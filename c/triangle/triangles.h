@@ -11,9 +11,10 @@ enum snapped_limits {
 
     /* A triangle is drawn where x is 0 to SNAPPED_WIDTH, it covers less than SNAPPED_LINES lines, and
        u and v of its vertices are -SNAPPED_TEXELS to SNAPPED_TEXELS (excluded). */
-    SNAPPED_WIDTH = 352,
+    SNAPPED_WIDTH = 320,
     SNAPPED_LINES = 128,
     SNAPPED_TEXELS = 512,
+    TRIANGLE_PITCH_MAX = 2048,
 
     /* Added to u and v of vertices, 1/65536 texel: as much as a pixel's may be too low. */
     SNAPPED_RAISED = 512,
@@ -43,12 +44,15 @@ struct triangle {
 struct triangle_plan {
     const struct triangle *list, *end;
     uint8 *row;                 /* row 0 of the frame */
-    int32 pitch;                /* bytes from line to line, up to 2,048 */
+    int32 pitch;                /* bytes from line to line, up to TRIANGLE_PITCH_MAX */
     const uint8 *map;           /* texel (0, 0) */
     const int32 *reciprocals;   /* SNAPPED_RECIPROCALS */
     uint32 colour;              /* flat: the pixel */
     int32 cull;                 /* 1: triangles seen from the back are left out */
 };
+
+/* Fills a table of SNAPPED_RECIPROCALS. */
+void triangle_reciprocals(int32 *table);
 
 /* src68k/triangle: contracts there. They draw the list up to the first triangle that they cannot
    draw, and return its address, or the list's end. */

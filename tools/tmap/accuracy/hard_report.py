@@ -74,7 +74,8 @@ def row_of(case: Case | hard_meshes.MeshCase, settings: Settings, cycles: int,
 def judged(case: Case, settings: Settings, cycles: int) -> Row:
     """Returns a case's row, checked against its bounds."""
     size = hard_cases.map_size(case, settings.mapper)
-    parts = [model.adapt(part, settings, max(size)) for part in model.parts(case.vertices, settings)]
+    parts = [model.adapt(part, settings, max(size))
+             for part in model.parts(case.vertices, settings, (WIDTH, HEIGHT), max(size))]
     has_ideal = all(bounds.has_ideal(part, settings) for part in parts)
     if has_ideal:
         verdict = bounds.judge(case.vertices, settings, WIDTH, HEIGHT, size)
@@ -171,7 +172,7 @@ def both(case: Case) -> tuple[np.ndarray | None, np.ndarray]:
     size = hard_cases.map_size(case, settings.mapper)
     texels = readable_map(*size)
     ours, exact = np.full((HEIGHT, WIDTH), -1, np.int16), []
-    for part in model.parts(case.vertices, settings):
+    for part in model.parts(case.vertices, settings, (WIDTH, HEIGHT), max(size)):
         adapted = model.adapt(part, settings, max(size))
         made = model.set_up(adapted, WIDTH, HEIGHT, settings.mapper != "flat", settings, size)
         if made:

@@ -73,8 +73,8 @@ def check_units(material: dict, kind: str, frames: tuple[str, ...], pixel: Pixel
     for field_ in ("gradients", "start", "perspective"):
         if material[field_] != getattr(Material, field_):
             fail(f"{at}.{field_}", "is not for a texture engine")
-    if material["edges"] == "integer":
-        fail(f"{at}.edges", '"integer" is not for a texture engine')
+    if material["edges"] in ("integer", "snapped"):
+        fail(f"{at}.edges", f'"{material["edges"]}" is not for a texture engine')
 
 
 def check_n64(material: dict, pixel: PixelFormat, at: str) -> None:

@@ -52,7 +52,7 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
         texels = textures(seed, block)[each.texture].texels
         size = texels.shape[::-1]
     frame, outside, judged, verdict = np.full((height, width), 7, np.uint8), False, True, bounds.Verdict()
-    parts = model.parts(each.vertices, settings)
+    parts = model.parts(each.vertices, settings, (width, height), max(size))
     if bounds.has_ideal([v[:4] for v in each.vertices]):
         verdict.complain(planarity.judge(each.vertices, settings, len(parts)))
     for part in parts:

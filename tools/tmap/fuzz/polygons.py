@@ -176,6 +176,26 @@ def polygon(seed: int, number: int) -> Fuzzed:
                   textures(seed, number // BLOCK))
 
 
+def for_triangles(rng: random.Random, width: int, height: int, most: int):
+    """Returns corners inside a frame and their s and t, which routines for triangles may draw: a
+    triangle or, one time in eight, a parallelogram. ``most``: lines."""
+    reach = rng.choice((1, 4, 16, 64, 320))
+    x, y = rng.uniform(0, min(width, 320)), rng.uniform(0, height)
+    one = rng.choice((1, 1 << 12, ONE, ONE))  # coordinates are multiples of it
+    points = [(int(min(max(x + rng.uniform(-reach, reach), 0), min(width, 320)) * ONE) // one * one,
+               int(min(max(y + rng.uniform(-reach, reach), y - most / 2, 0), height, y + most / 2)
+                   * ONE) // one * one) for _ in range(3)]
+    size = rng.choice((1, 16, 256, 511)) * ONE
+    plane = [(rng.randint(-size, size - 1) // one * one, rng.randint(-size, size - 1) // one * one)
+             for _ in range(3)]
+    if rng.random() < 1 / 8:
+        a, b, c = points
+        points.append((a[0] + c[0] - b[0], a[1] + c[1] - b[1]))
+        a, b, c = plane
+        plane.append((a[0] + c[0] - b[0], a[1] + c[1] - b[1]))
+    return points, plane
+
+
 def even(seed: int, number: int) -> Fuzzed:
     """Returns polygon ``number`` with all vertices on planes."""
     rng = random.Random(f"{seed} fuzz {number}")
@@ -206,6 +226,9 @@ def even(seed: int, number: int) -> Fuzzed:
         if mapper == "arbitrary":
             points = points[:3]
             plane = inside_map(plane[:3], map_size)
+    if settings.edges == "snapped" and mapper != "arbitrary" and hand.random() < 0.75:
+        points, plane = for_triangles(hand, width, height, 127)
+        settings = replace(settings, gradients="plane", start="subtexel")
     shades = [rng.choice((0, 255 * ONE, 256 * ONE - 1, rng.randrange(256 * ONE))) for _ in points]
     if len(points) > 3:  # planar: along y, over the polygon's height
         low, high = min(y for _, y in points), max(y for _, y in points)

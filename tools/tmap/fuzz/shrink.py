@@ -14,7 +14,7 @@ from tmap.scene_file.scene_file import SETTINGS
 ROUNDS = 60  # each needs a boot
 #: Settings from simple to demanding; a shrunken polygon has the simplest that still fail.
 PLAIN = {"clip": ("scissor", "vertices"), "start": ("subtexel", "truncated"),
-         "gradients": ("plane", "polygon", "scanline"), "edges": ("exact", "subpixel", "integer"),
+         "gradients": ("plane", "polygon", "scanline"), "edges": ("exact", "snapped", "subpixel", "integer"),
          "perspective": SETTINGS["perspective"]}
 SIMPLEST = (0, 0, 0, 0, 0, ONE)  # vertex
 FaultT = TypeVar("FaultT")

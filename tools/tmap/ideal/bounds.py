@@ -72,17 +72,17 @@ import numpy as np
 
 from tmap.base.fixed import ceil16
 from tmap.corpus.random_polygons import is_convex
-from tmap.ideal import bounds_fetched, bounds_perspective, ideal, planarity
+from tmap.ideal import bounds_fetched, bounds_perspective, bounds_snapped, ideal, planarity
 from tmap.ideal.bounds_coverage import (FLOAT, LARGEST, crossing, edge_bound, edges_by_line,
                                         check_coverage)
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import in_front
 from tmap.model import model
-from tmap.setup import spans, tolerance
+from tmap.setup import snapped, spans, tolerance
 from tmap.setup.dithered import MOST as DITHERED
 from tmap.setup.edges import Edge
 from tmap.setup.spans import BIAS
-from tmap.setup.texturing import CUT, STEEP_256, Line, Settings
+from tmap.setup.texturing import CUT, STEEP_256, Line, Settings, Texturing
 
 
 @dataclass
@@ -136,6 +136,7 @@ def winds_once(points) -> bool:
 class Coordinate:
     """u or v of a polygon: the exact plane and the bounds that hold for all of it."""
 
+    key: str
     plane: ideal.Plane
     cut: int  # low bits that are 0
     g: float  # texels per pixel
@@ -147,11 +148,11 @@ class Coordinate:
 def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
     """Returns the plane of ``vertices`` [key] through their corners, and its steps' bounds."""
     plane = ideal.plane_of(vertices, key)
-    cut = t.cuts[key - 2] if t else CUT.get(settings.mapper, (0, 0))[key - 2]
+    cut = t.cuts[key - 2] if isinstance(t, Texturing) else CUT.get(settings.mapper, (0, 0))[key - 2]
     g, h = abs(plane.nx / plane.d), abs(plane.ny / plane.d)
     if settings.gradients == "plane":
         rounding = UNIT / 2 * (1 << cut)
-        return Coordinate(plane, cut, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
+        return Coordinate("..uv"[key], plane, cut, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
     top, bottom, _ = ideal.corners(vertices)
     height = vertices[bottom][1] - vertices[top][1]
     width = abs(plane.d / height) * UNIT if height else 0.0
@@ -160,7 +161,7 @@ def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings
         rounded = (1 + g) * UNIT / 2 / (width - UNIT / 2) + coarse(cut) * UNIT / 2
         if g + rounded < LARGEST - 1:
             step = rounded
-    return Coordinate(plane, cut, g, h, step, 0.0)
+    return Coordinate("..uv"[key], plane, cut, g, h, step, 0.0)
 
 
 def coarse(cut: int) -> int:
@@ -198,6 +199,8 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
                 settings: Settings) -> tuple[float, float]:
     """Returns how far below and above u may be at a pixel, if the polygon has one step."""
     exact = settings.start == "subtexel"
+    if isinstance(t, snapped.Triangle):
+        return bounds_snapped.bound(c.g, t, "uv".index(c.key), i, y)
     if settings.gradients == "plane" and exact:
         high = c.plane.bound(i, y, t, c.cut)
         return high if c.plane.below() else 0.0, high
@@ -280,7 +283,7 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
                  beyond: float | None, out: Verdict) -> None:
     """Adds the error of u and v at both ends of every line inside the exact polygon, as both are
     linear between them, and judges the texels that are fetched at all its pixels."""
-    mapper, t = polygon.mapper, polygon.texturing
+    mapper, t = polygon.mapper, polygon.triangle or polygon.texturing
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
     planes = {key: coordinate(vertices, index, t, settings)
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
@@ -332,6 +335,8 @@ def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
     """Returns None if no line is held in a range, else how far beyond the range the plane is at a
     vertex, in texels: more than three vertices need not be on it."""
     t = polygon.texturing
+    if polygon.triangle:
+        return None
     steep = t is None or model.is_steep(settings, t.dudx, t.dvdx)
     ranges = model.held_range(vertices, settings, size, t, steep)
     if not ranges:
@@ -372,7 +377,7 @@ def judge(vertices, settings: Settings, width: int, height: int,
     ``vertices``: a scene's (x, y, s, t, shade, w), 16.16; ``size``: the map's. Polygons cut to the
     window are judged by their pixels, and by u and v if these come from the plane.
     """
-    out, parts = Verdict(), model.parts(vertices, settings)
+    out, parts = Verdict(), model.parts(vertices, settings, (width, height), max(size))
     if is_convex([v[:2] for v in vertices]):
         out.complain(planarity.judge(vertices, settings, len(parts)))
     for part in parts:

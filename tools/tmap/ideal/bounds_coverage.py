@@ -69,14 +69,14 @@ def check_coverage(vertices, polygon: model.Polygon | None, settings: Settings, 
     lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
     sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] if polygon else []
     wrong, complaint = 0, ""
-    clipped = 2 * UNIT if settings.clip == "vertices" and settings.edges != "exact" else 0.0
+    clipped = 2 * UNIT if settings.clip == "vertices" and not settings.has_exact_edges else 0.0
     for y in exact.keys() | lines.keys():
         found = [lines[y].left, lines[y].right] if y in lines else [0, 0]
         ends = [end for _, _, end in exact[y]] if y in exact else [0, 0]
         found, ends = ([a, max(a, b)] for a, b in (found, ends))
         pixels = set(range(*found)) ^ set(range(*ends))
         wrong += len(pixels)
-        allowed = 0.0 if settings.edges == "exact" else max(
+        allowed = 0.0 if settings.has_exact_edges else max(
             (edge_bound(side[y], y) for side in sides if y in side), default=0.0)
         for i in sorted(pixels):
             off = min((abs(i - n / d * UNIT) for n, d, _ in exact.get(y, ())), default=LARGEST)

@@ -107,9 +107,9 @@ class Crossing:
         line. A cut at its top or bottom moves it by half a unit along the line. Later cuts
         start from the moved edge, so the moves add up."""
         slack = Fraction(0)
-        if settings.edges != "exact":
+        if not settings.has_exact_edges:
             slack += Fraction(self.line - max(-(-self.upper[1] // 65536), 0) + 1, 2)
-        if settings.clip == "vertices" and settings.edges != "exact":
+        if settings.clip == "vertices" and not settings.has_exact_edges:
             slope = Fraction(abs(self.lower[0] - self.upper[0]), self.denominator)
             for axis, limit, move in ((0, width, slope), (1, height, 1)):
                 ends = sorted((self.upper[axis], self.lower[axis]))

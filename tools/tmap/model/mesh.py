@@ -177,5 +177,10 @@ def placed_at(scene, number: int) -> list[Placed]:
 def polygons_at(scene, number: int) -> list[Drawn]:
     """Returns the same with polygons whose values are not planar split into triangles, except those
     of texture units."""
+    def longer(which: int) -> int:
+        texture = scene.materials[which].texture
+        return max(scene.textures[texture].texels.shape) if texture >= 0 else 256
+
+    frame = scene.width, scene.height
     return [(which, part) for which, vertices, vouched in placed_at(scene, number)
-            for part in planarity.parts(vertices, scene.materials[which], vouched)]
+            for part in planarity.parts(vertices, scene.materials[which], frame, longer(which), vouched)]

@@ -79,7 +79,8 @@ def render(scene, number: int) -> np.ndarray:
             continue
         texture = scene.textures[material.texture].texels if material.texture >= 0 else None
         light = scene.textures[material.light].texels if material.light >= 0 else None
-        for part in parts(vertices, material, vouched):
+        longer = 256 if texture is None else max(texture.shape)
+        for part in parts(vertices, material, (scene.width, scene.height), longer, vouched):
             polygon = prepare_polygon(scene, which, part)
             if polygon:
                 draw(frame, polygon, texture, material.colour, light)

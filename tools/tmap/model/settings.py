@@ -10,7 +10,7 @@ from tmap.scene_file.textures import ON_PLANE, UNITS
 #: Edges, gradients and start of each step, from cheap to exact.
 ACCURACY = (("integer", "polygon", "truncated"), ("subpixel", "polygon", "truncated"),
             ("subpixel", "polygon", "subtexel"), ("subpixel", "plane", "subtexel"),
-            ("exact", "plane", "subtexel"))
+            ("snapped", "plane", "subtexel"), ("exact", "plane", "subtexel"))
 PERSPECTIVE = SETTINGS["perspective"]
 #: Pixels between two divides of Glide's units, by steps of perspective.
 SUBDIVISION = {"none": 16, "every16": 16, "every8": 8, "pixel": 0, "fine": 0}
@@ -40,7 +40,7 @@ def set_material(own: Material, accuracy: int | None, perspective: int | None,
     if accuracy is None:
         return made
     edges, gradients, start = ACCURACY[accuracy]
-    if own.mapper in UNITS and edges == "integer":
+    if own.mapper in UNITS and edges in ("integer", "snapped"):
         edges = "subpixel"
     made = replace(made, edges=edges)
     if own.mapper in FIXED or made.perspective != "none":

@@ -13,7 +13,7 @@ from tmap.scene_file.units import PRIMITIVES
 from tmap.setup.shading import LIT
 
 #: The settings of a material by their names, and the prefix of each one's enumerators.
-SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "exact"),
+SETTINGS = {"mapper": tuple(MAPPER_LAYOUT), "edges": ("integer", "subpixel", "snapped", "exact"),
             "gradients": ("scanline", "polygon", "plane"), "start": ("truncated", "subtexel"),
             "clip": ("scissor", "vertices"),
             "perspective": ("none", "every16", "every8", "pixel", "fine")}
@@ -78,7 +78,7 @@ def check_unit(scene, material: Material, name: str, where: str) -> None:
     if material.mapper in UNITS:
         there = scene.units if material.mapper == "n64" else scene.pipes
         require(name, f"{where}.unit", material.unit, 0, len(there) - 1)
-        if material.edges == "integer":
+        if material.edges in ("integer", "snapped"):
             raise UserError(f"{name}: {where}.edges: 'integer' is not for a texture unit")
     else:
         require(name, f"{where}.unit", material.unit, none, none)

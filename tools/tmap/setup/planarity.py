@@ -6,6 +6,7 @@ Vertices are (x, y, s, t, shade, w), 16.16, as a scene has them.
 """
 
 from tmap.base.fixed import mul, mul_div, signed
+from tmap.setup import snapped
 from tmap.setup.edges import corners_of
 from tmap.setup.texturing import Settings, plane
 
@@ -37,9 +38,14 @@ def fan(vertices: list) -> list[list]:
     return [[vertices[0], *pair] for pair in zip(vertices[1:], vertices[2:])]
 
 
-def parts(vertices, material, vouched: int = 0) -> list:
-    """Returns the pieces in which a polygon is drawn: itself, or triangles. ``vouched``: kinds of
-    values that are planar without a test."""
+def parts(vertices, material, frame: tuple[int, int], longer: int, vouched: int = 0) -> list:
+    """Returns the pieces in which a polygon is drawn: itself, or triangles. ``frame``: width and
+    height; ``longer``: the map's longer side; ``vouched``: kinds of values that are planar without a
+    test."""
+    if len(vertices) > 3 and snapped.may_draw(
+            [(x, y, s * longer + 128 >> 8, t * longer + 128 >> 8) for x, y, s, t, *_ in vertices],
+            material, *frame):
+        return fan(vertices)
     wanted = asked(material) & ~vouched
     if len(vertices) > 3 and planar(vertices, wanted) != wanted:
         return fan(vertices)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from types import ModuleType
 
 from tmap.base.fixed import M32, ONE, mul, signed
-from tmap.setup import logarithm, reciprocal
+from tmap.setup import logarithm, reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
 from tmap.setup.perspective import (PIECES, Perspective, coordinates as perspective_coordinates,
@@ -44,6 +44,7 @@ class Polygon:
     shading: Shading | None = None  # lit Gouraud
     is_level: bool = False  # the perspective's depth does not change along lines
     constants: reciprocal.Constants | None = None  # of lines drawn by tables
+    triangle: snapped.Triangle | None = None  # drawn by a routine for triangles
 
     @property
     def tables(self) -> ModuleType:
@@ -171,7 +172,7 @@ def outline_of(vertices, width: int, height: int, settings: Settings) -> Outline
     if sides is None:
         return None
     corners = sides.corners
-    if settings.clip == "vertices" and settings.edges != "exact":
+    if settings.clip == "vertices" and not settings.has_exact_edges:
         clipped = clip(vertices, frame_window(width, height))
         if clipped != vertices:
             vertices, sides = clipped, measure(clipped, width, height)
@@ -244,12 +245,15 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
+    by_routine = snapped.may_draw(vertices, settings, width, height)
     if settings.mapper == "generated" and not may_be_written(vertices, settings):
         settings = replace(settings, mapper="affine")
     outline = outline_of(vertices, width, height, settings)
     if outline is None:
         return None
-    polygon = outline.polygon(width, settings.edges == "exact", textured)
+    if by_routine:
+        return by_triangles(vertices, outline, width, settings)
+    polygon = outline.polygon(width, settings.has_exact_edges, textured)
     if settings.perspective != "none" and not is_flat(vertices, settings.tolerance) \
             and set_perspective(polygon, vertices, outline, settings):
         return polygon
@@ -265,6 +269,18 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     return polygon
 
 
+def by_triangles(vertices, outline: Outline, width: int, settings: Settings) -> Polygon | None:
+    """Returns the polygon that routines for triangles draw; None if it covers no line."""
+    keys = snapped.VALUES[settings.mapper]
+    triangle = snapped.set_up(snapped.converted(vertices, keys), settings.mapper, keys)
+    if triangle is None:
+        return None
+    polygon = outline.polygon(width, True, keys > 0)
+    polygon.mapper, polygon.triangle = settings.mapper, triangle
+    polygon.lines = snapped.lines(triangle)
+    return polygon
+
+
 def constants(deep: Perspective, lines: list[Line], box, setting: str):
     """Returns the constants of lines drawn by tables; None if no line is."""
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
@@ -276,11 +292,13 @@ def constants(deep: Perspective, lines: list[Line], box, setting: str):
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     """Converts (x, y, s, t, shade, w) for ``set_up``. x and y are cut to whole pixels if edges are
-    integer. s and t are scaled, to the nearest, to texels of a map with the given longer side;
+    integer, rounded to 1/16 if they are snapped. s and t are scaled, to the nearest, to texels of a map with the given longer side;
     w and a lit mapper's level follow. Gouraud's shade becomes u, INSET inside the range of its
     possible pixels."""
     if settings.edges == "integer":
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
+    elif settings.edges == "snapped":
+        vertices = [(*(signed(snapped.snap(c) << 12) for c in v[:2]), *v[2:]) for v in vertices]
     if settings.mapper == "gouraud":
         shades = [v[4] for v in vertices]
         low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET

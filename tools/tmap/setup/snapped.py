@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from tmap.base.fixed import M32, signed
 from tmap.build import layout
+from tmap.setup.texturing import Line, Settings
 
 M24 = (1 << 24) - 1
 #: Heights of small triangles, 1/16 line: SMALL_HEIGHT of src68k/include/triangle_small.i.
@@ -16,7 +17,11 @@ SMALL_HEIGHT = 224
 #: How far the wide triangles' edges begin below x + 1, 2^-32 pixel: BELOW of triangle_wide.i.
 BELOW = 102400
 #: Widths of small triangles, pixels, by mapper.
-SMALL_WIDTH = {"affine": 16, "gouraud": 32, "flat": 32}
+SMALL_WIDTH = {"affine": 16}
+#: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
+VALUES = {"affine": 2}
+#: The most corners of a polygon that is drawn as triangles.
+CORNERS = 4
 
 LIMITS = layout.load().constants
 WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
@@ -145,17 +150,51 @@ def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | N
     return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values)
 
 
+def may_draw(vertices, settings: Settings, width: int, height: int) -> bool:
+    """Returns true if routines for triangles draw a polygon in a frame. ``vertices``: x and y in
+    1/65536 pixel, snapped or not, then u and v in 1/65536 texel."""
+    keys = VALUES.get(settings.mapper, -1)
+    if settings.edges != "snapped" or keys < 0 or len(vertices) > CORNERS or keys and (
+            settings.gradients, settings.start, settings.perspective) != ("plane", "subtexel", "none"):
+        return False
+    xs, ys = ([snap(v[k]) for v in vertices] for k in (0, 1))
+    return (0 <= min(xs) and max(xs) <= 16 * min(width, WIDTH) and 0 <= min(ys)
+            and max(ys) <= 16 * height and max(ys) - min(ys) < 16 * LINES
+            and (keys < 2 or all(-TEXELS << 16 <= c < TEXELS << 16 for v in vertices for c in v[2:4])))
+
+
+def converted(vertices, keys: int) -> list[tuple]:
+    """Returns (x, y, values ...) as in struct snapped_vertex, without what it adds to x and y."""
+    return [(snap(x), snap(y), *(value + RAISED << 4 for value in values[:keys]))
+            for x, y, *values in vertices]
+
+
 def chain_of(u: int, v: int) -> int:
-    """Packs a step of u and v as the chain adds it, 48 bits: u's 24, then v's."""
-    return ((u - (v < 0)) & M24) << 24 | v & M24
+    """Packs a step of u and v as the chain adds it, modulo 2^48: u * 2^24 + v."""
+    return (u - (v < 0) << 24) + (v & M24)
 
 
-def chained(triangle: Triangle, line: int, column: int) -> tuple[int, int]:
-    """Returns u and v of a pixel, 8.16, as the chain of both steps them."""
-    u, v = triangle.values
-    n, carries, along = triangle.steps(line, column)
-    sign = -1 if triangle.right else 1
-    pixel = chain_of(u.pixel, v.pixel)
-    at = ((u.at & M24) << 24 | v.at & M24) + n * chain_of(u.line, v.line) \
-        + (along + sign * carries) * pixel
-    return at >> 24 & M24, at & M24
+def lines(triangle: Triangle) -> list[Line]:
+    """Returns a triangle's lines. A line's u is the chain's, in which u is one more each time v
+    wraps; so it is with steps from line to line."""
+    made, right = [], triangle.right
+    for n, ends in enumerate(zip(triangle.long, triangle.short)):
+        left, end = reversed(ends) if right else ends
+        line = Line(left, end)
+        made.append(line)
+        if not triangle.values or end <= left:
+            continue
+        n, carries, along = triangle.steps(n, left)
+        pixels = along - carries if right else along + carries
+        sign = -1 if right else 1
+        found = [value.at + n * value.line + pixels * value.pixel for value in triangle.values]
+        steps = [sign * value.pixel & M32 for value in triangle.values]
+        line.u, line.dudx = found[0] & M32, steps[0]
+        if len(found) == 2:
+            u, v = triangle.values
+            line.v, line.dvdx = found[1] & M32, steps[1]
+            pixel = chain_of(u.pixel, v.pixel)
+            line.chain = (u.at << 24) + (v.at & M24) + n * chain_of(u.line, v.line) \
+                + pixels * pixel, sign * pixel
+            line.u = line.chain[0] >> 24 & M32
+    return made

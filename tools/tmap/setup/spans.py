@@ -17,6 +17,9 @@ def coordinates(line: Line, mapper: str = "affine", y: int = 0) -> tuple[np.ndar
     """Returns u and v of a line's pixels as the mapper steps them, int64, 16.16 modulo 2^32; ``y``:
     the line's, used only by the mapper that moves points."""
     n = np.arange(line.right - line.left, dtype=np.int64)
+    if line.chain:
+        return (line.chain[0] + n * line.chain[1] >> 24) & M32, \
+            line.v + n * signed(line.dvdx) & M32
     start, cuts = (line.u, line.v), CUT.get(mapper, (0, 0))
     if mapper == "generated":  # the start's fraction is dropped
         start = [(c & ~0xFFFF) + BIAS for c in start]

@@ -19,13 +19,18 @@ CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 class Settings:
     """How a polygon is drawn: the choices of struct material."""
 
-    edges: str = "subpixel"  # integer, subpixel, exact
+    edges: str = "subpixel"  # integer, subpixel, snapped, exact
     gradients: str = "plane"  # scanline, polygon, plane
     start: str = "subtexel"  # truncated, subtexel
     clip: str = "scissor"  # scissor, vertices
     perspective: str = "none"  # every16, every8, pixel, fine
     mapper: str = "affine"  # as struct material's, without MAPPER_
     tolerance: int = 0  # error allowed to simpler perspective, 1/65536 texel
+
+    @property
+    def has_exact_edges(self) -> bool:
+        """True if no pixel is wrong beside the edges of the vertices that ``adapt`` returns."""
+        return self.edges in ("snapped", "exact")
 
 
 def raised(value: int, cut: int) -> int:
@@ -45,6 +50,7 @@ class Line:
     dvdx: int = 0
     c: int = 0  # level of light; its step is dcdx
     dcdx: int = 0
+    chain: tuple[int, int] | None = None  # u and v, and their steps, in one number: u * 2^24 + v
 
 
 @dataclass

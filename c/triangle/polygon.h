@@ -1,0 +1,54 @@
+/* Polygons with snapped vertices that routines for triangles can draw. */
+#ifndef TRIANGLE_POLYGON_H
+#define TRIANGLE_POLYGON_H
+
+#include "polygon/polygon.h"
+#include "triangle/triangles.h"
+
+/* A polygon of more corners is cheaper in one piece. */
+enum { TRIANGLE_CORNERS_MAX = 4 };
+
+typedef const struct triangle *triangle_drawer(const struct triangle_plan *plan);
+
+/* Returns the routine for a material with EDGES_SNAPPED and the frame's pixels, or 0. */
+static inline triangle_drawer *triangle_routine(const struct frame *frame,
+                                                const struct material *material)
+{
+    if (frame->pixel_bytes != 1 || frame->pitch > TRIANGLE_PITCH_MAX)
+        return 0;
+    if (material->gradients != GRADIENTS_PLANE || material->start != START_SUBTEXEL
+        || material->perspective || material->mapper != MAPPER_AFFINE || !material->map
+        || material->map->layout != MAP_PAGE || material->map->texel_bytes != 1)
+        return 0;
+    return triangles_affine;
+}
+
+/* Returns the kind that its pixels are counted as. */
+static inline enum span_kind triangle_kind(const struct material *material)
+{
+    return material->mapper == MAPPER_FLAT ? SPAN_TRIANGLES_FLAT
+         : material->mapper == MAPPER_GOURAUD ? SPAN_TRIANGLES_GOURAUD : SPAN_TRIANGLES_AFFINE;
+}
+
+/* Sets what the frame and the material decide. */
+static inline void triangle_plan_set(struct triangle_plan *plan, const struct renderer *renderer,
+                                     const struct material *material)
+{
+    plan->row = renderer->frame->pixels;
+    plan->pitch = renderer->frame->pitch;
+    plan->map = material->map ? material->map->texels : 0;
+    plan->reciprocals = renderer->snapped_reciprocals;
+    plan->colour = material->colour;
+    plan->cull = 0;
+}
+
+/* Returns non-zero if the material has a routine, and the polygon few enough corners. */
+int32 triangle_may(const struct renderer *renderer, const struct polygon *polygon,
+                   const struct material *material);
+
+/* Draws the polygon as a fan of triangles, or only tests it if `draws` is 0. Returns 0, and draws
+   nothing, if a vertex is out of range or the polygon too high (enum snapped_limits). */
+int32 triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
+                       const struct material *material, int32 draws);
+
+#endif

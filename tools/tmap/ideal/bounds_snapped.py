@@ -1,0 +1,42 @@
+"""How far u, v or a shade of a triangle with snapped vertices may be from the exact plane.
+
+1 unit = U = 1/2^16. The plane is exact for the snapped vertices. g is its gradient a pixel, p the step
+that is drawn with, n the number of lines below the first and k that of pixels from the long edge.
+
+* A step along the long edge is a product with a reciprocal that is off by 1/2 (1/4 U for values up to
+  1,024 apart), rounded down: off by 5/4 U. The value where the edge crosses the first line has less than
+  one such step and is rounded down: 9/4 U.
+* p is rounded towards zero: U. It is 0 if it does not fit: g.
+* The first pixel is less than a pixel from the crossing: p's error, and U by rounding the product. The
+  distance itself is off by 4/2^16 pixel: 4 g U.
+* A line adds the step along the edge and p times the slope's fraction, rounded down: 9/4 U, of which
+  5/4 U are on either side. Fractions that are off by 5,120/2^32 pixel add up to 1.4/2^16 pixel in 16
+  lines, or 1/256 of that a line from FINER_HEIGHT on: 2 g U. Of the carries as many p were added as the
+  fractions sum up to, but for one: p's error.
+* A pixel adds p's error.
+
+The sum is (6 + 5/4 n + 6 g) U + (k + 2) times p's error. u also counts how often v wraps: 5 U where v
+stays within 1,024 texels, and (n + k) (1 + v's step / 2^23) U where that is 128 texels or more.
+
+Values are raised by SNAPPED_RAISED = 512 U, so they are never below the exact ones, and at most 1/64
+above, where 11 + 5/4 n + k + 6 g is 512 at most: g up to 3 in SNAPPED_LINES lines of SNAPPED_WIDTH
+pixels.
+"""
+
+from tmap.ideal.ideal import UNIT
+from tmap.setup import snapped
+
+#: From this step on, texels a pixel, a quotient may not fit.
+UNFIT = 32767.0
+
+
+def bound(g: float, triangle: snapped.Triangle, which: int, i: int, y: int) -> tuple[float, float]:
+    """Returns how far below and above a value may be at pixel (i, y). ``g``: the magnitude of its
+    exact gradient; ``which``: 0 for u, 1 for v."""
+    n, _, k = triangle.steps(y - triangle.top, i)
+    off = 1.0 if g < UNFIT else g / UNIT
+    units = 6 + 1.25 * n + 6 * g + (abs(k) + 2) * off
+    if which == 0 and len(triangle.values) == 2:
+        step = max(abs(triangle.values[1].pixel), abs(triangle.values[1].line))
+        units += 5 + (step >= 1 << 23) * (n + abs(k)) * (1 + step / (1 << 23))
+    return max(0.0, units - snapped.RAISED) * UNIT, (units + snapped.RAISED) * UNIT
