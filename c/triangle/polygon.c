@@ -50,11 +50,14 @@ static int32 convert(struct snapped_vertex *to, const struct polygon *polygon,
         if (material->mapper == MAPPER_GOURAUD) {
             to->u = raised(shade_limited(from->shade, shade_low, shade_high));
         } else if (material->map) {
-            if ((uint32)from->s + TEXEL_REACH >= 2 * TEXEL_REACH
-                || (uint32)from->t + TEXEL_REACH >= 2 * TEXEL_REACH)
+            const fix16 u = scale == 65536 ? from->s : mul_round(from->s, scale);
+            const fix16 v = scale == 65536 ? from->t : mul_round(from->t, scale);
+
+            if ((uint32)u + TEXEL_REACH >= 2 * TEXEL_REACH
+                || (uint32)v + TEXEL_REACH >= 2 * TEXEL_REACH)
                 return 0;
-            to->u = raised(scale == 65536 ? from->s : mul_round(from->s, scale));
-            to->v = raised(scale == 65536 ? from->t : mul_round(from->t, scale));
+            to->u = raised(u);
+            to->v = raised(v);
         }
     }
     return low - top < SNAPPED_LINES * SNAPPED_ONE;

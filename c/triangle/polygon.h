@@ -16,8 +16,14 @@ static inline triangle_drawer *triangle_routine(const struct frame *frame,
 {
     if (frame->pixel_bytes != 1 || frame->pitch > TRIANGLE_PITCH_MAX)
         return 0;
+    if (material->mapper == MAPPER_FLAT)
+        return triangles_flat;
     if (material->gradients != GRADIENTS_PLANE || material->start != START_SUBTEXEL
-        || material->perspective || material->mapper != MAPPER_AFFINE || !material->map
+        || material->perspective)
+        return 0;
+    if (material->mapper == MAPPER_GOURAUD)
+        return triangles_gouraud;
+    if (material->mapper != MAPPER_AFFINE || !material->map
         || material->map->layout != MAP_PAGE || material->map->texel_bytes != 1)
         return 0;
     return triangles_affine;
@@ -38,7 +44,7 @@ static inline void triangle_plan_set(struct triangle_plan *plan, const struct re
     plan->pitch = renderer->frame->pitch;
     plan->map = material->map ? material->map->texels : 0;
     plan->reciprocals = renderer->snapped_reciprocals;
-    plan->colour = material->colour;
+    plan->colour = material->colour * 0x01010101;
     plan->cull = 0;
 }
 

@@ -23,6 +23,9 @@ enum snapped_limits {
     FINER_HEIGHT = 256,
     SNAPPED_RECIPROCALS = SNAPPED_LINES * SNAPPED_ONE,
 
+    SHADES_STEEP = 256,         /* a step of so many shades a pixel is drawn as 0: no line of such a
+                                   triangle has two pixels */
+
     /* Up to these areas, in 1/512 square pixel, the quotient of a gradient may not fit 32 bits. Its
        dividend is below 2 * 2^30 dy, u and v being less than 1,024 texels apart. */
     SLIVER_SMALL = 256,         /* dy up to 224 */
@@ -47,7 +50,7 @@ struct triangle_plan {
     int32 pitch;                /* bytes from line to line, up to TRIANGLE_PITCH_MAX */
     const uint8 *map;           /* texel (0, 0) */
     const int32 *reciprocals;   /* SNAPPED_RECIPROCALS */
-    uint32 colour;              /* flat: the pixel */
+    uint32 colour;              /* flat: four pixels */
     int32 cull;                 /* 1: triangles seen from the back are left out */
 };
 
@@ -56,6 +59,8 @@ void triangle_reciprocals(int32 *table);
 
 /* src68k/triangle: contracts there. They draw the list up to the first triangle that they cannot
    draw, and return its address, or the list's end. */
+const struct triangle *triangles_flat(const struct triangle_plan *plan);
+const struct triangle *triangles_gouraud(const struct triangle_plan *plan);
 const struct triangle *triangles_affine(const struct triangle_plan *plan);
 
 #endif

@@ -18,12 +18,12 @@
 batch_cull      rs.l    1
 batch_end       rs.l    1               ; of the list
 batch_row       rs.l    1               ; row 0 of the frame
-batch_map       rs.l    1
+batch_source    rs.l    1               ; the map, or the colour
 batch_reciprocals rs.l  1
 batch_pitch     rs.l    1
 batch_sizeof    rs.l    0
 
-; Begins a routine that draws the batch a0.
+; Begins a routine that draws the batch a0. \1: the plan's field of what it draws, if any.
 triangles_open macro
         save_all
         lea     -batch_sizeof(sp),sp
@@ -31,7 +31,9 @@ triangles_open macro
         move.l  triangle_plan_cull(a0),batch_cull(a5)
         move.l  triangle_plan_end(a0),batch_end(a5)
         move.l  triangle_plan_row(a0),batch_row(a5)
-        move.l  triangle_plan_map(a0),batch_map(a5)
+        ifnb    \1
+        move.l  triangle_plan_\1(a0),batch_source(a5)
+        endc
         move.l  triangle_plan_reciprocals(a0),batch_reciprocals(a5)
         move.l  triangle_plan_pitch(a0),batch_pitch(a5)
         movea.l triangle_plan_list(a0),a0

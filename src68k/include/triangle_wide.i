@@ -193,22 +193,23 @@ wide_set_up macro
 
 ; The lines of wide triangles with values of the mapper \2, long edge on the side \1. a0 the long
 ; edge's pixel, a6 the short one's, d5 and d6 their errors, d4's lower word free, d0 free between
-; lines. Macros as in small_lines; \2_enter_wide also draws whole rounds, up to a6.
+; lines. Macros as in small_lines; \2_enter_wide also draws whole rounds, up to a6. \3 to \6: part and
+; step of the long edge, then of the short one: registers, or their places on the stack.
 wide_lines macro
         cnop    0,4
         \2_rounds_\1
 wide_next_\1
         subq.l  #1,(sp)
         beq     wide_part_\1
-        adda.l  wide_r_step(sp),a6
-        add.l   wide_r_part(sp),d6
+        adda.l  \6,a6
+        add.l   \5,d6
         bcc.s   wide_stepped_\1
         addq.l  #1,a6
 wide_stepped_\1
         clr.w   d4
         \2_line
-        adda.l  wide_l_step(sp),a0
-        add.l   wide_l_part(sp),d5
+        adda.l  \4,a0
+        add.l   \3,d5
         bcs.s   wide_more_\1
 wide_first_\1
         \2_keep
@@ -230,8 +231,8 @@ wide_part_\1
         move.l  wide_count_2(sp),(sp)
         beq     wide_end
         clr.l   wide_count_2(sp)
-        move.l  wide_r_step_2(sp),wide_r_step(sp)
-        move.l  wide_r_part_2(sp),wide_r_part(sp)
+        move.l  wide_r_step_2(sp),\6
+        move.l  wide_r_part_2(sp),\5
         movea.l wide_r_2(sp),a6
         move.l  wide_r_error_2(sp),d6
         bra     wide_stepped_\1

@@ -127,7 +127,7 @@ affine_pack macro
         move.l  d4,d3
         move.l  (sp)+,d5
         pack_step d5,d7,d4
-        move.l  batch_map(a5),d4
+        move.l  batch_source(a5),d4
         movea.l d7,a5
         move.l  d5,d7
         endm
@@ -165,7 +165,7 @@ affine_wide macro
         endm
 
         routine triangles_affine,a0
-        triangles_open
+        triangles_open map
 affine_quotient
         triangle_quotient
         small_close
@@ -184,5 +184,5 @@ affine_quotient
         wide_set_up right,affine
         small_lines left,affine
         small_lines right,affine
-        wide_lines left,affine
-        wide_lines right,affine
+        wide_lines left,affine,wide_l_part(sp),wide_l_step(sp),wide_r_part(sp),wide_r_step(sp)
+        wide_lines right,affine,wide_l_part(sp),wide_l_step(sp),wide_r_part(sp),wide_r_step(sp)

@@ -6,7 +6,7 @@ that is drawn with, n the number of lines below the first and k that of pixels f
 * A step along the long edge is a product with a reciprocal that is off by 1/2 (1/4 U for values up to
   1,024 apart), rounded down: off by 5/4 U. The value where the edge crosses the first line has less than
   one such step and is rounded down: 9/4 U.
-* p is rounded towards zero: U. It is 0 if it does not fit: g.
+* p is rounded towards zero: U. It is 0 if it does not fit, or is SHADES_STEEP shades or more: g.
 * The first pixel is less than a pixel from the crossing: p's error, and U by rounding the product. The
   distance itself is off by 4/2^16 pixel: 4 g U.
 * A line adds the step along the edge and p times the slope's fraction, rounded down: 9/4 U, of which
@@ -34,7 +34,8 @@ def bound(g: float, triangle: snapped.Triangle, which: int, i: int, y: int) -> t
     """Returns how far below and above a value may be at pixel (i, y). ``g``: the magnitude of its
     exact gradient; ``which``: 0 for u, 1 for v."""
     n, _, k = triangle.steps(y - triangle.top, i)
-    off = 1.0 if g < UNFIT else g / UNIT
+    most = UNFIT if len(triangle.values) == 2 else snapped.STEEP - 1
+    off = 1.0 if g < most else g / UNIT
     units = 6 + 1.25 * n + 6 * g + (abs(k) + 2) * off
     if which == 0 and len(triangle.values) == 2:
         step = max(abs(triangle.values[1].pixel), abs(triangle.values[1].line))

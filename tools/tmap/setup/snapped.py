@@ -17,15 +17,16 @@ SMALL_HEIGHT = 224
 #: How far the wide triangles' edges begin below x + 1, 2^-32 pixel: BELOW of triangle_wide.i.
 BELOW = 102400
 #: Widths of small triangles, pixels, by mapper.
-SMALL_WIDTH = {"affine": 16}
+SMALL_WIDTH = {"flat": 32, "gouraud": 32, "affine": 16}
 #: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
-VALUES = {"affine": 2}
+VALUES = {"flat": 0, "gouraud": 1, "affine": 2}
 #: The most corners of a polygon that is drawn as triangles.
 CORNERS = 4
 
 LIMITS = layout.load().constants
 WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
     "SNAPPED_WIDTH", "SNAPPED_LINES", "SNAPPED_TEXELS", "SNAPPED_RAISED", "FINER_HEIGHT"))
+STEEP = LIMITS["SHADES_STEEP"]
 
 
 def snap(coordinate: int) -> int:
@@ -98,15 +99,17 @@ class Edge:
         return [self.at + n * self.step >> self.bits for n in range(count)]
 
 
-def gradient(top, middle, bottom, key: int, area: int, small: bool) -> int:
-    """Returns a value's step a pixel away from the long edge; 0 where it does not fit."""
+def gradient(top, middle, bottom, key: int, area: int, small: bool, most: int) -> int:
+    """Returns a value's step a pixel away from the long edge; 0 where it does not fit, or is not below
+    ``most``."""
     n = (middle[key] - top[key]) * (bottom[1] - top[1]) \
         - (bottom[key] - top[key]) * (middle[1] - top[1])
     high = n >> 32
     sliver = area <= LIMITS["SLIVER_SMALL" if small else "SLIVER_WIDE"]
     if sliver and 2 * (high if high >= 0 else ~high) >= area:
         return 0
-    return towards_zero(n, area)
+    found = towards_zero(n, area)
+    return found if -most <= found < most else 0
 
 
 def value_of(top, bottom, key: int, edge: Edge, pixel: int, right: bool) -> Value:
@@ -145,7 +148,8 @@ def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | N
         if lines:
             short += Edge(a[0], a[1], b[0] - a[0], b[1] - a[1], small).columns(lines)
     edge = Edge(x, y, dx, dy, small)
-    values = [value_of(top, bottom, key, edge, gradient(top, middle, bottom, key, area, small), right)
+    most = STEEP << 16 if mapper == "gouraud" else 1 << 31
+    values = [value_of(top, bottom, key, edge, gradient(top, middle, bottom, key, area, small, most), right)
               for key in range(2, 2 + keys)]
     return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values)
 

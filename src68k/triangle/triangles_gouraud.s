@@ -1,0 +1,177 @@
+        include "triangle_wide.i"
+
+; triangles_gouraud - draws a batch of triangles, shade by shade
+;
+; in:      a0  triangle_plan*  the list, the frame, the reciprocals
+; out:     d0  triangle*  as triangles_affine
+; reads:   the plan, its list, the vertices' x, y, u, the reciprocals
+; writes:  pixels
+; formats: vertices in 12.4, shades as u in 12.20, 0 to 256; a pixel is its shade's integer; steps
+;          16.16, 0 where a step a pixel is SHADES_STEEP or more
+; error:   coverage: none for the snapped vertices. Shades: as u of triangles_affine
+; cost:    bench rows polygon_gouraud
+
+; A shade is one chain, ss--SS with the integer in the lower word: its carry is added to its own lowest
+; bit, so that adding steps a pixel or a line, in any order, is exact: modulo 2^32 - 1 the chain is
+; the shade times 2^16. A negative step is one less before its halves are swapped. d0 is the shade,
+; d2 its step a pixel, a4 that step's fraction, d7 its step a line, a3 the line's first shade, d4 0. Of a wide triangle's edges d1 and a5 are part and
+; step of the long one, d3 and a2 of the short one.
+
+gouraud_unrolled equ    32
+
+gouraud_line macro
+        move.l  a3,d0
+        add.l   d7,d0
+        addx.l  d4,d0
+        endm
+
+gouraud_keep macro
+        movea.l d0,a3
+        endm
+
+gouraud_more_left macro
+        add.l   d2,d0
+        addx.l  d4,d0
+        endm
+
+gouraud_more_right macro
+        sub.l   d2,d0
+        subx.l  d4,d0
+        endm
+
+; The fraction is a step ahead, so that its carry is ready when the integer is stepped.
+gouraud_pixel_left macro
+        move.b  d0,(a1)+
+        addx.l  d2,d0
+        endm
+
+gouraud_pixel_right macro
+        move.b  d0,-(a1)
+        addx.l  d2,d0
+        endm
+
+gouraud_enter macro
+        add.l   a4,d0
+        jmp     gouraud_end_\1(pc,d4.w*4)
+        endm
+
+gouraud_rounds_left macro
+gouraud_round_left
+        rept    32
+        gouraud_pixel_left
+        endr
+gouraud_round_end_left
+        cmpa.l  a6,a1
+        bne     gouraud_round_left
+        endm
+
+gouraud_rounds_right macro
+gouraud_round_right
+        rept    32
+        gouraud_pixel_right
+        endr
+gouraud_round_end_right
+        cmpa.l  a6,a1
+        bne     gouraud_round_right
+        endm
+
+gouraud_enter_wide macro
+        or.w    #-32,d4
+        add.l   a4,d0
+        jmp     gouraud_round_end_\1(pc,d4.w*4)
+        endm
+
+; a4 = the shade's step a pixel, a6 = its difference along the long edge.
+gouraud_gradient macro
+        move.l  a6,d6
+        move.w  d2,d3
+        ext.l   d3
+        ext.l   d1
+        cmp.l   #\1,d6
+        bls.s   .sliver\@
+        gradient snapped_vertex_u,a6
+        bra.s   .found\@
+.sliver\@
+        gradient snapped_vertex_u,a6,gouraud_quotient
+.found\@
+        move.l  d4,d0
+        add.l   #SHADES_STEEP<<16,d0
+        cmp.l   #SHADES_STEEP<<17,d0
+        bcs.s   .flat\@
+        moveq   #0,d4
+.flat\@ movea.l d4,a4
+        moveq   #15,d5
+        endm
+
+; Packs the start a6 and the steps a4 a pixel and d7 a line.
+gouraud_pack macro
+        move.l  a6,d0
+        minus   <subq.l #1,d0>
+        swap    d0
+        move.l  a4,d2
+        swap    d2
+        move.l  d2,d4
+        clr.w   d4
+        tst.w   d2
+        bpl.s   .rises\@
+        sub.l   #$10000,d2
+        bcc.s   .rises\@
+        subq.w  #1,d2
+.rises\@
+        movea.l d4,a4
+        tst.l   d7
+        minus   <subq.l #1,d7>
+        swap    d7
+        moveq   #0,d4
+        endm
+
+gouraud_small macro
+        gouraud_gradient SLIVER_SMALL
+        long_small \1
+        move.l  a2,-(sp)
+        value_start snapped_vertex_u,a6,a4,a6
+        gouraud_pack
+        movea.l (sp)+,a6
+        move.l  (sp)+,d5
+        move.l  (sp)+,d6
+        bra     small_first_\1
+        endm
+
+gouraud_wide macro
+        gouraud_gradient SLIVER_WIDE
+        long_wide \1
+        value_start_wide snapped_vertex_u,a6,a4,a6
+        gouraud_pack
+        move.l  (sp)+,d5
+        move.l  wide_r_error-4(sp),d6
+        movea.l wide_r-4(sp),a6
+        move.l  wide_l_part-4(sp),d1
+        movea.l wide_l_step-4(sp),a5
+        move.l  wide_r_part-4(sp),d3
+        movea.l wide_r_step-4(sp),a2
+        move.l  wide_count_1-4(sp),-(sp)
+        bra     wide_first_\1
+        endm
+
+        routine triangles_gouraud,a0
+        triangles_open
+gouraud_quotient
+        triangle_quotient
+        small_close
+        wide_close
+        triangle_fetch
+        triangle_order .right
+        triangle_small .left_wide,2
+        small_set_up left,gouraud
+.left_wide
+        wide_set_up left,gouraud
+.right  exg     d1,d2
+        exg     a2,a3
+        triangle_small .right_wide,2
+        small_set_up right,gouraud
+.right_wide
+        wide_set_up right,gouraud
+        small_lines left,gouraud
+        small_lines right,gouraud
+        wide_lines left,gouraud,d1,a5,d3,a2
+        wide_lines right,gouraud,d1,a5,d3,a2
