@@ -8,7 +8,10 @@
 int32 triangle_may(const struct renderer *renderer, const struct polygon *polygon,
                    const struct material *material)
 {
-    return renderer->snapped_reciprocals && polygon->count <= TRIANGLE_CORNERS_MAX
+    /* The range of Gouraud's shades is a triangle's own. */
+    const int32 most = material->mapper == MAPPER_GOURAUD ? 3 : TRIANGLE_CORNERS_MAX;
+
+    return renderer->snapped_reciprocals && polygon->count <= most
         && triangle_routine(renderer->frame, material);
 }
 

@@ -93,7 +93,7 @@ def register_complaints(trial: Trial, result: kernels.Result, contract: Contract
     before = {name: kernels.POISON + n for n, name in enumerate(kernels.REGISTERS)} | case.registers
     before |= {name: at + result.address for name, at in case.pointers.items()}
     before |= {name: at + result.far_address for name, at in case.far_pointers.items()}
-    expected = trial.outputs | {name: at + result.far_address for name, at in trial.ends.items()}
+    expected = trial.expected(result)
     if expected.keys() != types.keys():
         raise ValueError(f"{contract.name}: the block's out is {', '.join(types) or '-'}, the trial's "
                          f"{', '.join(expected) or '-'}")

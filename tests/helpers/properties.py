@@ -255,7 +255,7 @@ def splitting(case: Case, parts) -> list[str]:
 def pieces(case: Case) -> list[str]:
     """A polygon is drawn in one piece if its values are on planes, otherwise as triangles that
     cover it once; each piece is within its bounds, and every vertex belongs to one."""
-    parts = model.parts(case.vertices, case.settings)
+    parts = model.parts(case.vertices, case.settings, (case.width, case.height), max(case.size))
     if {v for part in parts for v in part} != set(case.vertices):
         return [case.complaint("vertices drawn", ("any", "any"), case.vertices, parts)]
     if not case.keeps_shape():

@@ -121,7 +121,7 @@ def test_the_guest_draws_scenes_as_the_model(folder) -> None:
     found, scene = drawn[list(SCENES).index("affine")], scenes["affine"]
     polygons = [model.prepare_polygon(scene, 0, part)
                 for number in (0, 1) for part in model.parts(vertices_at(
-                    scene, scene.objects[0], number), scene.materials[0])]
+                    scene, scene.objects[0], number), scene.materials[0], (scene.width, scene.height), 256)]
     assert [frame["polygons"] for frame in found.figures] == [2, 2]
     assert sum(frame["pixels"] for frame in found.figures) == sum(p.pixels for p in polygons)
     assert found.executed[0]["polygons"] == 4
@@ -160,15 +160,15 @@ def test_what_is_planar_stays_in_one_piece(edges: str) -> None:
     for number in range(400):
         points, planes = written(rng)
         vertices = rounded(points, planes)
-        assert model.parts(vertices, settings) == [vertices], number
+        assert model.parts(vertices, settings, (WIDTH, HEIGHT), 256) == [vertices], number
         cos, sin = fix(rng.uniform(-1, 1)), fix(rng.uniform(-1, 1))
         if abs(cos) + abs(sin) > ONE // 2:  # else the rounding grows
             turned = [(mul(cos, x) - mul(sin, y), mul(sin, x) + mul(cos, y), *rest)
                       for x, y, *rest in vertices]
-            assert model.parts(turned, settings) == [turned], number
+            assert model.parts(turned, settings, (WIDTH, HEIGHT), 256) == [turned], number
         left = clip.clip(vertices, clip.frame_window(WIDTH, HEIGHT))
         if len(left) > 3:
-            assert model.parts(left, settings) == [left], number
+            assert model.parts(left, settings, (WIDTH, HEIGHT), 256) == [left], number
 
 
 def test_polygon_draw_is_the_model() -> None:

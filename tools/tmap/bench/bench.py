@@ -28,16 +28,16 @@ TICKS = 25_000
 #: The same where something is displayed, of which a field's lines have the most and its ends
 #: nothing: 10 fields of 71,000 ticks.
 TICKS_SHOWN = 710_000
-ROUGH_CYCLES_PER_UNIT = 20
 NOTHING_REPEATS = 2000  # calls of the routine that only returns
 #: What a figure counts. "one_tick" beside it is one tick of the clock in the same unit.
 UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
-         "instructions": "cycles_per_instruction",
+         "polygons": "cycles_per_polygon", "instructions": "cycles_per_instruction",
          "frames": "cycles_per_frame", "rules": "cycles_per_polygon",
          "modes": "cycles_per_pixel", "first_frames": "cycles_more"}
 #: What stands over each kind's table.
 TITLES = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line",
           "points": "Cycles a point (mesh_attributes: a normal, mesh_faces: a face)",
+          "polygons": "Cycles a triangle of so many pixels, set-up included: edges snapped, a batch of 32",
           "instructions": "Cycles of instructions, with a loop's around 16 of them",
           "frames": f"Cycles a frame, mean of {scenes.FRAMES}",
           "rules": "Cycles a polygon, with each rule of lowering and without it",
@@ -54,7 +54,7 @@ DOUBT = 4
 def repeats(row: cases.Row) -> int:
     """Calls that last about TICKS, or TICKS_SHOWN."""
     ticks = TICKS if row.case.display == "OFF" else TICKS_SHOWN
-    return max(4, ticks * CYCLES_PER_TICK // (row.units * ROUGH_CYCLES_PER_UNIT))
+    return max(4, ticks * CYCLES_PER_TICK // (row.units * row.rough))
 
 
 def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dict]]:

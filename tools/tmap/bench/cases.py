@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
 from tmap.bench import (dithered, edges, effects, instruction_costs, logarithm, mesh, n64,
-                        perspective, reciprocal, screen, steps)
+                        perspective, reciprocal, screen, steps, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
 from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
@@ -34,6 +34,7 @@ class Row:
     units: int
     case: Case
     check: Check
+    rough: int = 20  # cycles of a unit, about
 
 
 def span_calls(length: int) -> dict[str, Call]:
@@ -116,6 +117,8 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
 #: A kind of rows to what makes names, lengths and calls. Points are normals, faces or vertices too.
 KINDS = {"rows": pixel_calls, "lines": line_calls,
          "points": lambda: ((name, 1, make()) for name, make in mesh.CASES.items()),
+         "polygons": lambda: ((f"polygon_{mapper}", pixels, triangles.case(mapper, pixels))
+                              for mapper in triangles.ROUTINES for pixels in triangles.SIZES),
          "instructions": instruction_costs.calls}
 
 
@@ -124,4 +127,6 @@ def rows(kind: str, chip: bool) -> list[Row]:
     made = [Row(name, length, *call) for name, length, call in KINDS[kind]()]
     for row in made:
         row.case.chip = chip
+        if kind == "polygons":
+            row.rough = 1000 + 20 * row.length
     return made

@@ -62,8 +62,8 @@ def values(**named: int) -> str:
 class Trial:
     """One call and what must come out of it; all other memory must stay as it was.
 
-    ``outputs``, ``ends``: ``out`` registers, as values and as offsets of the far
-    arena. ``where`` names an offset (of the far arena where its second argument is
+    ``outputs``, ``ends``, ``near_ends``: ``out`` registers, as values and as offsets of the far and of
+    the near arena. ``where`` names an offset (of the far arena where its second argument is
     true) better than the arena can. ``also`` is one more check: an error text, or None.
     """
 
@@ -71,6 +71,7 @@ class Trial:
     title: str = ""
     outputs: dict[str, int] = field(default_factory=dict)
     ends: dict[str, int] = field(default_factory=dict)
+    near_ends: dict[str, int] = field(default_factory=dict)
     writes: list[Write] = field(default_factory=list)
     where: Callable[[int, bool], str | None] | None = None
     also: Check | None = None
@@ -79,9 +80,14 @@ class Trial:
         """Units, case and check of a bench row that is this call."""
         return units, self.case, self.check
 
+    def expected(self, result: Result) -> dict[str, int]:
+        """The values of the ``out`` registers."""
+        return (self.outputs | {name: at + result.far_address for name, at in self.ends.items()}
+                | {name: at + result.address for name, at in self.near_ends.items()})
+
     def check(self, result: Result) -> str | None:
         """What is wrong with ``outputs``, ``ends`` and memory, in words; None where nothing is."""
-        outputs = self.outputs | {name: at + result.far_address for name, at in self.ends.items()}
+        outputs = self.expected(result)
         wrong = [f"{name}: expected {both(value)}, found {both(result.registers[name])}"
                  for name, value in outputs.items() if (result.registers[name] ^ value) & M32]
         return wrong[0] if wrong else self.memory_complaint(result, False) \

@@ -20,8 +20,9 @@ BELOW = 102400
 SMALL_WIDTH = {"flat": 32, "gouraud": 32, "affine": 16}
 #: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
 VALUES = {"flat": 0, "gouraud": 1, "affine": 2}
-#: The most corners of a polygon that is drawn as triangles.
-CORNERS = 4
+#: The most corners of a polygon that is drawn as triangles; the range of Gouraud's shades is a
+#: triangle's own.
+CORNERS = {"flat": 4, "gouraud": 3, "affine": 4}
 
 LIMITS = layout.load().constants
 WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
@@ -158,7 +159,7 @@ def may_draw(vertices, settings: Settings, width: int, height: int) -> bool:
     """Returns true if routines for triangles draw a polygon in a frame. ``vertices``: x and y in
     1/65536 pixel, snapped or not, then u and v in 1/65536 texel."""
     keys = VALUES.get(settings.mapper, -1)
-    if settings.edges != "snapped" or keys < 0 or len(vertices) > CORNERS or keys and (
+    if settings.edges != "snapped" or keys < 0 or len(vertices) > CORNERS[settings.mapper] or keys and (
             settings.gradients, settings.start, settings.perspective) != ("plane", "subtexel", "none"):
         return False
     xs, ys = ([snap(v[k]) for v in vertices] for k in (0, 1))

@@ -1,0 +1,54 @@
+"""Trials of src68k/triangle against tools/tmap/setup/snapped.py, which is held to exact numbers
+elsewhere."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tests.helpers.kernel_checker import Memory
+from tmap.bench.triangles import HEIGHT, ROUTINES, WIDTH, batch_trial
+from tmap.bench.trial import Trial
+
+MOST = 256 << 20
+
+
+def vertex(rng, around: tuple[int, int], reach: int, size: int, whole: bool) -> tuple[int, ...]:
+    """A vertex near a place in the frame; u, which Gouraud draws, is a shade."""
+    x, y = (int(np.clip(c + rng.integers(-reach, reach + 1), 0, 16 * side - 1))
+            for c, side in zip(around, (WIDTH, HEIGHT)))
+    u = int(rng.integers(1 << 17, min(size, MOST) - (1 << 17)))
+    v = int(rng.integers(-size, size))
+    return (x & -16, y & -16, u, v) if whole else (x, y, u, v)
+
+
+def triangles(rng, count: int) -> list[list[tuple]]:
+    """Triangles of all sizes, some with level edges or without area."""
+    made = []
+    for _ in range(count):
+        around = tuple(int(rng.integers(0, 16 * side)) for side in (WIDTH, HEIGHT))
+        reach, size = int(rng.choice((3, 20, 100, 400, 2040))), int(rng.choice((1 << 20, 1 << 26, 1 << 29)))
+        three = [vertex(rng, around, reach, size, bool(rng.integers(4) == 0)) for _ in range(3)]
+        if rng.integers(8) == 0:
+            three[1] = (three[1][0], three[0][1], *three[1][2:])
+        if rng.integers(16) == 0:
+            three[2] = three[int(rng.integers(2))]
+        made.append(three)
+    return made
+
+
+def trials() -> Iterator[Trial]:
+    """Single triangles, batches, culled ones, and lists that end early."""
+    for mapper, name in ROUTINES.items():
+        rng = np.random.default_rng(len(name))
+        for number, each in enumerate(triangles(rng, 60)):
+            yield batch_trial(Memory(), mapper, [each], f"{name}: triangle {number}, {each}")
+        some = triangles(rng, 40)
+        yield batch_trial(Memory(), mapper, some, f"{name}: 40 triangles")
+        yield batch_trial(Memory(), mapper, some, f"{name}: 40 triangles, culled", cull=1)
+        yield batch_trial(Memory(), mapper, [], f"{name}: an empty list")
+        for corner in range(3):
+            wrong = [v if k != corner else None for k, v in enumerate(some[3])]
+            yield batch_trial(Memory(), mapper, [*some[:3], wrong, *some[4:]],
+                              f"{name}: vertex {corner} of the fourth is out of range")
+        high = [(0, 0, MOST // 2, 0), (16 * 20, 16 * HEIGHT, MOST // 2, 0), (0, 16 * 30, MOST // 2, 0)]
+        yield batch_trial(Memory(), mapper, [some[0], high, some[1]], f"{name}: the second is too high")
