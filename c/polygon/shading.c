@@ -18,8 +18,7 @@ void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *
 {
     *high = vertex_range(&vertices->shade, count, low);
     *high += *low;
-    *low = (*low & ~0xffff) + SHADE_INSET;
-    *high = (*high | 0xffff) - SHADE_INSET;
+    shade_limits(low, high);
 }
 
 int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade)

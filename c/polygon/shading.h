@@ -15,6 +15,13 @@ enum {
    them. */
 void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high);
 
+/* Makes the limits from the vertices' least and greatest shade. */
+static inline void shade_limits(fix16 *low, fix16 *high)
+{
+    *low = (*low & ~0xffff) + SHADE_INSET;
+    *high = (*high | 0xffff) - SHADE_INSET;
+}
+
 static inline fix16 shade_limited(fix16 shade, fix16 low, fix16 high)
 {
     return shade < low ? low : shade > high ? high : shade;

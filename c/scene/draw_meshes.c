@@ -5,6 +5,7 @@
 
 #include "drawing/fan.h"
 #include "math/math.h"
+#include "polygon/shading.h"
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
 static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
@@ -84,6 +85,48 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
     return draw_polygon(renderer, vertices, count, placed->material);
 }
 
+/* Adds a face to the batch of its material. Returns 0 if routines for triangles cannot draw it; the
+   batch may then have faces of another material, which are to be drawn before it. */
+static int32 batch_face(struct triangle_batch *batch, const struct renderer *renderer,
+                        const struct mesh_face *face)
+{
+    const struct mesh_placed *placed = face->placed;
+    const struct scene_corner *corner = &placed->corners[face->face->corner];
+    const int32 count = (int32)face->face->corners;
+    struct snapped_vertex *vertices, *to;
+    fix16 shades[TRIANGLE_CORNERS_MAX], low = 0x7fffffff, high = 0;
+
+    if (batch->material != placed->material) {
+        triangle_flush(batch);
+        triangle_begin(batch, renderer, placed->material);
+    }
+    if (!batch->routine || count > triangle_corners(batch->material))
+        return 0;
+    to = vertices = triangle_room(batch);
+    for (int32 i = 0; i < count; i++, corner++, to++) {
+        const struct mesh_point *p = &placed->points[corner->point];
+        const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
+        const int32 mirrors = placed->flags & MESH_ENVIRONMENT;
+
+        if (p->outside || !triangle_vertex(to, &batch->range, p->screen_x, p->screen_y,
+                                           mirrors ? attributes->s : corner->s,
+                                           mirrors ? attributes->t : corner->t))
+            return 0;
+        shades[i] = placed->flags & MESH_LIT ? attributes->shade : 0;
+        low = shades[i] < low ? shades[i] : low;
+        high = shades[i] > high ? shades[i] : high;
+    }
+    if (!triangle_is_low(vertices, count))
+        return 0;
+    if (batch->material->mapper == MAPPER_GOURAUD) {
+        shade_limits(&low, &high);
+        for (int32 i = 0; i < count; i++)
+            vertices[i].u = triangle_value(shade_limited(shades[i], low, high));
+    }
+    triangle_add(batch, count);
+    return 1;
+}
+
 /* Sets s, t and shade of an instance's normals; there is at least one. */
 static void make_attributes(struct mesh_attributes *to, const struct scene_normal *normals,
                             int32 count, const struct scene_instance *instance,
@@ -157,6 +200,7 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
                               uint32 first, uint32 end)
 {
     enum polygon_result refused = POLYGON_DRAWN;
+    struct triangle_batch *batch = &scene->scratch->batch;
     struct mesh_work at = scene->work;
     struct mesh_face *face;
     int32 count = 0;
@@ -173,11 +217,18 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
         }
     }
     face = mesh_sort(scene->work.faces, scene->work.sorted, count, scene->scratch->digits);
+    batch->material = 0;
+    batch->count = 0;
     for (; count > 0; count--, face++) {
-        enum polygon_result result = draw_face(renderer, scene, face);
+        enum polygon_result result;
 
+        if (batch_face(batch, renderer, face))
+            continue;
+        triangle_flush(batch);
+        result = draw_face(renderer, scene, face);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }
+    triangle_flush(batch);
     return refused;
 }

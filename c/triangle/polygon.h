@@ -2,11 +2,19 @@
 #ifndef TRIANGLE_POLYGON_H
 #define TRIANGLE_POLYGON_H
 
+#include "math/math.h"
 #include "polygon/polygon.h"
 #include "triangle/triangles.h"
 
 /* A polygon of more corners is cheaper in one piece. */
 enum { TRIANGLE_CORNERS_MAX = 4 };
+
+/* Returns the most corners of a material's polygons that are drawn as triangles: the range of
+   Gouraud's shades is a triangle's own. */
+static inline int32 triangle_corners(const struct material *material)
+{
+    return material->mapper == MAPPER_GOURAUD ? 3 : TRIANGLE_CORNERS_MAX;
+}
 
 typedef const struct triangle *triangle_drawer(const struct triangle_plan *plan);
 
@@ -46,6 +54,64 @@ static inline void triangle_plan_set(struct triangle_plan *plan, const struct re
     plan->reciprocals = renderer->snapped_reciprocals;
     plan->colour = material->colour * 0x01010101;
     plan->cull = 0;
+}
+
+/* What vertices must keep to, and how they are converted. */
+struct triangle_range {
+    uint32 right, bottom;       /* 1/16 pixel */
+    fix16 scale;                /* of the map; 0: the material has none */
+};
+
+static inline void triangle_range_set(struct triangle_range *range, const struct frame *frame,
+                                      const struct material *material)
+{
+    const uint32 width = (uint32)frame->width;
+
+    range->right = (width < SNAPPED_WIDTH ? width : SNAPPED_WIDTH) * SNAPPED_ONE;
+    range->bottom = (uint32)frame->height * SNAPPED_ONE;
+    range->scale = material->map ? material->map->scale : 0;
+}
+
+/* Returns a value in 1/2^20, raised. */
+static inline int32 triangle_value(fix16 value)
+{
+    return (int32)((uint32)(value + SNAPPED_RAISED) << 4);
+}
+
+/* Sets a vertex's place and, with a map, u and v. Returns 0 if it is out of range. */
+static inline int32 triangle_vertex(struct snapped_vertex *to, const struct triangle_range *range,
+                                    fix16 x, fix16 y, fix16 s, fix16 t)
+{
+    const uint32 reach = (uint32)SNAPPED_TEXELS << 16;
+
+    x = (x + (1 << (15 - SNAPPED_BITS))) >> (16 - SNAPPED_BITS);
+    y = (y + (1 << (15 - SNAPPED_BITS))) >> (16 - SNAPPED_BITS);
+    if ((uint32)x > range->right || (uint32)y > range->bottom)
+        return 0;
+    to->x = (int16)(x + SNAPPED_ONE);
+    to->y = (int16)(y + SNAPPED_ONE - 1);
+    if (!range->scale)
+        return 1;
+    if (range->scale != 65536) {
+        s = mul_round(s, range->scale);
+        t = mul_round(t, range->scale);
+    }
+    to->u = triangle_value(s);
+    to->v = triangle_value(t);
+    return (uint32)s + reach < 2 * reach && (uint32)t + reach < 2 * reach;
+}
+
+/* Returns non-zero if vertices cover fewer than SNAPPED_LINES lines. */
+static inline int32 triangle_is_low(const struct snapped_vertex *v, int32 count)
+{
+    int32 top = v->y, low = top;
+
+    while (--count > 0) {
+        v++;
+        top = v->y < top ? v->y : top;
+        low = v->y > low ? v->y : low;
+    }
+    return low - top < SNAPPED_LINES * SNAPPED_ONE;
 }
 
 /* Returns non-zero if the material has a routine, and the polygon few enough corners. */

@@ -20,7 +20,8 @@ def combinations() -> list[Settings]:
     made = [Settings(e, g, s, mapper="affine") for e in ("integer", "subpixel", "exact")
             for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
     made += [Settings(e, "plane", "subtexel", mapper="flat")
-             for e in ("integer", "subpixel", "exact")]
+             for e in ("integer", "subpixel", "snapped", "exact")]
+    made += [Settings("snapped", mapper=mapper) for mapper in ("gouraud", "affine")]
     return made + [settings for mapper in MAPPERS[1] if mapper not in ("flat", "affine")
                    for settings in usual(mapper)]
 

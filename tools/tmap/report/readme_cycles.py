@@ -24,11 +24,23 @@ def versus_table(baseline: dict) -> str:
     return table(["cycles, swap / addx", *MACHINES.values()], rows, "l")
 
 
+def triangles_table(baseline: dict) -> str:
+    """Returns a Markdown table: triangles with snapped vertices by mapper and pixels."""
+    found = {(r["name"], r["machine"], r["length"]): r["cycles_per_polygon"]
+             for r in baseline["polygons"]}
+    sizes = list(dict.fromkeys(size for *_, size in found))
+    rows = [[name.removeprefix("polygon_"), MACHINES[machine],
+             *(f"{found[name, machine, size]:,.0f}" for size in sizes)]
+            for name, machine in dict.fromkeys((name, machine) for name, machine, _ in found)]
+    return table(["mapper", "memory", *(f"{size:,} pixels" for size in sizes)], rows, "ll")
+
+
 #: Lines of the table of accuracy's costs: edges, gradients, start, mapper.
 ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
                   ("subpixel", "polygon", "truncated", "affine"),
                   ("subpixel", "polygon", "subtexel", "affine"),
                   ("subpixel", "plane", "subtexel", "affine"),
+                  ("snapped", "plane", "subtexel", "affine"),
                   ("exact", "plane", "subtexel", "affine"),
                   ("exact", "scanline", "subtexel", "affine"),
                   *(("exact", "plane", "subtexel", mapper) for mapper in (

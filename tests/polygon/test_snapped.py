@@ -1,0 +1,87 @@
+"""Triangles with snapped vertices: neighbours cover each pixel once, whichever set-up draws them, and
+values keep their bounds."""
+
+import random
+
+import numpy as np
+
+from tmap.base.fixed import ONE, fix
+from tmap.ideal import bounds
+from tmap.model import model
+from tmap.setup import snapped
+from tmap.setup.texturing import Settings
+
+WIDTH, HEIGHT = 320, 256
+SNAPPED = Settings("snapped")
+
+
+def mesh(rng: random.Random, across: int) -> list[list[tuple]]:
+    """Triangles that cover the frame and more, once: a grid whose points are moved a little."""
+    step = (WIDTH + 40) / across
+    rows = int((HEIGHT + 60) / step) + 2
+    points = [[(fix(step * (i + rng.uniform(-0.2, 0.2)) - 20), fix(step * (j + rng.uniform(-0.2, 0.2)) - 20))
+               for i in range(across + 1)] for j in range(rows)]
+    for k in (0, -1):  # the outer points are outside
+        points[k] = [(x, fix((-60, HEIGHT + 60)[k])) for x, _ in points[k]]
+        for row in points:
+            row[k] = (fix((-60, WIDTH + 60)[k]), row[k][1])
+    made = []
+    for j in range(rows - 1):
+        for i in range(across):
+            a, b, c, d = points[j][i], points[j][i + 1], points[j + 1][i + 1], points[j + 1][i]
+            made += [[a, b, c], [a, c, d]] if rng.random() < 0.5 else [[a, b, d], [d, b, c]]
+    return [[(x, y, x, y, 0, ONE) for x, y in three] for three in made]
+
+
+def covered(triangles, settings_of) -> tuple[np.ndarray, int]:
+    """Returns how often each pixel is drawn, and how many triangles routines for triangles drew."""
+    count, drawn = np.zeros((HEIGHT, WIDTH), int), 0
+    for number, vertices in enumerate(triangles):
+        settings = settings_of(number)
+        made = model.set_up(model.adapt(vertices, settings, 256), WIDTH, HEIGHT, True, settings, (256, 256))
+        if made:
+            drawn += made.triangle is not None
+            for y, line in enumerate(made.lines, made.top):
+                count[y, line.left:max(line.left, line.right)] += 1
+    return count, drawn
+
+
+def test_neighbours_cover_each_pixel_once_by_either_set_up():
+    rng, handed = random.Random("snapped neighbours"), 0
+    for across in (3, 8, 40, 90):
+        triangles = mesh(rng, across)
+        count, drawn = covered(triangles, lambda _: SNAPPED)
+        handed += len(triangles) - drawn
+        assert (count == 1).all(), (across, np.argwhere(count != 1)[:3])
+        # the same with a mapper that has no routine for every third triangle
+        count, _ = covered(triangles, lambda n: Settings("snapped", mapper="tiled") if n % 3 else SNAPPED)
+        assert (count == 1).all(), (across, np.argwhere(count != 1)[:3])
+    assert handed > 100  # by their place or height
+
+
+def test_unrounded_vertices_beside_rounded_ones_are_noticed():
+    triangles = mesh(random.Random("snapped neighbours"), 40)
+    count, _ = covered(triangles, lambda n: Settings("exact") if n % 3 else SNAPPED)
+    assert (count != 1).any()
+
+
+def test_values_keep_their_bounds_and_nearly_reach_them():
+    rng, worst = random.Random("snapped bounds"), 0.0
+    for _ in range(300):
+        reach = rng.choice((4, 30, 127))
+        x, y = rng.uniform(reach, WIDTH - reach), rng.uniform(reach / 2, HEIGHT - reach / 2)
+        vertices = [(fix(x + rng.uniform(-reach, reach)), fix(y + rng.uniform(-reach, reach) / 2),
+                     *(fix(rng.uniform(-reach, reach)) for _ in range(2)), 0, ONE) for _ in range(3)]
+        verdict = bounds.judge(vertices, SNAPPED, WIDTH, HEIGHT)
+        assert not verdict.complaint, (vertices, verdict.complaint)
+        assert not verdict.coverage_errors
+        worst = max(worst, verdict.texel_ratio)
+    assert worst > 0.5
+
+
+def test_a_wrong_reciprocal_leaves_the_bounds(monkeypatch):
+    right = snapped.reciprocal
+    monkeypatch.setattr(snapped, "reciprocal", lambda dy: right(dy) + (dy and right(dy) >> 12))
+    vertices = [(fix(10), fix(10), 0, 0, 0, ONE), (fix(250), fix(40), fix(200), fix(20), 0, ONE),
+                (fix(60), fix(120), fix(30), fix(99), 0, ONE)]
+    assert bounds.judge(vertices, SNAPPED, WIDTH, HEIGHT).complaint
