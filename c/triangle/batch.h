@@ -24,7 +24,7 @@ void triangle_begin(struct triangle_batch *batch, const struct renderer *rendere
    the batch first if it is full. */
 struct snapped_vertex *triangle_room(struct triangle_batch *batch);
 
-/* Adds a polygon of 3 or 4 corners, whose vertices are in the room, as a fan of triangles. */
+/* Adds a polygon of up to triangle_corners() corners, whose vertices are in the room, as a fan of triangles. */
 void triangle_add(struct triangle_batch *batch, int32 corners);
 
 /* Draws what is in the batch and empties it. */

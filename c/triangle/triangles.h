@@ -35,8 +35,8 @@ enum snapped_limits {
 /* A vertex of a batch. */
 struct snapped_vertex {
     int16 x, y;                 /* 12.4: x + 1 and y + 15/16; x below 0: out of range */
-    int32 u, v;                 /* 12.20 texels, modulo 4,096 */
-    int32 shade;                /* 12.20 */
+    int32 u, v;                 /* 12.20 texels, modulo 4,096; Gouraud: u is the shade */
+    int32 spare;                /* 16 bytes: an index is a shift */
 };
 
 struct triangle {

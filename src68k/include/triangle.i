@@ -13,7 +13,7 @@
 
         include "routine.i"
 
-; What the set-up reads while a triangle is made: above the loop's values on the stack, at a5.
+; What the set-up reads, at a5: above a triangle's own values on the stack.
                 rsreset
 batch_cull      rs.l    1
 batch_end       rs.l    1               ; of the list
@@ -105,8 +105,8 @@ triangle_turned
         moveq   #15,d5
         endm
 
-; Makes a2 the middle vertex and a3 the bottom one, with d1 and d2. Goes to \1 if the long edge is
-; on the right.
+; Goes to \1 if the long edge is on the right. Otherwise a2 is the middle vertex and a3 the bottom
+; one; there they, and d1 and d2, are still to be exchanged.
 triangle_order macro
         cmp.w   d1,d2
         blt     \1

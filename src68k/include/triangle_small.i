@@ -7,7 +7,7 @@
 ;
 ; Its pixels are exact: x is a multiple of 1/dy, of which the largest is 1/SMALL_HEIGHT pixel, 18.2
 ; units of 1/65536. It is never too large: products by the table may be, by |dx| / 65536 units a
-; line, 1.3 units in 14.94 lines for |dx| up to SNAPPED_WIDTH; 2 were taken off. It is too small by
+; line, 1.2 units in 14.94 lines for |dx| up to SNAPPED_WIDTH; 2 were taken off. It is too small by
 ; less than 2 + 1 (the start's shift) + 14.94 (slopes rounded down) = 17.94 units.
 
         include "triangle.i"

@@ -2,10 +2,10 @@
 ; carry moves the pointer one pixel to the right.
 ;
 ; Its pixels are exact: x is a multiple of 1/dy. In units of 2^-32 pixel: the error begins BELOW under
-; x + 1. Products by the table are off by |dx| a line where dy is below FINER_HEIGHT, 95,406 in 16.94
-; lines for |dx| up to SNAPPED_WIDTH, so x is never too large. It is too small by less than twice that,
-; of 2^32 / 4,080 = 1,052,688. From FINER_HEIGHT on they are off by |dx| / 256, 2,816 in 128 lines, and
-; fractions, rounded down, by 130: x is too small by less than 105,400, of 2^32 / 32,752 = 131,136.
+; x + 1. Products by the table are off by |dx| a line where dy is below FINER_HEIGHT, 86,733 in 16.94
+; lines for |dx| up to SNAPPED_WIDTH, so x is never too large. It is too small by less than 189,140,
+; of 2^32 / 4,080 = 1,052,688. From FINER_HEIGHT on they are off by |dx| / 256, 2,560 in 128 lines, and
+; fractions, rounded down, by 130: x is too small by less than 105,100, of 2^32 / 32,752 = 131,136.
 
         include "triangle_small.i"
 

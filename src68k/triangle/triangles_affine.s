@@ -91,7 +91,7 @@ affine_enter_wide macro
         endm
 
 ; The gradients: a4 and a2 = the steps a pixel of u and v, a6 and a3 = their differences along the
-; long edge. \1: the routine that divides. d3 = dy2 and d1 = dy1 as longwords.
+; long edge. d3 = dy2 and d1 = dy1 as longwords. \1: the area up to which a quotient may not fit.
 affine_gradients macro
         move.l  a6,d6
         move.w  d2,d3

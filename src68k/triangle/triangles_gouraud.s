@@ -14,8 +14,9 @@
 ; A shade is one chain, ss--SS with the integer in the lower word: its carry is added to its own lowest
 ; bit, so that adding steps a pixel or a line, in any order, is exact: modulo 2^32 - 1 the chain is
 ; the shade times 2^16. A negative step is one less before its halves are swapped. d0 is the shade,
-; d2 its step a pixel, a4 that step's fraction, d7 its step a line, a3 the line's first shade, d4 0. Of a wide triangle's edges d1 and a5 are part and
-; step of the long one, d3 and a2 of the short one.
+; d2 its step a pixel, a4 that step's fraction, d7 its step a line, a3 the line's first shade, d4
+; 0. Of a wide triangle's edges d1 and a5 are part and step of the long one, d3 and a2 of the
+; short one.
 
 gouraud_unrolled equ    32
 
