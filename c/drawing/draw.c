@@ -353,9 +353,8 @@ enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon
 
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    if (material->edges == EDGES_SNAPPED && triangle_may(renderer, polygon, material)
-        && triangle_polygon(renderer, polygon, material,
-                            !renderer->counts || !renderer->only_counts)) {
+    if (material->edges == EDGES_SNAPPED && renderer->triangles
+        && renderer->triangles->draw(renderer, polygon, material)) {
         if (renderer->counts) {
             setup_begin(&s, renderer, polygon, material);
             count_snapped(&s);

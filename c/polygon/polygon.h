@@ -157,7 +157,8 @@ struct renderer {
     struct scratch *scratch;    /* polygon/scratch.h; undefined between polygons */
     const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
     const struct logarithm_tables *logarithms;  /* pixel; 0: divide instead */
-    const int32 *snapped_reciprocals;   /* triangle_reciprocals; 0: EDGES_SNAPPED set up as exact */
+    const struct triangle_tables *triangles;    /* triangle_tables_make; 0: EDGES_SNAPPED set up
+                                                   as exact */
 };
 
 /* Draws or counts a polygon. */

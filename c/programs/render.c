@@ -206,7 +206,7 @@ int main(void)
     if (!number_asked("render", args[FRAMES], 1, run.frames + 1, &run.frames,
                       "FRAMES: not between 1 and the scene's frames")
         || !number_asked("render", args[ACCURACY], 0, ACCURACY_STEPS, &settings.accuracy,
-                         "ACCURACY: not between 0 and 4")
+                         "ACCURACY: not between 0 and 5")
         || !number_asked("render", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
                          &settings.perspective, "PERSPECTIVE: not between 0 and 4"))
         return RETURN_ERROR;

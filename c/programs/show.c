@@ -265,7 +265,7 @@ int main(void)
     show.settings.accuracy = show.settings.perspective = SETTINGS_OWN;
     show.paused = args[PAUSE] != 0;
     if (!number_asked("show", args[ACCURACY], 0, ACCURACY_STEPS, &show.settings.accuracy,
-                      "ACCURACY: not between 0 and 4")
+                      "ACCURACY: not between 0 and 5")
         || !number_asked("show", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
                          &show.settings.perspective, "PERSPECTIVE: not between 0 and 4"))
         return RETURN_ERROR;

@@ -89,7 +89,7 @@ static enum polygon_result draw_all(struct renderer *renderer, const struct scen
 
     renderer->reciprocals = scene->reciprocals;
     renderer->logarithms = scene->logarithms;
-    renderer->snapped_reciprocals = scene->snapped_reciprocals;
+    renderer->triangles = scene->triangles;
     while (instance < header->instances) {      /* those with the same `before` together */
         uint32 before = scene->instances[instance].before, first = instance;
 

@@ -30,8 +30,8 @@ struct scene {
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* if a material needs them, else 0 */
     const struct logarithm_tables *logarithms;  /* the same */
-    const int32 *snapped_reciprocals;           /* the same */
-    uint8 tried_reciprocals, tried_logarithms, tried_snapped;   /* 1: not made again where memory
+    const struct triangle_tables *triangles;    /* the same */
+    uint8 tried_reciprocals, tried_logarithms, tried_triangles;   /* 1: not made again where memory
                                    was short */
     uint8 spare;
     struct n64_unit *engines;   /* one a unit */

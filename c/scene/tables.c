@@ -28,15 +28,15 @@ static int32 needs_snapped(const struct material *material)
     return material->edges == EDGES_SNAPPED;
 }
 
-static void make_snapped(struct scene *scene)
+static void make_triangles(struct scene *scene)
 {
-    int32 *table;
+    struct triangle_tables *tables;
 
-    scene->tried_snapped = 1;
-    if (!mem_alloc(&table, SNAPPED_RECIPROCALS * sizeof *table, MEMORY_ANY))
+    scene->tried_triangles = 1;
+    if (!mem_alloc(&tables, sizeof *tables, MEMORY_ANY))
         return;
-    triangle_reciprocals(table);
-    scene->snapped_reciprocals = table;
+    triangle_tables_make(tables);
+    scene->triangles = tables;
 }
 
 static void make_reciprocals(struct scene *scene)
@@ -71,11 +71,11 @@ enum scene_memory scene_make_tables(struct scene *scene)
 
     if (reciprocals && !scene->tried_reciprocals)
         make_reciprocals(scene);
-    if (snapped && !scene->tried_snapped)
-        make_snapped(scene);
+    if (snapped && !scene->tried_triangles)
+        make_triangles(scene);
     if (logarithms && !scene->tried_logarithms)
         make_logarithms(scene);
-    return (reciprocals && !scene->reciprocals) || (snapped && !scene->snapped_reciprocals)
+    return (reciprocals && !scene->reciprocals) || (snapped && !scene->triangles)
          ? SCENE_RECIPROCALS
          : logarithms && !scene->logarithms ? SCENE_LOGARITHMS : SCENE_MADE;
 }

@@ -6,7 +6,7 @@ void triangle_begin(struct triangle_batch *batch, const struct renderer *rendere
     batch->material = material;
     batch->count = 0;
     batch->routine = 0;
-    if (material->edges != EDGES_SNAPPED || !renderer->snapped_reciprocals || renderer->counts)
+    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts)
         return;
     batch->routine = triangle_routine(renderer->frame, material);
     triangle_plan_set(&batch->plan, renderer, material);

@@ -2,13 +2,6 @@
 
 #include "polygon/shading.h"
 
-int32 triangle_may(const struct renderer *renderer, const struct polygon *polygon,
-                   const struct material *material)
-{
-    return renderer->snapped_reciprocals && polygon->count <= triangle_corners(material)
-        && triangle_routine(renderer->frame, material);
-}
-
 /* Converts the vertices of a polygon. Returns 0 if one is out of range, or the polygon too high. */
 static int32 convert(struct snapped_vertex *to, const struct polygon *polygon,
                      const struct material *material, const struct frame *frame)
@@ -30,16 +23,18 @@ static int32 convert(struct snapped_vertex *to, const struct polygon *polygon,
 }
 
 int32 triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
-                       const struct material *material, int32 draws)
+                       const struct material *material)
 {
+    triangle_drawer *const routine = triangle_routine(renderer->frame, material);
     struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX];
     struct triangle list[TRIANGLE_CORNERS_MAX - 2];
     struct triangle_plan plan;
     int32 i;
 
-    if (!convert(vertices, polygon, material, renderer->frame))
+    if (!routine || polygon->count > triangle_corners(material)
+        || !convert(vertices, polygon, material, renderer->frame))
         return 0;
-    if (!draws)
+    if (renderer->counts && renderer->only_counts)
         return 1;
     for (i = 2; i < polygon->count; i++) {
         list[i - 2].a = vertices;
@@ -49,6 +44,6 @@ int32 triangle_polygon(const struct renderer *renderer, const struct polygon *po
     triangle_plan_set(&plan, renderer, material);
     plan.list = list;
     plan.end = &list[polygon->count - 2];
-    triangle_routine(renderer->frame, material)(&plan);
+    routine(&plan);
     return 1;
 }

@@ -51,7 +51,7 @@ static inline void triangle_plan_set(struct triangle_plan *plan, const struct re
     plan->row = renderer->frame->pixels;
     plan->pitch = renderer->frame->pitch;
     plan->map = material->map ? material->map->texels : 0;
-    plan->reciprocals = renderer->snapped_reciprocals;
+    plan->reciprocals = renderer->triangles->reciprocals;
     plan->colour = material->colour * 0x01010101;
     plan->cull = 0;
 }
@@ -67,7 +67,7 @@ static inline void triangle_range_set(struct triangle_range *range, const struct
 {
     const uint32 width = (uint32)frame->width;
 
-    range->right = (width < SNAPPED_WIDTH ? width : SNAPPED_WIDTH) * SNAPPED_ONE;
+    range->right = (width < (uint32)SNAPPED_WIDTH ? width : (uint32)SNAPPED_WIDTH) * SNAPPED_ONE;
     range->bottom = (uint32)frame->height * SNAPPED_ONE;
     range->scale = material->map ? material->map->scale : 0;
 }
@@ -114,13 +114,10 @@ static inline int32 triangle_is_low(const struct snapped_vertex *v, int32 count)
     return low - top < SNAPPED_LINES * SNAPPED_ONE;
 }
 
-/* Returns non-zero if the material has a routine, and the polygon few enough corners. */
-int32 triangle_may(const struct renderer *renderer, const struct polygon *polygon,
-                   const struct material *material);
-
-/* Draws the polygon as a fan of triangles, or only tests it if `draws` is 0. Returns 0, and draws
-   nothing, if a vertex is out of range or the polygon too high (enum snapped_limits). */
+/* Draws the polygon as a fan of triangles; with renderer->only_counts it only says whether it would.
+   Returns 0, and draws nothing, if the material has no routine, the polygon too many corners or too
+   many lines, or a vertex out of range (enum snapped_limits). */
 int32 triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
-                       const struct material *material, int32 draws);
+                       const struct material *material);
 
 #endif

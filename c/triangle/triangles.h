@@ -54,8 +54,18 @@ struct triangle_plan {
     int32 cull;                 /* 1: triangles seen from the back are left out */
 };
 
-/* Fills a table of SNAPPED_RECIPROCALS. */
-void triangle_reciprocals(int32 *table);
+struct renderer;
+struct polygon;
+struct material;
+
+/* What polygon_draw needs to draw triangles with snapped vertices. */
+struct triangle_tables {
+    int32 (*draw)(const struct renderer *renderer, const struct polygon *polygon,
+                  const struct material *material);     /* triangle_polygon */
+    int32 reciprocals[SNAPPED_RECIPROCALS];
+};
+
+void triangle_tables_make(struct triangle_tables *tables);
 
 /* src68k/triangle: contracts there. They draw the list up to the first triangle that they cannot
    draw, and return its address, or the list's end. */

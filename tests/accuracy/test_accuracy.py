@@ -40,8 +40,10 @@ def test_best_setting_is_exact_to_a_128th_texel(name: str) -> None:
 
 
 def test_best_setting_costs_little(medium: list[dict]) -> None:
-    """At most 3 % more than the cheapest setting of the affine mapper, for the edges' carry."""
-    affine = [r["cycles_per_polygon"] for r in medium if r["mapper"] == "affine"]
+    """At most 3 % more than the cheapest of the affine mapper's settings that are set up as it is,
+    for the edges' carry."""
+    affine = [r["cycles_per_polygon"] for r in medium
+              if r["mapper"] == "affine" and r["edges"] != "snapped"]
     assert row(medium, BEST)["cycles_per_polygon"] <= 1.03 * min(affine)
 
 
@@ -61,8 +63,8 @@ def test_no_row_left_the_baseline(medium: list[dict]) -> None:
 
 def test_every_combination_has_a_row(medium: list[dict]) -> None:
     """18 combinations of the affine mapper, 3 of each other mapper (2 if it has no truncated
-    start), and a frontier."""
-    assert len(medium) == 18 + 3 * 7 + 2 * 2
+    start), snapped edges of those with triangles' routines, and a frontier."""
+    assert len(medium) == 18 + 3 * 7 + 2 * 2 + 3
     assert {r["mapper"] for r in medium} == {"affine", "flat", "gouraud", "arbitrary", "tiled",
                                              "columns", "generated", "lit", "lit_gouraud",
                                              "dithered"}

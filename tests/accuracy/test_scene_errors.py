@@ -35,8 +35,7 @@ def test_errors_are_within_derived_bounds(name: str) -> None:
     scene, total = compile_scene(SCENES / f"{name}.toml", 1), bounds.Verdict()
     for which, vertices in polygons_at(scene, 0):
         material = scene.materials[which]
-        settings = model.Settings(material.edges, material.gradients, material.start, material.clip,
-                                  material.perspective, material.mapper)
+        settings = model.Settings.of(material)
         size = scene.textures[material.texture].texels.shape[::-1] if material.texture >= 0 else (256, 256)
         adapted = model.adapt(vertices, settings, max(size))
         if bounds.has_ideal(adapted, settings):

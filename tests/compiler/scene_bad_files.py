@@ -101,7 +101,7 @@ def wrong_mappers() -> list[Row]:
     every.entry("materials", flat, "texture", 0)
     every.entry("materials", gouraud, "texture", 0)
     every.entry("materials", affine, "texture", linear, light, -1, past_all)
-    for field, past in (("edges", 3), ("gradients", 3), ("start", 2), ("clip", 2)):
+    for field, past in (("edges", 4), ("gradients", 3), ("start", 2), ("clip", 2)):
         every.entry("materials", affine, field, past, M32)
     every.entry("materials", affine, "light", 0, light)
     for index in lit_flat, lit_gouraud:

@@ -18,10 +18,10 @@ from tmap.scene_file.scene_file import write
 #: A step of each axis; None: as in the scene. All steps, and some pairs that influence each other.
 STEPS = ([(None, None)] + [(step, None) for step in range(len(settings.ACCURACY))]
          + [(None, step) for step in range(len(settings.PERSPECTIVE))]
-         + [(0, 0), (2, 0), (1, 2), (4, 3), (4, 4)])
+         + [(0, 0), (2, 0), (1, 2), (5, 3), (5, 4)])
 
-REFUSED = {f"render input.scene {name} {number}": f"render: {name}: not between 0 and 4"
-           for name in ("ACCURACY", "PERSPECTIVE") for number in (-1, 5)}
+REFUSED = {f"render input.scene {name} {number}": f"render: {name}: not between 0 and {most}"
+           for name, most in (("ACCURACY", 5), ("PERSPECTIVE", 4)) for number in (-1, most + 1)}
 REFUSED["render input.scene ACCURACY"] = "render: usage"
 PANES, FRAMES = ("every8", "pixel"), 10
 #: Separates both cases: lines divided exactly take a quarter longer, interrupts about 4 % of the
@@ -32,8 +32,8 @@ part 1 together
 title 1
 says all
 scene face.scene
-pane 32 8 addx 4 every8 0
-pane 128 8 addx 4 pixel 0
+pane 32 8 addx 5 every8 0
+pane 128 8 addx 5 pixel 0
 step 0 1 0 72 own all
 """
 
@@ -71,7 +71,8 @@ def test_steps_are_the_models(scenes) -> None:
         assert guest_frames.is_models(expected, digest), (
             f"{name}: render input.scene{arguments(*step)} does not draw the model's frame, which "
             f"has {np.unique(expected).size} colours; again: pytest tests/compiler/test_settings.py")
-    for steps in ([(step, None) for step in range(5)], [(None, step) for step in range(5)]):
+    for steps in ([(step, None) for step in range(len(settings.ACCURACY))],
+                  [(None, step) for step in range(len(settings.PERSPECTIVE))]):
         each = {drawn["steps", step].tobytes() for step in steps}
         assert len(each) == len(steps), f"{steps}: two of them draw the same"
 

@@ -37,7 +37,7 @@ DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-f
 #: narrower.
 NARROW = {"generated": 3}
 SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap",
-                    "affine_addx", "affine_addx_wrap", "affine_scanline"} - {"dithered"},
+                    "affine_short", "affine_addx", "affine_addx_wrap", "affine_scanline"} - {"dithered"},
          "rgb565": {"columns_16", "affine_16", "affine_16_wrap", "dithered_16_wrap"},
          "rgba8888": {"affine_32", "affine_32_wrap", "dithered_32_wrap"}}
 SPANS["rgba5551"] = SPANS["rgb565"]

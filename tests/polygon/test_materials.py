@@ -233,7 +233,7 @@ def test_16_bit_frames_of_the_model(folder):
     ([FLAT + ', mapper = "affine"'], "materials.it.mapper: unknown field; known are colour, edges"),
     ([FLAT + ", steps = 4"], "materials.it.steps: unknown field"),
     ([FLAT + ', edges = "sharp"'],
-     "materials.it.edges: 'sharp' is not one of integer, subpixel, exact"),
+     "materials.it.edges: 'sharp' is not one of integer, subpixel, snapped, exact"),
     ([FLAT + ', gradients = 3'], "materials.it.gradients: must be text, not a number"),
     ([FLAT + ', start = "a\\nb"'], "materials.it.start: must be text on one line"),
     (['texture = "square", mapper = "cubic"'],

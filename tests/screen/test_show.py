@@ -102,7 +102,7 @@ def steps(tmp_path_factory):
 def off(scene: Scene, number: int, accuracy: int | None, perspective: int | None) -> str:
     """The share of a frame's displayed pixels that differ from the most accurate settings."""
     shown, best = (model.render(settings.with_settings(scene, *step), number)
-                   for step in ((accuracy, perspective), (4, 4)))
+                   for step in ((accuracy, perspective), (5, 4)))
     return f"{int((shown != best).sum()) * 10000 // shown.size / 100:.2f} % of pixels off"
 
 
@@ -123,17 +123,17 @@ def play_chunky(on: Screen, scene: Scene) -> None:
 
     status = Status()
     expect("settings of the scene   perspective of the scene", None, None)
-    on.press("Left", "Left", "Left", "Left", "Left", "Left")
+    on.press(*["Left"] * 7)
     expect("integer, polygon, truncated   perspective of the scene", 0, None)
     on.press("Down", "Down", "Down", "Down")
     expect("integer, polygon, truncated   perspective every16", 0, 1)
-    on.press("Right", "Right", "Right", "Right", "Right", "Up", "Up", "Up", "Up")
-    expect("exact, plane, subtexel   perspective fine", 4, 4)
+    on.press("Right", "Right", "Right", "Right", "Right", "Right", "Up", "Up", "Up", "Up")
+    expect("exact, plane, subtexel   perspective fine", 5, 4)
     on.press("space")
     on.wait("frames per second", lambda shot: re.match(r"[\d#]+\.[\d#] fps", status.read(shot, 0)),
             still=False)
     on.press("space")
-    frames = [frame(number, 4, 4) for number in range(FRAMES)]
+    frames = [frame(number, 5, 4) for number in range(FRAMES)]
     assert len({each.tobytes() for each in frames}) == FRAMES
     on.wait("any frame", lambda shot: "paused" in status.read(shot, 0)
             and any(np.array_equal(shot[:len(each)], each) for each in frames))

@@ -40,7 +40,7 @@ def errors_of(scene: Scene, step: int = ERROR_STEP, always_curve: bool = False) 
     for number in range(0, scene.frames, step):
         for which, vertices in polygons_at(scene, number):
             m = scene.materials[which]
-            settings = Settings(m.edges, m.gradients, m.start, m.clip, m.perspective, m.mapper)
+            settings = Settings.of(m)
             texels = scene.textures[m.texture].texels.shape if m.texture >= 0 else (256, 256)
             adapted = model.adapt(vertices, settings, max(texels))
             if m.mapper in ("flat", *UNITS) or not has_ideal(adapted, settings):

@@ -70,21 +70,7 @@ def ring(along: int, around: int, thick: float) -> bytes:
                tube(along, around))
 
 
-def crystal() -> bytes:
-    """Two pyramids, each 1.45 high, on one hexagon of radius 1.15."""
-    turns = [math.tau * k / 6 for k in range(6)]
-    points = [(0, 1.45, 0), (0, -1.45, 0),
-              *((1.15 * cos(t), 0, 1.15 * sin(t)) for t in turns)]
-    faces = []
-    for k in range(6):
-        here, there = 3 + k, 3 + (k + 1) % 6
-        faces += [(1, there, here), (2, here, there)]
-    return obj("Two pyramids on one hexagon", points, faces)
-
-
-FILES = {"knot.obj": knot,
-         "demo/ring8.obj": lambda: ring(8, 4, 0.45),
-         "demo/ring6.obj": lambda: ring(6, 4, 0.48),
-         "demo/ring5.obj": lambda: ring(5, 3, 0.55),
-         "demo/ring4.obj": lambda: ring(4, 3, 0.6),
-         "demo/crystal.obj": crystal}
+#: The demo's rings: triangles, and faces along and around.
+RINGS = {192: (16, 6), 120: (12, 5), 64: (8, 4), 40: (5, 4), 24: (4, 3)}
+FILES = {"knot.obj": knot} | {f"demo/ring{triangles}.obj": lambda sides=sides: ring(*sides, 0.45)
+                              for triangles, sides in RINGS.items()}

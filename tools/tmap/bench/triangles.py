@@ -5,6 +5,7 @@ import random
 
 import numpy as np
 
+from tmap.base import elementary
 from tmap.base.fixed import M32
 from tmap.bench.trial import Check, Trial, Write
 from tmap.guest.kernels import Arena, Case
@@ -90,7 +91,7 @@ def sized(pixels: int) -> list:
         move = [rng.random() * (side - 1 - extent) - scale * min(c)
                 for side, extent, c in zip((WIDTH, HEIGHT), (width, height), zip(*points))]
         turn, texels = rng.uniform(0, math.tau), rng.uniform(0.4, 1) * (1 << 20)
-        cos, sin = math.cos(turn), math.sin(turn)
+        cos, sin = elementary.cos(turn), elementary.sin(turn)
         places = [[scale * c + more for c, more in zip(point, move)] for point in points]
         made.append([(round(16 * x), round(16 * y), round((cos * x - sin * y) * texels) + (128 << 20),
                       round((sin * x + cos * y) * texels) + (128 << 20)) for x, y in places])

@@ -10,7 +10,7 @@ off_screen of it on the screen. An edge between two corners is off by no more th
 weighted by its nearness. A pixel that is wrongly drawn or left out is between a drawn edge and the
 exact one: no farther from the drawn edge than that error, times sqrt(2) for x and y together. (Of
 the borders only the near plane is ever inside the frame.) Edges that are stepped are off by another
-half unit per line.
+half unit per line, snapped corners by 1/32 pixel in x and y.
 
 **u and v.** At a pixel, with the exact u = N / Q, N and Q being u / w and 1 / w, the function
 A = N - u Q is affine over the screen and 0 at the pixel. Corner i, drawn at (x', y') with u' and
@@ -333,13 +333,12 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
         if face.height > 0:
             out.coverage_errors = sum(end - first for first, end in face.extents.values())
         return out
-    settings = Settings(material.edges, material.gradients, material.start, material.clip,
-                        material.perspective, material.mapper)
+    settings = Settings.of(material)
     e = ideal_mesh.corner_error(reach, cut)
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
     if settings.edges != "integer" and settings.clip == "scissor":
-        stepped = (camera.height + 1) * UNIT / 2 if settings.edges == "subpixel" else 0.0
-        check_pixels(face, vertices, polygon, [o + stepped for o in off], out)
+        rounded = {"subpixel": (camera.height + 1) * UNIT / 2, "snapped": 1 / 32}.get(settings.edges, 0.0)
+        check_pixels(face, vertices, polygon, [o + rounded for o in off], out)
     if not polygon:
         return out
     longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256

@@ -181,6 +181,6 @@ def polygons_at(scene, number: int) -> list[Drawn]:
         texture = scene.materials[which].texture
         return max(scene.textures[texture].texels.shape) if texture >= 0 else 256
 
-    frame = scene.width, scene.height
     return [(which, part) for which, vertices, vouched in placed_at(scene, number)
-            for part in planarity.parts(vertices, scene.materials[which], frame, longer(which), vouched)]
+            for part in planarity.parts(vertices, scene.materials[which], scene.frame_shape,
+                                        longer(which), vouched)]

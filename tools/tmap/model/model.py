@@ -47,12 +47,11 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
 def prepare_polygon(scene, number: int, vertices) -> Polygon | None:
     """Sets up vertices on the screen with a scene's material; returns None if nothing is drawn."""
     material = scene.materials[number]
-    settings = Settings(material.edges, material.gradients, material.start, material.clip,
-                        material.perspective, material.mapper, material.tolerance)
+    settings = Settings.of(material)
     texture = scene.textures[material.texture].texels if material.texture >= 0 else None
     return set_up(adapt(vertices, settings, 256 if texture is None else max(texture.shape)),
                   scene.width, scene.height, material.mapper not in ("flat", *UNITS), settings,
-                  None if texture is None else texture.shape[::-1])
+                  None if texture is None else texture.shape[::-1], scene.pixel.bytes)
 
 
 def prepare(scene, obj, number: int) -> Polygon | None:
@@ -80,7 +79,7 @@ def render(scene, number: int) -> np.ndarray:
         texture = scene.textures[material.texture].texels if material.texture >= 0 else None
         light = scene.textures[material.light].texels if material.light >= 0 else None
         longer = 256 if texture is None else max(texture.shape)
-        for part in parts(vertices, material, (scene.width, scene.height), longer, vouched):
+        for part in parts(vertices, material, scene.frame_shape, longer, vouched):
             polygon = prepare_polygon(scene, which, part)
             if polygon:
                 draw(frame, polygon, texture, material.colour, light)

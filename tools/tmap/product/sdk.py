@@ -25,8 +25,8 @@ from tmap.product import sdk_include
 
 #: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
 #: Displays are left to the programs.
-C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "span", "texture", "glide", "glide/polygons",
-           "n64", "n64/polygons")
+C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "span", "texture", "triangle",
+           "glide", "glide/polygons", "n64", "n64/polygons")
 C_FILES = (Path("scene/draw_meshes.c"), Path("scene/draw_meshes.h"), Path("screen/ham8.c"),
            Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
@@ -34,7 +34,7 @@ ASM_ROOMS = (*contracts.KERNELS, "gen")
 LISTS = {"polygon_draw": ("polygon_draw",),
          "perspective": ("reciprocals_make", "logarithms_make"),
          "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
-         "mesh": ("mesh_draw",), "n64": "n64", "glide": "glide"}
+         "mesh": ("mesh_draw",), "triangle": "triangle", "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')

@@ -86,6 +86,11 @@ class Scene:
         """The format of a pixel."""
         return FORMATS[self.format]
 
+    @property
+    def frame_shape(self) -> tuple[int, int, int]:
+        """Width and height, and bytes of a pixel."""
+        return self.width, self.height, self.pixel.bytes
+
 
 def vertices_at(scene: Scene, obj: Object, frame: int) -> list[tuple[int, int, int, int, int, int]]:
     """Returns (x, y, s, t, shade, w) of the object in a frame, x, y on the screen; empty if the

@@ -38,9 +38,9 @@ def fan(vertices: list) -> list[list]:
     return [[vertices[0], *pair] for pair in zip(vertices[1:], vertices[2:])]
 
 
-def parts(vertices, material, frame: tuple[int, int], longer: int, vouched: int = 0) -> list:
+def parts(vertices, material, frame: tuple[int, ...], longer: int, vouched: int = 0) -> list:
     """Returns the pieces in which a polygon is drawn: itself, or triangles. ``frame``: width and
-    height; ``longer``: the map's longer side; ``vouched``: kinds of values that are planar without a
+    height, then bytes of a pixel unless one; ``longer``: the map's longer side; ``vouched``: kinds of values that are planar without a
     test."""
     if len(vertices) > 3 and snapped.may_draw(
             [(x, y, s * longer + 128 >> 8, t * longer + 128 >> 8) for x, y, s, t, *_ in vertices],

@@ -234,7 +234,7 @@ def may_be_written(vertices, settings: Settings) -> bool:
 
 
 def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
-           size: tuple[int, int] | None = None) -> Polygon | None:
+           size: tuple[int, int] | None = None, pixel_bytes: int = 1) -> Polygon | None:
     """Sets a polygon up for a frame; returns None if it is refused or covers no pixel.
 
     ``vertices``: a list of (x, y, u, v), with a perspective (x, y, u, v, w), 16.16, lit ones
@@ -245,7 +245,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
-    by_routine = snapped.may_draw(vertices, settings, width, height)
+    by_routine = snapped.may_draw(vertices, settings, width, height, pixel_bytes)
     if settings.mapper == "generated" and not may_be_written(vertices, settings):
         settings = replace(settings, mapper="affine")
     outline = outline_of(vertices, width, height, settings)

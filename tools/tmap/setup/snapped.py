@@ -155,12 +155,13 @@ def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | N
     return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values)
 
 
-def may_draw(vertices, settings: Settings, width: int, height: int) -> bool:
+def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes: int = 1) -> bool:
     """Returns true if routines for triangles draw a polygon in a frame. ``vertices``: x and y in
     1/65536 pixel, snapped or not, then u and v in 1/65536 texel."""
     keys = VALUES.get(settings.mapper, -1)
-    if settings.edges != "snapped" or keys < 0 or len(vertices) > CORNERS[settings.mapper] or keys and (
-            settings.gradients, settings.start, settings.perspective) != ("plane", "subtexel", "none"):
+    on_plane = (settings.gradients, settings.start, settings.perspective) == ("plane", "subtexel", "none")
+    if settings.edges != "snapped" or pixel_bytes > 1 or keys < 0 or keys and not on_plane \
+            or len(vertices) > CORNERS[settings.mapper]:
         return False
     xs, ys = ([snap(v[k]) for v in vertices] for k in (0, 1))
     return (0 <= min(xs) and max(xs) <= 16 * min(width, WIDTH) and 0 <= min(ys)

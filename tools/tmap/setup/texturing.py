@@ -27,6 +27,12 @@ class Settings:
     mapper: str = "affine"  # as struct material's, without MAPPER_
     tolerance: int = 0  # error allowed to simpler perspective, 1/65536 texel
 
+    @classmethod
+    def of(cls, material) -> "Settings":
+        """Returns the settings of a scene's material."""
+        return cls(material.edges, material.gradients, material.start, material.clip,
+                   material.perspective, material.mapper, material.tolerance)
+
     @property
     def has_exact_edges(self) -> bool:
         """True if no pixel is wrong beside the edges of the vertices that ``adapt`` returns."""

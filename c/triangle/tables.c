@@ -1,9 +1,11 @@
-#include "triangle/triangles.h"
+#include "triangle/polygon.h"
 
-void triangle_reciprocals(int32 *table)
+void triangle_tables_make(struct triangle_tables *tables)
 {
+    int32 *const table = tables->reciprocals;
     const uint32 one = 0x80000000;
 
+    tables->draw = triangle_polygon;
     table[0] = 0;
     for (uint32 dy = 1; dy < SNAPPED_RECIPROCALS; dy++) {
         uint32 half = dy >> 1;
