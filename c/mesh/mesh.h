@@ -20,12 +20,14 @@ struct mesh_point {
     fix16 x, y, w;              /* w: z, the depth */
     fix16 screen_x, screen_y;   /* written where outside is 0 */
     uint32 outside;             /* enum mesh_outside, ored */
-    uint32 spare[2];            /* 32 bytes: an index is a shift */
+    int32 place;                /* mesh_snap's, if it is called */
+    uint32 spare;               /* 32 bytes: an index is a shift */
 };
 
 /* Values from a normal: s and t of an environment, shade of a light. */
 struct mesh_attributes {
     fix16 s, t, shade;
+    uint32 spare;               /* 16 bytes: an index is a shift */
 };
 
 struct transform_plan {
@@ -94,12 +96,12 @@ void mesh_attributes(const struct attribute_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
 void mesh_cut(const struct cut_plan *plan);
 
-enum { MESH_SORT_DIGITS = 256 };
+enum { MESH_SORT_BUCKETS = 256 };
 
 /* Sorts by order, those of the same order as they came; the result is in one of the two
-   arrays, which is returned. digits: scratch memory, MESH_SORT_DIGITS. */
+   arrays, which is returned. at: scratch memory, MESH_SORT_BUCKETS. */
 struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count,
-                            int32 *digits);
+                            int32 *at);
 
 /* Clips a convex polygon in camera space (x, y, w as in mesh_point) to all borders; sets *count to
    the number of vertices left. room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices

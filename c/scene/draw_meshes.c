@@ -5,7 +5,7 @@
 
 #include "drawing/fan.h"
 #include "math/math.h"
-#include "polygon/shading.h"
+#include "triangle/polygon.h"
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
 static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
@@ -85,46 +85,47 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
     return draw_polygon(renderer, vertices, count, placed->material);
 }
 
-/* Adds a face to the batch of its material. Returns 0 if routines for triangles cannot draw it; the
-   batch may then have faces of another material, which are to be drawn before it. */
-static int32 batch_face(struct triangle_batch *batch, const struct renderer *renderer,
-                        const struct mesh_face *face)
+/* Returns the routine for triangles of a material's faces, or 0. */
+static triangle_drawer *routine_of(const struct renderer *renderer, const struct material *material)
 {
-    const struct mesh_placed *placed = face->placed;
-    const struct scene_corner *corner = &placed->corners[face->face->corner];
-    const int32 count = (int32)face->face->corners;
-    struct snapped_vertex *vertices, *to;
-    fix16 shades[TRIANGLE_CORNERS_MAX], low = 0x7fffffff, high = 0;
-
-    if (batch->material != placed->material) {
-        triangle_flush(batch);
-        triangle_begin(batch, renderer, placed->material);
-    }
-    if (!batch->routine || count > triangle_corners(batch->material))
+    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts)
         return 0;
-    to = vertices = triangle_room(batch);
-    for (int32 i = 0; i < count; i++, corner++, to++) {
-        const struct mesh_point *p = &placed->points[corner->point];
-        const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
-        const int32 mirrors = placed->flags & MESH_ENVIRONMENT;
+    return triangle_routine(renderer->frame, material);
+}
 
-        if (p->outside || !triangle_vertex(to, &batch->range, p->screen_x, p->screen_y,
-                                           mirrors ? attributes->s : corner->s,
-                                           mirrors ? attributes->t : corner->t))
-            return 0;
-        shades[i] = placed->flags & MESH_LIT ? attributes->shade : 0;
-        low = shades[i] < low ? shades[i] : low;
-        high = shades[i] > high ? shades[i] : high;
-    }
-    if (!triangle_is_low(vertices, count))
-        return 0;
-    if (batch->material->mapper == MAPPER_GOURAUD) {
-        shade_limits(&low, &high);
-        for (int32 i = 0; i < count; i++)
-            vertices[i].u = triangle_value(shade_limited(shades[i], low, high));
-    }
-    triangle_add(batch, count);
-    return 1;
+/* Draws faces in batches, as many as routines for triangles can; returns the first that is left. */
+static const struct mesh_face *draw_batches(struct mesh_batch *batch,
+                                            const struct renderer *renderer,
+                                            const struct mesh_face *face,
+                                            const struct mesh_face *end)
+{
+    const struct material *const material = face->placed->material;
+    triangle_drawer *const routine = routine_of(renderer, material);
+    const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
+    struct triangle_plan plan;
+    struct gather_plan gather;
+
+    if (!routine || (is_shaded && !(face->placed->flags & MESH_LIT)))
+        return face;
+    triangle_plan_set(&plan, renderer, material);
+    plan.list = batch->list;
+    gather.end = end;
+    gather.vertices = batch->vertices;
+    gather.most = triangle_corners(material);
+    gather.full = &batch->list[BATCH_TRIANGLES - (gather.most - 2)];
+    gather.material = material;
+    gather.flags = face->placed->flags;
+    gather.values = material->mapper == MAPPER_FLAT ? GATHER_NONE
+                  : is_shaded ? GATHER_SHADES : GATHER_TEXELS;
+    gather.scale = material->map && material->map->scale != 65536 ? material->map->scale : 0;
+    do {
+        gather.from = face;
+        gather.list = batch->list;
+        face = mesh_gather(&gather);
+        plan.end = gather.list;
+        routine(&plan);
+    } while (gather.list > gather.full && face < end);
+    return face;
 }
 
 /* Sets s, t and shade of an instance's normals; there is at least one. */
@@ -156,10 +157,25 @@ static void make_attributes(struct mesh_attributes *to, const struct scene_norma
     }
 }
 
+/* Snaps an instance's points for routines for triangles. */
+static void snap(const struct renderer *renderer, struct mesh_point *points, int32 count)
+{
+    struct triangle_range range;
+    struct snap_plan plan;
+
+    triangle_range_set(&range, renderer->frame);
+    plan.right = range.right;
+    plan.bottom = range.bottom;
+    plan.points = points;
+    plan.count = count;
+    mesh_snap(&plan);
+}
+
 /* Transforms the points and normals of an instance and collects the faces that may be visible;
    returns their number. */
-static int32 place(const struct scene *scene, const struct scene_instance *instance,
-                   const struct scene_view *view, struct mesh_work *at)
+static int32 place(const struct renderer *renderer, const struct scene *scene,
+                   const struct scene_instance *instance, const struct scene_view *view,
+                   struct mesh_work *at)
 {
     const struct scene_header *header = scene->header;
     const struct scene_mesh *mesh = &scene->meshes[instance->mesh];
@@ -182,6 +198,8 @@ static int32 place(const struct scene *scene, const struct scene_instance *insta
     transform.middle_x = header->width << 15;
     transform.middle_y = header->height << 15;
     mesh_transform(&transform);
+    if (routine_of(renderer, placed->material))
+        snap(renderer, at->points, transform.count);
     if (instance->flags)
         make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
                         instance, view);
@@ -200,9 +218,8 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
                               uint32 first, uint32 end)
 {
     enum polygon_result refused = POLYGON_DRAWN;
-    struct triangle_batch *batch = &scene->scratch->batch;
     struct mesh_work at = scene->work;
-    struct mesh_face *face;
+    const struct mesh_face *face, *last, *next;
     int32 count = 0;
 
     for (; first < end; first++) {
@@ -210,25 +227,23 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
         uint32 age = (uint32)number - instance->first_frame;
 
         if (age < instance->views) {
-            int32 more = place(scene, instance, &scene->views[instance->view + age], &at);
+            int32 more = place(renderer, scene, instance, &scene->views[instance->view + age], &at);
 
             count += more;
             at.faces += more;
         }
     }
-    face = mesh_sort(scene->work.faces, scene->work.sorted, count, scene->scratch->digits);
-    batch->material = 0;
-    batch->count = 0;
-    for (; count > 0; count--, face++) {
+    face = mesh_sort(scene->work.faces, scene->work.sorted, count, scene->scratch->buckets);
+    for (last = face + count; face < last; face = next) {
         enum polygon_result result;
 
-        if (batch_face(batch, renderer, face))
+        next = draw_batches(&scene->scratch->batch, renderer, face, last);
+        if (next > face)
             continue;
-        triangle_flush(batch);
+        next = face + 1;
         result = draw_face(renderer, scene, face);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
     }
-    triangle_flush(batch);
     return refused;
 }

@@ -3,18 +3,17 @@
 #define SCENE_H
 
 #include "glide/polygons/unit.h"
-#include "mesh/mesh.h"
+#include "mesh/gather.h"
 #include "n64/polygons/unit.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
-#include "triangle/batch.h"
 
 /* Memory for the vertices of one polygon or face at a time. */
 struct scene_scratch {
     struct vertex placed[POLYGON_VERTICES_MAX];
     struct vertex face[MESH_CORNERS_MAX], cut[2 * POLYGON_VERTICES_MAX];
-    int32 digits[MESH_SORT_DIGITS];
-    struct triangle_batch batch;
+    int32 buckets[MESH_SORT_BUCKETS];
+    struct mesh_batch batch;
 };
 
 struct scene {

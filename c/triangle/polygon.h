@@ -56,62 +56,17 @@ static inline void triangle_plan_set(struct triangle_plan *plan, const struct re
     plan->cull = 0;
 }
 
-/* What vertices must keep to, and how they are converted. */
+/* The largest x and y of vertices, 1/16 pixel. */
 struct triangle_range {
-    uint32 right, bottom;       /* 1/16 pixel */
-    fix16 scale;                /* of the map; 0: the material has none */
+    uint32 right, bottom;
 };
 
-static inline void triangle_range_set(struct triangle_range *range, const struct frame *frame,
-                                      const struct material *material)
+static inline void triangle_range_set(struct triangle_range *range, const struct frame *frame)
 {
     const uint32 width = (uint32)frame->width;
 
     range->right = (width < (uint32)SNAPPED_WIDTH ? width : (uint32)SNAPPED_WIDTH) * SNAPPED_ONE;
     range->bottom = (uint32)frame->height * SNAPPED_ONE;
-    range->scale = material->map ? material->map->scale : 0;
-}
-
-/* Returns a value in 1/2^20, raised. */
-static inline int32 triangle_value(fix16 value)
-{
-    return (int32)((uint32)(value + SNAPPED_RAISED) << 4);
-}
-
-/* Sets a vertex's place and, with a map, u and v. Returns 0 if it is out of range. */
-static inline int32 triangle_vertex(struct snapped_vertex *to, const struct triangle_range *range,
-                                    fix16 x, fix16 y, fix16 s, fix16 t)
-{
-    const uint32 reach = (uint32)SNAPPED_TEXELS << 16;
-
-    x = (x + (1 << (15 - SNAPPED_BITS))) >> (16 - SNAPPED_BITS);
-    y = (y + (1 << (15 - SNAPPED_BITS))) >> (16 - SNAPPED_BITS);
-    if ((uint32)x > range->right || (uint32)y > range->bottom)
-        return 0;
-    to->x = (int16)(x + SNAPPED_ONE);
-    to->y = (int16)(y + SNAPPED_ONE - 1);
-    if (!range->scale)
-        return 1;
-    if (range->scale != 65536) {
-        s = mul_round(s, range->scale);
-        t = mul_round(t, range->scale);
-    }
-    to->u = triangle_value(s);
-    to->v = triangle_value(t);
-    return (uint32)s + reach < 2 * reach && (uint32)t + reach < 2 * reach;
-}
-
-/* Returns non-zero if vertices cover fewer than SNAPPED_LINES lines. */
-static inline int32 triangle_is_low(const struct snapped_vertex *v, int32 count)
-{
-    int32 top = v->y, low = top;
-
-    while (--count > 0) {
-        v++;
-        top = v->y < top ? v->y : top;
-        low = v->y > low ? v->y : low;
-    }
-    return low - top < SNAPPED_LINES * SNAPPED_ONE;
 }
 
 /* Draws the polygon as a fan of triangles; with renderer->only_counts it only says whether it would.

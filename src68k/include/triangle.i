@@ -42,7 +42,7 @@ triangles_open macro
 
 ; Ends it. a0: the first triangle that was not drawn.
 triangles_close macro
-        move.l  a0,d0
+        move.l  a0,d0                   ; GCC expects a pointer in a0
         lea     batch_sizeof(sp),sp
         return_all
         endm

@@ -1,0 +1,213 @@
+        include "routine.i"
+
+; mesh_gather - faces of a mesh become triangles of a batch, as fans from their first corners
+;
+; in:      a0  struct gather_plan*  its placed and corners are set here
+; out:     d0  const struct mesh_face*  the first face that was not taken
+; reads:   the plan, faces, their corners, places of points, attributes of normals
+; writes:  vertices; triangles; the plan's list, behind the last triangle
+; formats: places as mesh_snap makes them; s, t and shades 16.16; u, v and shades of vertices 12.20
+; error:   u and v half of 1/65536 texel if the map's scale is not 1, else none
+; cost:    bench rows mesh_gather_flat, mesh_gather_gouraud, mesh_gather_affine
+;
+; It stops at the end of the faces or of the list's room, and at a face of another material or with
+; other flags, with more corners than the plan allows, with a point, u or v that is out of range, or
+; of SNAPPED_LINES lines or more.
+
+; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the points, a6 the
+; attributes; d3 the face's first vertex, d4 corners left, d5 and d7 least and greatest y, d6 the
+; map's scale, 0 for 1.
+
+; s or t, \1, as u or v to the vertex. Uses d0/d2.
+texels  macro
+        move.l  \1,d2
+        tst.l   d6
+        beq.s   .whole\@
+        muls.l  d6,d0:d2
+        add.l   #$8000,d2               ; to the nearest
+        bcc.s   .half\@
+        addq.w  #1,d0
+.half\@
+        move.w  d0,d2
+        swap    d2
+.whole\@
+        add.l   #SNAPPED_TEXELS<<16,d2
+        cmp.l   #SNAPPED_TEXELS<<17,d2
+        bhs     gather_done
+        add.l   #SNAPPED_RAISED-(SNAPPED_TEXELS<<16),d2
+        lsl.l   #4,d2
+        move.l  d2,(a3)+
+        endm
+
+; The values of a corner, to the vertex. d1: its normal's attributes.
+flat_values macro
+        addq.l  #8,a2
+        addq.l  #8,a3
+        endm
+
+gouraud_values macro
+        addq.l  #8,a2
+        move.l  mesh_attributes_shade(a6,d1.l),(a3)+
+        addq.l  #4,a3
+        endm
+
+affine_values macro
+        texels  (a2)+
+        texels  (a2)+
+        endm
+
+mirror_values macro
+        addq.l  #8,a2
+        texels  mesh_attributes_s(a6,d1.l)
+        texels  mesh_attributes_t(a6,d1.l)
+        endm
+
+; The range d5 to d7 includes \1.
+wider   macro
+        cmp.l   d5,\1
+        bge.s   .least\@
+        move.l  \1,d5
+.least\@
+        cmp.l   d7,\1
+        ble.s   .greatest\@
+        move.l  \1,d7
+.greatest\@
+        endm
+
+; The shade \1 between d5 and d7, as a vertex has it.
+limited macro
+        cmp.l   d5,\1
+        bge.s   .least\@
+        move.l  d5,\1
+.least\@
+        cmp.l   d7,\1
+        ble.s   .greatest\@
+        move.l  d7,\1
+.greatest\@
+        add.l   #SNAPPED_RAISED,\1
+        lsl.l   #4,\1
+        endm
+
+; Limits the three shades of a face to the range of its possible pixels. Uses d0-d2/d5/d7/a2.
+limit_shades macro
+        movea.l d3,a2
+        move.l  snapped_vertex_u(a2),d0
+        move.l  snapped_vertex_sizeof+snapped_vertex_u(a2),d1
+        move.l  2*snapped_vertex_sizeof+snapped_vertex_u(a2),d2
+        move.l  d0,d5
+        move.l  d0,d7
+        wider   d1
+        wider   d2
+        clr.w   d5
+        add.l   #SHADE_INSET,d5
+        move.w  #-1,d7
+        sub.l   #SHADE_INSET,d7
+        limited d0
+        move.l  d0,snapped_vertex_u(a2)
+        limited d1
+        move.l  d1,snapped_vertex_sizeof+snapped_vertex_u(a2)
+        limited d2
+        move.l  d2,2*snapped_vertex_sizeof+snapped_vertex_u(a2)
+        endm
+
+; The faces. \1: the macro for the values of a corner; \2: for those of a face, if any.
+gather  macro
+.face\@ cmpa.l  gather_plan_end(a0),a1
+        beq     gather_done
+        cmpa.l  gather_plan_full(a0),a4
+        bhi     gather_done
+        move.l  mesh_face_placed(a1),d0
+        cmp.l   gather_plan_placed(a0),d0
+        bne     .other\@
+.same\@ movea.l mesh_face_face(a1),a2
+        move.l  scene_face_corners(a2),d4
+        cmp.l   gather_plan_most(a0),d4
+        bhi     gather_done
+        move.l  scene_face_corner(a2),d0
+        move.l  d0,d1
+        add.l   d0,d0
+        add.l   d1,d0
+        movea.l gather_plan_corners(a0),a2
+        lea     (a2,d0.l*4),a2          ; scene_corner_sizeof
+        move.l  a3,d3
+        move.w  #$7fff,d5
+        moveq   #0,d7
+.corner\@
+        moveq   #0,d0
+        move.w  (a2)+,d0                ; scene_corner_point
+        lsl.l   #5,d0                   ; mesh_point_sizeof
+        move.l  mesh_point_place(a5,d0.l),d0
+        bmi     gather_done
+        move.l  d0,(a3)+
+        moveq   #0,d1
+        move.w  (a2)+,d1                ; scene_corner_normal
+        lsl.l   #4,d1                   ; mesh_attributes_sizeof
+        cmp.w   d5,d0
+        bge.s   .below\@
+        move.w  d0,d5
+.below\@
+        cmp.w   d7,d0
+        ble.s   .above\@
+        move.w  d0,d7
+.above\@
+        \1
+        addq.l  #4,a3
+        subq.l  #1,d4
+        bne     .corner\@
+        sub.w   d5,d7
+        cmp.w   #SNAPPED_LINES*SNAPPED_ONE,d7
+        bhs     gather_done
+        \2
+        moveq   #snapped_vertex_sizeof,d1
+        move.l  d3,d0
+        add.l   d1,d0
+.fan\@  move.l  d3,(a4)+
+        move.l  d0,(a4)+
+        add.l   d1,d0
+        move.l  d0,(a4)+
+        move.l  d0,d2
+        add.l   d1,d2
+        cmp.l   a3,d2
+        blo.s   .fan\@
+        lea     mesh_face_sizeof(a1),a1
+        bra     .face\@
+.other\@
+        movea.l d0,a2
+        move.l  mesh_placed_material(a2),d1
+        cmp.l   gather_plan_material(a0),d1
+        bne     gather_done
+        move.l  mesh_placed_flags(a2),d1
+        cmp.l   gather_plan_flags(a0),d1
+        bne     gather_done
+        move.l  d0,gather_plan_placed(a0)
+        move.l  mesh_placed_corners(a2),gather_plan_corners(a0)
+        movea.l mesh_placed_points(a2),a5
+        movea.l mesh_placed_attributes(a2),a6
+        bra     .same\@
+        endm
+
+        routine mesh_gather,a0
+        save_all
+        clr.l   gather_plan_placed(a0)
+        movea.l gather_plan_from(a0),a1
+        movea.l gather_plan_vertices(a0),a3
+        movea.l gather_plan_list(a0),a4
+        move.l  gather_plan_scale(a0),d6
+        moveq   #MESH_ENVIRONMENT,d0
+        and.l   gather_plan_flags(a0),d0
+        move.l  gather_plan_values(a0),d1
+        beq     .flat
+        subq.l  #1,d1
+        beq     .gouraud
+        tst.l   d0
+        bne     .mirror
+        gather  affine_values
+.mirror gather  mirror_values
+.flat   gather  flat_values
+.gouraud
+        gather  gouraud_values,limit_shades
+gather_done
+        move.l  a4,gather_plan_list(a0)
+        move.l  a1,d0
+        movea.l d0,a0                   ; where GCC expects a pointer
+        return_all
