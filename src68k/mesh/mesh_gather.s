@@ -56,7 +56,20 @@ affine_values macro
         texels  (a2)+
         endm
 
+; An environment's s and t are 0 to 256: in range without a test if the scale is 1.
 mirror_values macro
+        addq.l  #8,a2
+        move.l  mesh_attributes_s(a6,d1.l),d2
+        add.l   d6,d2
+        lsl.l   #4,d2
+        move.l  d2,(a3)+
+        move.l  mesh_attributes_t(a6,d1.l),d2
+        add.l   d6,d2
+        lsl.l   #4,d2
+        move.l  d2,(a3)+
+        endm
+
+scaled_mirror_values macro
         addq.l  #8,a2
         texels  mesh_attributes_s(a6,d1.l)
         texels  mesh_attributes_t(a6,d1.l)
@@ -202,7 +215,12 @@ gather  macro
         tst.l   d0
         bne     .mirror
         gather  affine_values
-.mirror gather  mirror_values
+.mirror tst.l   d6
+        bne     .scaled_mirror
+        move.l  #SNAPPED_RAISED,d6
+        gather  mirror_values
+.scaled_mirror
+        gather  scaled_mirror_values
 .flat   gather  flat_values
 .gouraud
         gather  gouraud_values,limit_shades

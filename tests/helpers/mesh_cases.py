@@ -11,7 +11,9 @@ ONE, UNIT = 1 << 16, 1 << 30
 MATERIALS = [Material(colour=200), Material("affine", texture=0),
              Material("affine", "exact", "scanline", texture=0),
              Material("affine", "subpixel", "polygon", texture=0),
-             Material("gouraud", "exact"), Material("affine", clip="vertices", texture=0)]
+             Material("gouraud", "exact"), Material("affine", clip="vertices", texture=0),
+             Material(edges="snapped", colour=100), Material("affine", "snapped", texture=0),
+             Material("gouraud", "snapped")]
 
 
 def box(half: int, corners: int = 4) -> tuple[list, list, list, list]:
@@ -51,7 +53,8 @@ def base(random, side: int = 64) -> Scene:
     """A scene with materials and one map but no objects."""
     settings = SETTINGS["perspective"]
     materials = [replace(m, perspective=settings[random.integers(len(settings))])
-                 if (m.mapper, m.gradients) == ("affine", "plane") else m for m in MATERIALS]
+                 if (m.mapper, m.gradients) == ("affine", "plane") and m.edges != "snapped" else m
+                 for m in MATERIALS]
     return Scene(width=side, height=side // 4 * 3, frames=1, background=7,
                  palette=random.integers(0, 256, (256, 3)).astype(np.uint8),
                  textures=[Texture(random.integers(0, 256, (256, 256)).astype(np.uint8))],
@@ -82,7 +85,7 @@ def boxes(seed: int, frames: int = 4) -> Scene:
     views = []
     for number in range(9):
         material = number % len(MATERIALS)
-        flags = LIT if material == 4 else ENVIRONMENT * int(random.integers(2))
+        flags = LIT if MATERIALS[material].mapper == "gouraud" else ENVIRONMENT * int(random.integers(2))
         mesh = 1 if material == 3 else int(random.integers(2))
         scene.instances.append(Instance(mesh, material, min(number // 3, 2), len(views), frames,
                                         0, flags, 20 * ONE, 220 * ONE))
@@ -118,9 +121,30 @@ def hostile(seed: int) -> Scene:
     most = dict.fromkeys(COLUMNS["views"][:9], UNIT) | dict.fromkeys(("x0", "y0"), 2 * near) \
         | dict.fromkeys(COLUMNS["views"][12:15], 2**31 - 1) \
         | dict.fromkeys(COLUMNS["views"][15:24], 32767)
-    scene.views = rows("views", most, 5)
-    scene.views[:, 11] = random.integers(0, 2 * near, 5)
+    count = len(scene.materials)
+    scene.views = rows("views", most, count)
+    scene.views[:, 11] = random.integers(0, 2 * near, count)
     flags = (0, ENVIRONMENT, LIT, ENVIRONMENT | LIT)
     scene.instances = [Instance(0, k, 0, k, 1, 0, LIT if scene.materials[k].mapper == "gouraud"
-                                else flags[k % 4], 0, 255 * ONE) for k in range(5)]
+                                else flags[k % 4], 0, 255 * ONE) for k in range(count)]
+    return scene
+
+
+def crowd(seed: int) -> Scene:
+    """Triangles whose depths are almost or quite the same, and one far behind them."""
+    random = np.random.default_rng(seed)
+    scene, count = base(random), 200
+    spread = int(random.choice((1, 40, 4000)))
+    middles = np.column_stack([random.integers(-2 * ONE, 2 * ONE, (count, 2)),
+                               random.integers(0, spread, count)])
+    middles[0, 2] = 2000 * ONE
+    ways = ((0, 0), (ONE, 0), (0, ONE))
+    scene.points = np.array([[x + dx, y + dy, z] for x, y, z in middles for dx, dy in ways])
+    scene.normals = np.array([[0, 0, 16384, 0]])
+    scene.corners = np.column_stack([np.arange(3 * count), np.zeros((3 * count), int),
+                                     *random.integers(0, 256 * ONE, (2, 3 * count))])
+    scene.faces = np.array([[0, 0, 0, -1, 3 * k, 3] for k in range(count)])
+    scene.meshes = [Mesh(0, 3 * count, 0, 1, 0, 3 * count, 0, count)]
+    scene.views = np.array([[*(UNIT * np.eye(3, dtype=int)).ravel(), 0, 0, 8 * ONE, *[0] * 13]])
+    scene.instances = [Instance(0, 7, 0, 0, 1, 0, 0, 0, 0)]
     return scene

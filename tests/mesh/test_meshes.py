@@ -120,4 +120,14 @@ def test_meshes_and_polygons_take_turns():
     flat = [k for k, (material, vertices) in enumerate(drawn)
             if vertices[0][:2] == (0, 0) and len(vertices) == 3 and material == 0]
     assert len(flat) == 2 and set(shown[:flat[0]]) <= {0, 1, 2}
-    assert set(shown[flat[0] + 1:flat[1]]) <= {3, 4, 5} and set(shown[flat[1] + 1:]) <= {0, 1, 2}
+    assert set(shown[flat[0] + 1:flat[1]]) <= {3, 4, 5} and set(shown[flat[1] + 1:]) <= {6, 7, 8}
+
+
+def test_crowded_depths_are_in_order():
+    """Faces of one depth are drawn as they come, and many of almost one depth from the farthest."""
+    scenes = {f"seed {seed}": mesh_cases.crowd(seed) for seed in range(6)}
+    depths = [{max(p.w for p in mesh.transform(scene, scene.points[3 * k:3 * k + 3].tolist(),
+                                               scene.views[0].tolist()))
+               for k in range(200)} for scene in scenes.values()]
+    assert {len(some) > 100 for some in depths} == {False, True}
+    assert_models(scenes)

@@ -5,9 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.mesh import cut_trial, faces_trial, attributes_trial, outside, transform_trial
+from tmap.bench.mesh import (Gathered, attributes_trial, cut_trial, faces_trial, gather_trial, outside,
+                             snap_trial, transform_trial)
 from tmap.bench.trial import Trial
 from tmap.model import mesh
+from tmap.scene_file.meshes import ENVIRONMENT, LIT
 
 ONE, UNIT = 1 << 16, 1 << 30
 REACH, AWAY = 2048 * ONE, 10240 * ONE - 1
@@ -106,7 +108,46 @@ def mesh_faces_trials(rng) -> list[Trial]:
     return trials
 
 
+def mesh_snap_trials(rng) -> list[Trial]:
+    trials = []
+    for count in (1, 2, 30) * 10:
+        right, bottom = (16 * int(n) for n in rng.integers(1, 330, 2))
+        points = [(*(number(rng, 400 * ONE) if rng.integers(3) else int(rng.integers(0, right << 12))
+                     for _ in range(2)), int(rng.choice((0, 0, 0, 5)))) for _ in range(count)]
+        trials.append(snap_trial(Memory(), points, right, bottom, f"{count} points"))
+    return trials
+
+
+def gathered(rng, mapper: str) -> Gathered:
+    """Faces that are mostly in range."""
+    def rarely(*values):
+        return values[0] if rng.integers(40) else values[int(rng.integers(1, len(values)))]
+
+    points = [rarely((int(rng.integers(0, 5120)), int(rng.integers(0, 1900))), None,
+                     (3, 4000)) for _ in range(20)]
+    looks = [(*(int(n) for n in rng.integers(0, 256 * ONE + 1, 2)), int(rng.integers(0, 255 * ONE)))
+             for _ in range(9)]
+    most = 300 * ONE if rng.integers(3) else 700 * ONE
+    flags = {"gouraud": LIT, "affine": int(rng.choice((0, ENVIRONMENT)))}.get(mapper, 0)
+    faces = []
+    for _ in range(int(rng.integers(1, 40))):
+        count = 3 if mapper == "gouraud" else int(rng.choice((3, 4)))
+        faces.append((int(rarely(0, 1, 2)), [
+            (int(rng.integers(20)), int(rng.integers(9)), number(rng, most), number(rng, most))
+            for _ in range(rarely(count, 5))]))
+    return Gathered(mapper, points, looks, faces, flags, int(rng.choice((0, 0, ONE // 2, 12345, 2 * ONE))),
+                    int(rng.integers(4, 50)), (2,))
+
+
+def mesh_gather_trials(rng) -> list[Trial]:
+    trials = []
+    for k in range(90):
+        mapper = ("flat", "gouraud", "affine")[k % 3]
+        trials.append(gather_trial(Memory(), gathered(rng, mapper), f"{mapper}, number {k}"))
+    return trials
+
+
 def trials() -> list[Trial]:
-    makers = mesh_transform_trials, mesh_attributes_trials, mesh_cut_trials, mesh_faces_trials
+    makers = mesh_snap_trials, mesh_gather_trials, mesh_transform_trials, mesh_attributes_trials, mesh_cut_trials, mesh_faces_trials
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

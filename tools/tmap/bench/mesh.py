@@ -1,16 +1,20 @@
 """Calls of the meshes' routines: of points, normals, faces and cut vertices."""
 
+from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
 
 from tmap.base.linear import length, product
 from tmap.bench.examples.example import longs
-from tmap.bench.trial import Trial, Write, fields, long_write
+from tmap.bench.trial import Trial, Write, anything, fields, long_write
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
-from tmap.model import mesh
+from tmap.model import mesh, model
+from tmap.scene_file.meshes import ENVIRONMENT, LIT
 from tmap.scene_file.scene_file import records
+from tmap.setup import snapped
+from tmap.setup.texturing import Settings
 
 COUNT = 64
 ABOUT = SimpleNamespace(near_plane=1 << 16, guard=9, width=320, height=256)
@@ -114,6 +118,139 @@ def faces_case(is_seen: bool):
                                                            for k in range(COUNT)], row).row(COUNT)
 
 
+def snap_trial(arena: Arena, points, right: int, bottom: int, title: str = "") -> Trial:
+    """Points on the screen snapped to 1/16 pixel. ``points``: x, y in 16.16, and the borders that each
+    is outside of; ``right``, ``bottom``: the largest x and y, 1/16 pixel."""
+    shape = layout.load().struct("mesh_point")
+    to = arena.add(b"".join(longs((0, 0, 0, x, y, borders, 0, 0)) for x, y, borders in points),
+                   name="points", shape=shape)
+    plan_at = arena.struct("snap_plan", {"points": to}, count=len(points), right=right, bottom=bottom)
+    places = [place_of(x, y) if not borders and 0 <= snapped.snap(x) <= right
+              and 0 <= snapped.snap(y) <= bottom else -1 for x, y, borders in points]
+    return Trial(Case("mesh_snap", arena, pointers={"a0": plan_at}), title, writes=[
+        long_write(to + shape.size * k + shape.fields["place"]["offset"], place)
+        for k, place in enumerate(places)])
+
+
+def place_of(x: int, y: int) -> int:
+    """Returns a point's x and y as struct snapped_vertex packs them."""
+    return snapped.snap(x) + 16 << 16 | snapped.snap(y) + 15
+
+
+def snap_case():
+    """COUNT points, all in range."""
+    points = [(*p, 0) for p in np.random.default_rng(4).integers(0, 200 << 16, (COUNT, 2)).tolist()]
+    return snap_trial(Arena(), points, 320 * 16, 256 * 16).row(COUNT)
+
+
+@dataclass
+class Gathered:
+    """Faces for mesh_gather: points (x, y in 1/16 pixel, None: out of range), attributes of normals (s,
+    t, shade), and faces: (instance, corners of (point, normal, s, t)). ``others``: instances of another
+    material."""
+
+    mapper: str
+    points: list
+    attributes: list
+    faces: list
+    flags: int = 0
+    scale: int = 0
+    room: int = 64  # triangles of the list
+    others: tuple[int, ...] = ()
+
+    @property
+    def most(self) -> int:
+        return snapped.CORNERS[self.mapper]
+
+    def values(self, corners) -> list[tuple[int, ...]] | None:
+        """What the corners' vertices get besides a place; None if it is out of range."""
+        own = [self.attributes[normal] for _, normal, _, _ in corners]
+        if self.mapper == "flat":
+            return [()] * len(corners)
+        if self.mapper == "gouraud":
+            made = model.adapt([(0, 0, 0, 0, shade) for _, _, shade in own],
+                               Settings("snapped", mapper="gouraud"), 256)
+            return [(v[2] + snapped.RAISED << 4,) for v in made]
+        pairs = [at[:2] for at in own] if self.flags & ENVIRONMENT else [c[2:] for c in corners]
+        pairs = [[value * self.scale + 0x8000 >> 16 if self.scale else value for value in pair]
+                 for pair in pairs]
+        reach = snapped.TEXELS << 16
+        if any(not -reach <= value < reach for pair in pairs for value in pair):
+            return None
+        return [tuple(value + snapped.RAISED << 4 for value in pair) for pair in pairs]
+
+    def taken(self) -> list[tuple[list[int], list[tuple]]]:
+        """The places and values of the faces that are taken."""
+        made, triangles = [], 0
+        for instance, corners in self.faces:
+            places = [self.points[point] for point, *_ in corners]
+            ok = instance not in self.others and len(corners) <= self.most and None not in places
+            values = self.values(corners) if ok else None
+            ys = [place[1] for place in places if place]
+            if values is None or max(ys) - min(ys) >= 16 * snapped.LINES \
+                    or triangles > self.room - (self.most - 2):
+                return made
+            made.append(([x + 16 << 16 | y + 15 for x, y in places], values))
+            triangles += len(corners) - 2
+        return made
+
+
+def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
+    """Faces that become triangles of a batch, up to one that cannot."""
+    known = layout.load()
+    size, face_size, vertex_size = (known.struct(name).size
+                                    for name in ("mesh_face", "scene_face", "snapped_vertex"))
+    stored = [(0, 0, 0, 0, 0, 0, -1 if p is None else p[0] + 16 << 16 | p[1] + 15, 0)
+              for p in these.points]
+    corners_at = table(arena, "scene_corner", [c for _, corners in these.faces for c in corners])
+    sizes = [len(corners) for _, corners in these.faces]
+    faces_at = table(arena, "scene_face", [[0, 0, 0, 0, sum(sizes[:k]), count]
+                                           for k, count in enumerate(sizes)])
+    common = {"corners": corners_at,
+              "points": arena.add(b"".join(map(longs, stored)), name="points"),
+              "attributes": arena.add(b"".join(longs((*a, 0)) for a in these.attributes),
+                                      name="attributes")}
+    materials = [arena.blank(16, name) for name in ("material", "another")]
+    placed = [arena.struct("mesh_placed", common | {"material": materials[k in these.others]},
+                           mesh=0, flags=these.flags)
+              for k in range(1 + max(instance for instance, _ in these.faces))]
+    first = arena.add(b"".join(longs((0, faces_at + k * face_size, placed[instance]))
+                               for k, (instance, _) in enumerate(these.faces)), name="faces")
+    arena.pointers += [first + size * k + at for k in range(len(these.faces)) for at in (4, 8)]
+    done, rooms = these.taken(), these.room + 2
+    vertices = arena.room("snapped_vertex", 3 * rooms + 4)
+    listed = arena.room("triangle", rooms)
+    plan_at = arena.struct("gather_plan", {
+        "from": first, "end": first + size * len(these.faces), "vertices": vertices, "list": listed,
+        "full": listed + 12 * (these.room - (these.most - 2)), "material": materials[0]},
+        flags=these.flags, most=these.most, values=snapped.VALUES[these.mapper], scale=these.scale,
+        placed=0, corners=0)
+    writes, at, to = [], vertices, listed
+    for places, values in done:
+        for k, (place, value) in enumerate(zip(places, values)):
+            writes.append(Write(at + vertex_size * k, longs((place, *value))))
+        for k in range(2, len(places)):
+            writes += [Write(to + 4 * n, longs((at + vertex_size * which,)), pointer=True)
+                       for n, which in enumerate((0, k - 1, k))]
+            to += 12
+        at += vertex_size * len(places)
+    writes += [anything(at, vertex_size * these.most), *fields(plan_at, "gather_plan", {}, {"list": to}),
+               anything(plan_at + known.struct("gather_plan").fields["placed"]["offset"], 8)]
+    return Trial(Case("mesh_gather", arena, pointers={"a0": plan_at}), title,
+                 near_ends={"d0": first + size * len(done)}, writes=writes)
+
+
+def gather_case(mapper: str):
+    """COUNT triangles of three points."""
+    flags = {"gouraud": LIT, "affine": ENVIRONMENT}.get(mapper, 0)
+    these = Gathered(mapper, [(100, 200), (300, 250), (150, 500)],
+                     [(1 << 16, 2 << 20, 3 << 17), (5 << 19, 0, 1 << 16), (1 << 20, 1 << 21, 1 << 20)],
+                     [(0, [(k, k, 0, 0) for k in range(3)])] * COUNT, flags, room=COUNT + 2)
+    trial = gather_trial(Arena(), these)
+    assert len(these.taken()) == COUNT
+    return trial.row(COUNT)
+
+
 def cut_trial(arena: Arena, inside: list[int], beyond: list[int], part: int, whole: int,
               title: str = "") -> Trial:
     """The vertex that is ``part`` of ``whole`` on the way between two of six values each."""
@@ -138,4 +275,6 @@ CASES = {"mesh_transform": lambda: transform_case(True),
          "mesh_transform_outside": lambda: transform_case(False),
          "mesh_attributes": attributes_case,
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
-         "mesh_cut": cut_case}
+         "mesh_snap": snap_case, "mesh_cut": cut_case} | {
+             f"mesh_gather_{mapper}": lambda mapper=mapper: gather_case(mapper)
+             for mapper in snapped.VALUES}

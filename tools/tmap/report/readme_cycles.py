@@ -129,9 +129,12 @@ def dithered_tables(baseline: dict) -> str:
 #: Meshes: title of a line, bench row.
 MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
               ("a point outside the borders", "mesh_transform_outside"),
+              ("a point, snapped", "mesh_snap"),
               ("a normal: one of s, t and shade", "mesh_attributes"),
               ("a face of four corners that is seen", "mesh_faces"),
               ("a face seen from the back", "mesh_faces_back"),
+              ("a triangle's corners into a batch, environment", "mesh_gather_affine"),
+              ("a triangle's corners into a batch, light", "mesh_gather_gouraud"),
               ("a new corner where a border cuts", "mesh_cut"))
 
 
