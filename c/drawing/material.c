@@ -35,6 +35,8 @@ const struct vertex *material_vertices(struct vertex *to, const struct vertex *f
         } else if (material->edges == EDGES_SNAPPED) {
             to[i].x = (to[i].x + SNAP_HALF) & ~SNAP_MASK;
             to[i].y = (to[i].y + SNAP_HALF) & ~SNAP_MASK;
+            low = high = from[i].shade;         /* its own range: polygons share vertices */
+            shade_limits(&low, &high);
         }
         if (material->mapper == MAPPER_GOURAUD) {
             to[i].s = shade_limited(from[i].shade, low, high);

@@ -22,7 +22,6 @@ struct gather_plan {
     const struct triangle *full;        /* behind this place of the list no face is taken */
     const struct material *material;    /* of all the faces */
     uint32 flags;                       /* of their instances; GATHER_SHADES: with MESH_LIT */
-    int32 most;                         /* corners: GATHER_SHADES 3, else up to 4 */
     int32 values;                       /* enum gather_values */
     fix16 scale;                        /* of the map; 0 for 1 */
     const struct mesh_placed *placed;   /* the last face's: mesh_gather sets it, and its corners */

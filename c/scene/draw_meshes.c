@@ -85,14 +85,6 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
     return draw_polygon(renderer, vertices, count, placed->material);
 }
 
-/* Returns the routine for triangles of a material's faces, or 0. */
-static triangle_drawer *routine_of(const struct renderer *renderer, const struct material *material)
-{
-    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts)
-        return 0;
-    return triangle_routine(renderer->frame, material);
-}
-
 /* Draws faces in batches, as many as routines for triangles can; returns the first that is left. */
 static const struct mesh_face *draw_batches(struct mesh_batch *batch,
                                             const struct renderer *renderer,
@@ -100,7 +92,7 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
                                             const struct mesh_face *end)
 {
     const struct material *const material = face->placed->material;
-    triangle_drawer *const routine = routine_of(renderer, material);
+    triangle_drawer *const routine = triangle_drawer_of(renderer, material);
     const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
     struct triangle_plan plan;
     struct gather_plan gather;
@@ -111,8 +103,7 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
     plan.list = batch->list;
     gather.end = end;
     gather.vertices = batch->vertices;
-    gather.most = triangle_corners(material);
-    gather.full = &batch->list[BATCH_TRIANGLES - (gather.most - 2)];
+    gather.full = &batch->list[BATCH_TRIANGLES - (TRIANGLE_CORNERS_MAX - 2)];
     gather.material = material;
     gather.flags = face->placed->flags;
     gather.values = material->mapper == MAPPER_FLAT ? GATHER_NONE
@@ -198,7 +189,7 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     transform.middle_x = header->width << 15;
     transform.middle_y = header->height << 15;
     mesh_transform(&transform);
-    if (routine_of(renderer, placed->material))
+    if (triangle_drawer_of(renderer, placed->material))
         snap(renderer, at->points, transform.count);
     if (instance->flags)
         make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,

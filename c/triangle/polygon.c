@@ -45,25 +45,28 @@ static int32 triangle_is_low(const struct snapped_vertex *v, int32 count)
     return low - top < SNAPPED_LINES * SNAPPED_ONE;
 }
 
-/* Converts the vertices of a polygon. Returns 0 if one is out of range, or the polygon too high. */
-static int32 convert(struct snapped_vertex *to, const struct polygon *polygon,
-                     const struct material *material, const struct frame *frame)
+int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, int32 count,
+                        const struct frame *frame, const struct material *material)
 {
-    const struct vertex *from = polygon->vertices;
+    const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
     const fix16 scale = material->map ? material->map->scale : 0;
     struct triangle_range range;
-    fix16 low, high;
+
+    int32 all = 1;
 
     triangle_range_set(&range, frame);
-    for (int32 i = 0; i < polygon->count; i++)
-        if (!triangle_vertex(&to[i], &range, scale, &from[i]))
-            return 0;
-    if (material->mapper == MAPPER_GOURAUD) {
-        shade_range(from, polygon->count, &low, &high);
-        for (int32 i = 0; i < polygon->count; i++)
-            to[i].u = triangle_value(shade_limited(from[i].shade, low, high));
+    for (; count > 0; count--, to++, from++) {
+        fix16 low = from->shade, high = low;
+
+        if (!triangle_vertex(to, &range, scale, from)) {
+            to->x = -1;
+            all = 0;
+        } else if (is_shaded) {
+            shade_limits(&low, &high);
+            to->u = triangle_value(shade_limited(from->shade, low, high));
+        }
     }
-    return triangle_is_low(to, polygon->count);
+    return all;
 }
 
 int32 triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
@@ -75,8 +78,9 @@ int32 triangle_polygon(const struct renderer *renderer, const struct polygon *po
     struct triangle_plan plan;
     int32 i;
 
-    if (!routine || polygon->count > triangle_corners(material)
-        || !convert(vertices, polygon, material, renderer->frame))
+    if (!routine || polygon->count > TRIANGLE_CORNERS_MAX
+        || !triangle_vertices(vertices, polygon->vertices, polygon->count, renderer->frame, material)
+        || !triangle_is_low(vertices, polygon->count))
         return 0;
     if (renderer->counts && renderer->only_counts)
         return 1;

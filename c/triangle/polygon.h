@@ -9,13 +9,6 @@
 /* A polygon of more corners is cheaper in one piece. */
 enum { TRIANGLE_CORNERS_MAX = 4 };
 
-/* Returns the most corners of a material's polygons that are drawn as triangles: the range of
-   Gouraud's shades is a triangle's own. */
-static inline int32 triangle_corners(const struct material *material)
-{
-    return material->mapper == MAPPER_GOURAUD ? 3 : TRIANGLE_CORNERS_MAX;
-}
-
 typedef const struct triangle *triangle_drawer(const struct triangle_plan *plan);
 
 /* Returns the routine for a material with EDGES_SNAPPED and the frame's pixels, or 0. */
@@ -35,6 +28,16 @@ static inline triangle_drawer *triangle_routine(const struct frame *frame,
         || material->map->layout != MAP_PAGE || material->map->texel_bytes != 1)
         return 0;
     return triangles_affine;
+}
+
+/* Returns the routine that draws batches of a material's triangles, or 0: there is none, or pixels
+   are counted. */
+static inline triangle_drawer *triangle_drawer_of(const struct renderer *renderer,
+                                                  const struct material *material)
+{
+    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts)
+        return 0;
+    return triangle_routine(renderer->frame, material);
 }
 
 /* Returns the kind that its pixels are counted as. */
@@ -68,6 +71,11 @@ static inline void triangle_range_set(struct triangle_range *range, const struct
     range->right = (width < (uint32)SNAPPED_WIDTH ? width : (uint32)SNAPPED_WIDTH) * SNAPPED_ONE;
     range->bottom = (uint32)frame->height * SNAPPED_ONE;
 }
+
+/* Converts vertices; x of those that are out of range becomes -1. Returns non-zero if all are in
+   range. */
+int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, int32 count,
+                        const struct frame *frame, const struct material *material);
 
 /* Draws the polygon as a fan of triangles; with renderer->only_counts it only says whether it would.
    Returns 0, and draws nothing, if the material has no routine, the polygon too many corners or too

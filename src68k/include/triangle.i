@@ -42,7 +42,7 @@ triangles_open macro
 
 ; Ends it. a0: the first triangle that was not drawn.
 triangles_close macro
-        move.l  a0,d0                   ; GCC expects a pointer in a0
+        move.l  a0,d0                   ; where GCC expects a pointer, a0 is too
         lea     batch_sizeof(sp),sp
         return_all
         endm

@@ -11,7 +11,7 @@
 ; cost:    bench rows mesh_gather_flat, mesh_gather_gouraud, mesh_gather_affine
 ;
 ; It stops at the end of the faces or of the list's room, and at a face of another material or with
-; other flags, with more corners than the plan allows, with a point, u or v that is out of range, or
+; other flags, with more than TRIANGLE_CORNERS_MAX corners, with a point, u or v that is out of range, or
 ; of SNAPPED_LINES lines or more.
 
 ; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the points, a6 the
@@ -45,9 +45,21 @@ flat_values macro
         addq.l  #8,a3
         endm
 
+; A shade is kept inside its whole shade's range: two compares of its fraction.
 gouraud_values macro
         addq.l  #8,a2
-        move.l  mesh_attributes_shade(a6,d1.l),(a3)+
+        move.l  mesh_attributes_shade(a6,d1.l),d2
+        cmp.w   #SHADE_INSET,d2
+        bhs.s   .least\@
+        move.w  #SHADE_INSET,d2
+.least\@
+        cmp.w   #-1-SHADE_INSET,d2
+        bls.s   .greatest\@
+        move.w  #-1-SHADE_INSET,d2
+.greatest\@
+        add.l   #SNAPPED_RAISED,d2
+        lsl.l   #4,d2
+        move.l  d2,(a3)+
         addq.l  #4,a3
         endm
 
@@ -75,55 +87,7 @@ scaled_mirror_values macro
         texels  mesh_attributes_t(a6,d1.l)
         endm
 
-; The range d5 to d7 includes \1.
-wider   macro
-        cmp.l   d5,\1
-        bge.s   .least\@
-        move.l  \1,d5
-.least\@
-        cmp.l   d7,\1
-        ble.s   .greatest\@
-        move.l  \1,d7
-.greatest\@
-        endm
-
-; The shade \1 between d5 and d7, as a vertex has it.
-limited macro
-        cmp.l   d5,\1
-        bge.s   .least\@
-        move.l  d5,\1
-.least\@
-        cmp.l   d7,\1
-        ble.s   .greatest\@
-        move.l  d7,\1
-.greatest\@
-        add.l   #SNAPPED_RAISED,\1
-        lsl.l   #4,\1
-        endm
-
-; Limits the three shades of a face to the range of its possible pixels. Uses d0-d2/d5/d7/a2.
-limit_shades macro
-        movea.l d3,a2
-        move.l  snapped_vertex_u(a2),d0
-        move.l  snapped_vertex_sizeof+snapped_vertex_u(a2),d1
-        move.l  2*snapped_vertex_sizeof+snapped_vertex_u(a2),d2
-        move.l  d0,d5
-        move.l  d0,d7
-        wider   d1
-        wider   d2
-        clr.w   d5
-        add.l   #SHADE_INSET,d5
-        move.w  #-1,d7
-        sub.l   #SHADE_INSET,d7
-        limited d0
-        move.l  d0,snapped_vertex_u(a2)
-        limited d1
-        move.l  d1,snapped_vertex_sizeof+snapped_vertex_u(a2)
-        limited d2
-        move.l  d2,2*snapped_vertex_sizeof+snapped_vertex_u(a2)
-        endm
-
-; The faces. \1: the macro for the values of a corner; \2: for those of a face, if any.
+; The faces. \1: the macro for the values of a corner.
 gather  macro
 .face\@ cmpa.l  gather_plan_end(a0),a1
         beq     gather_done
@@ -134,7 +98,7 @@ gather  macro
         bne     .other\@
 .same\@ movea.l mesh_face_face(a1),a2
         move.l  scene_face_corners(a2),d4
-        cmp.l   gather_plan_most(a0),d4
+        cmp.l   #TRIANGLE_CORNERS_MAX,d4
         bhi     gather_done
         move.l  scene_face_corner(a2),d0
         move.l  d0,d1
@@ -170,7 +134,6 @@ gather  macro
         sub.w   d5,d7
         cmp.w   #SNAPPED_LINES*SNAPPED_ONE,d7
         bhs     gather_done
-        \2
         moveq   #snapped_vertex_sizeof,d1
         move.l  d3,d0
         add.l   d1,d0
@@ -223,7 +186,7 @@ gather  macro
         gather  scaled_mirror_values
 .flat   gather  flat_values
 .gouraud
-        gather  gouraud_values,limit_shades
+        gather  gouraud_values
 gather_done
         move.l  a4,gather_plan_list(a0)
         move.l  a1,d0

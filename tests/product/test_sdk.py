@@ -26,7 +26,8 @@ from tmap.model import model
 from tmap.product import sdk
 from tmap.setup.texturing import Settings
 
-WIDTH, HEIGHT = 160, 128  # of the example's pictures
+WIDTH, HEIGHT = 160, 128  # of the examples' pictures
+TURNS = (63, 10), (57, 29), (45, 45), (29, 57)  # their cosines and sines, 1/64
 #: Sets of the example's tools, and the programs that each needs besides vasm: all installed sets
 #: are tested, the first one always.
 TOOLS = {"elf": ("m68k-linux-gnu-gcc", "m68k-linux-gnu-ld"), "vbcc": ("vbccm68k", "vlink"),
@@ -45,7 +46,7 @@ PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_rounded"}
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
 #: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
 #: linked.
-MOST = {"spans": 1_500, "example": 51_000}
+MOST = {"spans": 1_500, "example": 51_000, "triangles": 66_000}
 #: Names of sections, by linker: of code, and of tables.
 SECTIONS = {"vlink": {Hunk.HUNK_CODE: "CODE", Hunk.HUNK_DATA: "DATA"},
             "gcc": {Hunk.HUNK_CODE: ".text", Hunk.HUNK_DATA: ".data"}}
@@ -273,7 +274,7 @@ def test_headers_compile_alone(kit, tmp_path, compiler):
 
 def square(number: int) -> np.ndarray:
     """Frame ``number`` of example.c as the model draws it."""
-    cosine, sine = ((63, 10), (57, 29), (45, 45), (29, 57))[number]
+    cosine, sine = TURNS[number]
     vertices = [((WIDTH // 2 << 16) + (cosine * right - sine * down) * 1024,
                  (HEIGHT // 2 << 16) + (sine * right + cosine * down) * 1024,
                  (right > 0) * 255 << 16, (down > 0) * 255 << 16)
@@ -282,6 +283,30 @@ def square(number: int) -> np.ndarray:
     frame = np.zeros((HEIGHT, WIDTH), np.uint8)
     polygon = model.set_up(vertices, WIDTH, HEIGHT, True, Settings(edges="exact"))
     model.draw(frame, polygon, (u ^ v).astype(np.uint8), 0)
+    return frame
+
+
+def box(number: int) -> np.ndarray:
+    """Frame ``number`` of triangles.c as the model draws it."""
+    cosine, sine = TURNS[number]
+    corners, settings = [], Settings(edges="snapped")
+    for k in range(8):
+        x, y, z = (40 if k >> bit & 1 else -40 for bit in range(3))
+        right, away = cosine * x - sine * z, sine * x + cosine * z
+        corners.append(((WIDTH // 2 << 16) + right * 1024 - (64 << 16) * (number == 3 and k == 0),
+                        (HEIGHT // 2 << 16) + (TURNS[1][0] * 64 * y - TURNS[1][1] * away) * 16,
+                        255 * (k & 1) << 16, (200 if k & 2 else 40) + (50 if k & 4 else 0) << 16, 0))
+    v, u = np.indices((256, 256))
+    frame, drawn = np.zeros((HEIGHT, WIDTH), np.uint8), 0
+    for side in ((0, 1, 3, 2), (5, 4, 6, 7), (4, 0, 2, 6), (1, 5, 7, 3), (4, 5, 1, 0), (2, 3, 7, 6)):
+        for three in (side[:3], (side[0], *side[2:])):
+            vertices = model.adapt([corners[k] for k in three], settings, 256)
+            (x0, y0), (x1, y1), (x2, y2) = (vertex[:2] for vertex in vertices)
+            if (x1 - x0) * (y2 - y0) > (x2 - x0) * (y1 - y0):
+                polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
+                model.draw(frame, polygon, (u ^ v).astype(np.uint8), 0)
+                drawn += 1
+    assert 4 <= drawn <= 8
     return frame
 
 
@@ -301,14 +326,16 @@ def test_example_draws_the_models_pictures(kit, tmp_path, tools):
     assert done.returncode == 0, done.stdout + done.stderr
     for name, most in MOST.items():
         assert (folder / tools / name).stat().st_size <= most, f"{tools}: {name}"
-    results = emulator.run_batch(["example", "spans"], {}, "a1200", tmp_path,
+    results = emulator.run_batch(["example", "triangles", "spans"], {}, "a1200", tmp_path,
                                 programs=folder / tools)
-    assert [(result.code, result.output) for result in results] == [(0, "")] * 2
+    assert [(result.code, result.output) for result in results] == [(0, "")] * 3
     volume = results[0].directory
-    for number in range(4):
-        found = np.fromfile(volume / f"frame_{number}.chunky", np.uint8).reshape(HEIGHT, WIDTH)
-        expected = square(number)
-        assert (found == expected).all(), f"{tools}, frame {number}: {first_wrong(expected, found)}"
+    for name, picture in (("frame", square), ("box", box)):
+        for number in range(4):
+            found = np.fromfile(volume / f"{name}_{number}.chunky", np.uint8).reshape(HEIGHT, WIDTH)
+            expected = picture(number)
+            assert (found == expected).all(), (
+                f"{tools}, {name} {number}: {first_wrong(expected, found)}")
     planes = planar.Planes(WIDTH, HEIGHT, WIDTH // 8, WIDTH // 8 * HEIGHT, tuple(range(8)))
     found, expected = planes.decoded(np.fromfile(volume / "planes", np.uint8)), turned()
     assert (found == expected).all(), f"{tools}, planes: {first_wrong(expected, found)}"

@@ -131,7 +131,7 @@ def gathered(rng, mapper: str) -> Gathered:
     flags = {"gouraud": LIT, "affine": int(rng.choice((0, ENVIRONMENT)))}.get(mapper, 0)
     faces = []
     for _ in range(int(rng.integers(1, 40))):
-        count = 3 if mapper == "gouraud" else int(rng.choice((3, 4)))
+        count = int(rng.choice((3, 4)))
         faces.append((int(rarely(0, 1, 2)), [
             (int(rng.integers(20)), int(rng.integers(9)), number(rng, most), number(rng, most))
             for _ in range(rarely(count, 5))]))

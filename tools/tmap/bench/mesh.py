@@ -158,10 +158,6 @@ class Gathered:
     room: int = 64  # triangles of the list
     others: tuple[int, ...] = ()
 
-    @property
-    def most(self) -> int:
-        return snapped.CORNERS[self.mapper]
-
     def values(self, corners) -> list[tuple[int, ...]] | None:
         """What the corners' vertices get besides a place; None if it is out of range."""
         own = [self.attributes[normal] for _, normal, _, _ in corners]
@@ -184,11 +180,11 @@ class Gathered:
         made, triangles = [], 0
         for instance, corners in self.faces:
             places = [self.points[point] for point, *_ in corners]
-            ok = instance not in self.others and len(corners) <= self.most and None not in places
+            ok = instance not in self.others and len(corners) <= snapped.CORNERS and None not in places
             values = self.values(corners) if ok else None
             ys = [place[1] for place in places if place]
             if values is None or max(ys) - min(ys) >= 16 * snapped.LINES \
-                    or triangles > self.room - (self.most - 2):
+                    or triangles > self.room - (snapped.CORNERS - 2):
                 return made
             made.append(([x + 16 << 16 | y + 15 for x, y in places], values))
             triangles += len(corners) - 2
@@ -222,8 +218,8 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
     listed = arena.room("triangle", rooms)
     plan_at = arena.struct("gather_plan", {
         "from": first, "end": first + size * len(these.faces), "vertices": vertices, "list": listed,
-        "full": listed + 12 * (these.room - (these.most - 2)), "material": materials[0]},
-        flags=these.flags, most=these.most, values=snapped.VALUES[these.mapper], scale=these.scale,
+        "full": listed + 12 * (these.room - (snapped.CORNERS - 2)), "material": materials[0]},
+        flags=these.flags, values=snapped.VALUES[these.mapper], scale=these.scale,
         placed=0, corners=0)
     writes, at, to = [], vertices, listed
     for places, values in done:
@@ -234,7 +230,7 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
                        for n, which in enumerate((0, k - 1, k))]
             to += 12
         at += vertex_size * len(places)
-    writes += [anything(at, vertex_size * these.most), *fields(plan_at, "gather_plan", {}, {"list": to}),
+    writes += [anything(at, vertex_size * snapped.CORNERS), *fields(plan_at, "gather_plan", {}, {"list": to}),
                anything(plan_at + known.struct("gather_plan").fields["placed"]["offset"], 8)]
     return Trial(Case("mesh_gather", arena, pointers={"a0": plan_at}), title,
                  near_ends={"d0": first + size * len(done)}, writes=writes)

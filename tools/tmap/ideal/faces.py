@@ -40,6 +40,7 @@ from tmap.ideal import bounds, bounds_perspective, ideal, mesh as ideal_mesh, pe
 from tmap.ideal.ideal import UNIT
 from tmap.model import mesh as model_mesh, model
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
+from tmap.setup import planarity
 from tmap.setup.texturing import Settings
 
 FLOAT = 1 + 2.0**-24  # relative roundings in this file
@@ -287,14 +288,16 @@ def check_texels(face: Face, adapted, polygon: model.Polygon, errors, out: Verdi
                    f"({columns[0]}, {y}) on,")
 
 
-def check_pixels(face: Face, vertices, polygon: model.Polygon | None, off: list[float],
+def check_pixels(face: Face, vertices, polygons: list[model.Polygon], off: list[float],
                  out: Verdict) -> None:
-    """Adds the pixels that are wrongly drawn or left out."""
-    drawn = {polygon.top + k: (line.left, line.right)
-             for k, line in enumerate(polygon.lines)} if polygon else {}
+    """Adds the pixels that are wrongly drawn or left out. ``polygons``: that the face is drawn as."""
+    drawn: dict[int, set[int]] = {}
+    for polygon in polygons:
+        for y, line in enumerate(polygon.lines, polygon.top):
+            drawn.setdefault(y, set()).update(range(line.left, line.right))
     for y in drawn.keys() | face.extents.keys():
-        ours, exact = (range(*ends.get(y, (0, 0))) for ends in (drawn, face.extents))
-        wrong = set(ours) ^ set(exact)
+        ours, exact = drawn.get(y, set()), range(*face.extents.get(y, (0, 0)))
+        wrong = ours ^ set(exact)
         out.coverage_errors += len(wrong)
         for x in sorted(wrong):
             if not near_an_edge((x, y), vertices, off):
@@ -321,11 +324,15 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     out, material, camera = Verdict(), scene.materials[instance.material], face.camera
     mesh = scene.meshes[instance.mesh]
     reach = float(abs(scene.points[mesh.point:mesh.point + mesh.points]).max()) / ONE
-    (vertices, cut), polygon = drawn_face(scene, instance, row, number), None
+    vertices, cut = drawn_face(scene, instance, row, number)
+    longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
+    polygons: list[model.Polygon] = []
     doubt = ideal_mesh.seen_error(camera.eye, reach)
     if vertices:
-        out.faces, polygon = 1, model.prepare_polygon(scene, instance.material, vertices)
-        out.pixels = polygon.pixels if polygon else 0
+        pieces = planarity.parts(vertices, material, scene.frame_shape, longer, planarity.ALL)
+        made = [model.prepare_polygon(scene, instance.material, piece) for piece in pieces]
+        polygons = [polygon for polygon in made if polygon]
+        out.faces, out.pixels = 1, sum(polygon.pixels for polygon in polygons)
         if face.height < -doubt:
             out.complain(f"is drawn, though the eye is {-face.height} behind its plane")
             return out
@@ -338,16 +345,15 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
     if settings.edges != "integer" and settings.clip == "scissor":
         rounded = {"subpixel": (camera.height + 1) * UNIT / 2, "snapped": 1 / 32}.get(settings.edges, 0.0)
-        check_pixels(face, vertices, polygon, [o + rounded for o in off], out)
-    if not polygon:
+        check_pixels(face, vertices, polygons, [o + rounded for o in off], out)
+    if not polygons:
         return out
-    longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
     if not cut:
         check_attributes(instance, vertices, face, longer, out)
     if settings.perspective != "none":
         f = ideal_mesh.look_error(RADIUS) if instance.flags & ENVIRONMENT else 0.0
         f = (f + ideal_mesh.CUT * cut) * longer / 256 + UNIT * (longer != 256)
-        check_texels(face, model.adapt(vertices, settings, longer), polygon, (e, f, off), out)
+        check_texels(face, model.adapt(vertices, settings, longer), polygons[0], (e, f, off), out)
     return out
 
 

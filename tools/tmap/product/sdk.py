@@ -3,7 +3,7 @@
     include/    C headers as they are in c/, tmap020.h which includes them, tmap020.i for assembly
     c/          C sources, and sources.mk: which of them each drawing routine needs
     lib/        the assembly as link libraries: vlink/ and gcc/ hold hunk objects, elf/ ELF ones
-    example/    two programs and their Makefile
+    example/    three programs and their Makefile
 
 A routine is public if a C header declares it. The libraries hold the public routines and all that
 they refer to.
@@ -34,9 +34,9 @@ ASM_ROOMS = (*contracts.KERNELS, "gen")
 LISTS = {"polygon_draw": ("polygon_draw",),
          "perspective": ("reciprocals_make", "logarithms_make"),
          "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
-         "mesh": ("mesh_draw",), "triangle": "triangle", "n64": "n64", "glide": "glide"}
+         "mesh": ("mesh_draw",), "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
-EXAMPLE = ("Makefile", "example.c", "spans.s", "start.s", "amiga.ld")
+EXAMPLE = ("Makefile", "example.c", "triangles.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
 DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
 #: Routines of one type: n64_pass n64_walk, n64_divide;

@@ -294,16 +294,17 @@ def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     """Converts (x, y, s, t, shade, w) for ``set_up``. x and y are cut to whole pixels if edges are
     integer, rounded to 1/16 if they are snapped. s and t are scaled, to the nearest, to texels of a map with the given longer side;
     w and a lit mapper's level follow. Gouraud's shade becomes u, INSET inside the range of its
-    possible pixels."""
+    possible pixels, or, with snapped vertices, which polygons share, of its own whole shade."""
     if settings.edges == "integer":
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
     elif settings.edges == "snapped":
         vertices = [(*(signed(snapped.snap(c) << 12) for c in v[:2]), *v[2:]) for v in vertices]
     if settings.mapper == "gouraud":
         shades = [v[4] for v in vertices]
-        low, high = (min(shades) & ~0xFFFF) + INSET, (max(shades) | 0xFFFF) - INSET
-        return [(x, y, min(max(shade, low), high), 0, *w)
-                for x, y, _, _, shade, *w in vertices]
+        ranges = [(shade, shade) if settings.edges == "snapped" else (min(shades), max(shades))
+                  for shade in shades]
+        return [(x, y, min(max(shade, (low & ~0xFFFF) + INSET), (high | 0xFFFF) - INSET), 0, *w)
+                for (x, y, _, _, shade, *w), (low, high) in zip(vertices, ranges)]
     is_lit = settings.mapper in LIT
     return [(x, y, signed(s * longer + 128 >> 8), signed(t * longer + 128 >> 8), *w,
              *([level_of(shade)] if is_lit else []))

@@ -20,9 +20,8 @@ BELOW = 102400
 SMALL_WIDTH = {"flat": 32, "gouraud": 32, "affine": 16}
 #: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
 VALUES = {"flat": 0, "gouraud": 1, "affine": 2}
-#: The most corners of a polygon that is drawn as triangles; the range of Gouraud's shades is a
-#: triangle's own.
-CORNERS = {"flat": 4, "gouraud": 3, "affine": 4}
+#: The most corners of a polygon that is drawn as triangles.
+CORNERS = 4
 
 LIMITS = layout.load().constants
 WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
@@ -161,7 +160,7 @@ def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes:
     keys = VALUES.get(settings.mapper, -1)
     on_plane = (settings.gradients, settings.start, settings.perspective) == ("plane", "subtexel", "none")
     if settings.edges != "snapped" or pixel_bytes > 1 or keys < 0 or keys and not on_plane \
-            or len(vertices) > CORNERS[settings.mapper]:
+            or len(vertices) > CORNERS:
         return False
     xs, ys = ([snap(v[k]) for v in vertices] for k in (0, 1))
     return (0 <= min(xs) and max(xs) <= 16 * min(width, WIDTH) and 0 <= min(ys)
