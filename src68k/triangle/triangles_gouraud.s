@@ -82,7 +82,7 @@ gouraud_enter_wide macro
         jmp     gouraud_round_end_\1(pc,d4.w*4)
         endm
 
-; a4 = the shade's step a pixel, a6 = its difference along the long edge.
+; a4 = the shade's step a pixel, not a whole negative number; a6 = its difference along the long edge.
 gouraud_gradient macro
         move.l  a6,d6
         move.w  d2,d3
@@ -100,7 +100,11 @@ gouraud_gradient macro
         cmp.l   #SHADES_STEEP<<17,d0
         bcs.s   .flat\@
         moveq   #0,d4
-.flat\@ movea.l d4,a4
+.flat\@ tst.w   d4                      ; a whole negative step has no fraction that
+        bne.s   .part\@                 ; can be ahead: it gets one
+        tst.l   d4
+        minus   <subq.l #1,d4>
+.part\@ movea.l d4,a4
         moveq   #15,d5
         endm
 
@@ -114,11 +118,7 @@ gouraud_pack macro
         move.l  d2,d4
         clr.w   d4
         tst.w   d2
-        bpl.s   .rises\@
-        sub.l   #$10000,d2
-        bcc.s   .rises\@
-        subq.w  #1,d2
-.rises\@
+        minus   <sub.l #$10000,d2>
         movea.l d4,a4
         tst.l   d7
         minus   <subq.l #1,d7>

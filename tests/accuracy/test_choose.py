@@ -8,7 +8,7 @@ import pytest
 
 from tmap.__main__ import main
 from tmap.accuracy import choose
-from tmap.accuracy.choose import COST, LARGEST, RMS, WRONG, Wish
+from tmap.accuracy.choose import COST, LARGEST, POLYGON, RMS, WRONG, Wish
 from tmap.base.paths import ACCURACY_BASELINE
 from tmap.compiler.materials import material_schema
 
@@ -25,12 +25,14 @@ def tmap(capsys):
     return run
 
 
-@pytest.mark.parametrize("machine, depth, measure, wrong", list(itertools.product(
-    ("a1200", "a1200-fast"), (False, True), (LARGEST, RMS), (None, 0))))
-def test_choice_is_the_cheapest_that_is_good_enough(machine, depth, measure, wrong) -> None:
+@pytest.mark.parametrize("machine, depth, pixels, measure, wrong", [
+    (machine, *kind, *limits) for machine in ("a1200", "a1200-fast")
+    for kind in ((False, None), (True, None), (False, 30))
+    for limits in itertools.product((LARGEST, RMS), (None, 0))])
+def test_choice_is_the_cheapest_that_is_good_enough(machine, depth, pixels, measure, wrong) -> None:
     """For error limits between the errors of all rows: no row that is good enough is cheaper."""
     for error in sorted({r[measure] for r in ROWS} | {0.0, 1e9}):
-        wish = Wish(error, machine, depth, wrong, None, measure)
+        wish = Wish(error, machine, depth, wrong, None, measure, pixels)
         rows = choose.candidates(ROWS, wish)
         good = [r for r in rows if r[measure] <= error and (wrong is None or r[WRONG] <= wrong)]
         down, best, up = choose.choose(rows, wish)
@@ -45,6 +47,11 @@ def test_choice_is_the_cheapest_that_is_good_enough(machine, depth, measure, wro
         if up:
             assert up[COST] >= best[COST]
             assert up[measure] <= best[measure] and up[WRONG] <= best[WRONG]
+
+
+def test_size_is_the_nearest_by_ratio() -> None:
+    assert [Wish(1, "a1200", pixels=pixels).set_name for pixels in (0.1, 14, 15, 220, 230, 1e9)] == [
+        "8_pixels", "8_pixels", "25_pixels", "100_pixels", "500_pixels", "2000_pixels"]
 
 
 def test_neighbours_are_the_nearest() -> None:
@@ -118,7 +125,7 @@ def test_prices_in_words(tmap, tmp_path, arguments) -> None:
     good enough: status 1, and one line that says how near the best row is."""
     affine = {"name": "medium", "machine": "a1200", "mapper": "affine", "edges": "exact",
               "gradients": "plane", "start": "subtexel", "perspective": "none",
-              "wrong_texels_percent": 0}
+              "wrong_texels_percent": 0, POLYGON: 1000}
     rows = [affine | dict(zip((COST, LARGEST, RMS, WRONG), row)) for row in MADE_UP]
     (tmp_path / "made_up.json").write_text(json.dumps({"rows": rows}))
     status, said, complaint = tmap(*A1200, "--data", tmp_path / "made_up.json", *arguments)
@@ -134,6 +141,8 @@ def test_prices_in_words(tmap, tmp_path, arguments) -> None:
     (ERROR, None, "--machine"),
     ((*ERROR, "--machine", "a500"), None, "--machine"),
     ((*ERROR, *A1200, "--wrong", "few"), None, "--wrong"),
+    *(((*ERROR, *A1200, "--pixels", n), None, "--pixels") for n in ("0", "-8", "small")),
+    ((*ERROR, *A1200, "--pixels", "8", "--depth"), None, "--depth"),
     ((*ERROR, *A1200, "--depth", "--mapper", "lit"), None, "mapper lit"),
     ((*ERROR, *A1200, "--data", "/nowhere.json"), None, "/nowhere.json: No such file"),
     ((*ERROR, *A1200), "{", "is not JSON"),

@@ -102,7 +102,7 @@ def choose(args: argparse.Namespace) -> int:
     """Looks up a setting."""
     from tmap.accuracy import choose as tool
     return tool.command(tool.Wish(args.error, args.machine, args.depth, args.wrong, args.mapper,
-                                  tool.RMS if args.rms else tool.LARGEST), args.data)
+                                  tool.RMS if args.rms else tool.LARGEST, args.pixels), args.data)
 
 
 def sdk(args: argparse.Namespace) -> int:
@@ -163,6 +163,13 @@ def number(text: str) -> float:
     if not 0 <= value < float("inf"):
         raise ValueError
     return value
+
+
+def size(text: str) -> float:
+    """Returns a finite number above 0."""
+    if not number(text):
+        raise ValueError
+    return float(text)
 
 
 class Commands:
@@ -296,8 +303,11 @@ def add_choose(commands: Commands) -> None:
                          help="hold the root of the mean square to it instead of the largest error")
     command.add_argument("--wrong", type=number, metavar="PIXELS",
                          help="how many pixels in a million may be on an edge's wrong side (any)")
-    command.add_argument("--depth", action="store_true",
-                         help="polygons with depth, whose texture is seen in perspective")
+    kind = command.add_mutually_exclusive_group()
+    kind.add_argument("--pixels", type=size, metavar="N",
+                      help="polygons of about N pixels: 8, 25, 100, 500 or 2,000 (2,000)")
+    kind.add_argument("--depth", action="store_true",
+                      help="polygons with depth, whose texture is seen in perspective")
     command.add_argument("--mapper", choices=MAPPERS[1],
                          help="this mapper alone (affine, generated, tiled or columns)")
     command.add_argument("--data", type=Path, metavar="FILE",

@@ -36,6 +36,19 @@ def triangles(rng, count: int) -> list[list[tuple]]:
     return made
 
 
+def whole_steps(rng, count: int) -> list[list[tuple]]:
+    """Triangles whose values step by whole numbers a pixel and a line, up or down."""
+    made = []
+    for three in triangles(rng, count):
+        a, b = (int(n) for n in rng.integers(-20, 21, 2))
+        values = [(a * x + b * y) * (1 << 16) for x, y, *_ in three]
+        if max(values) - min(values) >= MOST - (1 << 20):
+            continue
+        base = (1 << 19) - min(values) + int(rng.integers(0, 2)) * 12345
+        made.append([(x, y, value + base, -value) for (x, y, *_), value in zip(three, values)])
+    return made
+
+
 def trials() -> Iterator[Trial]:
     """Single triangles, batches, culled ones, and lists that end early."""
     for mapper, name in ROUTINES.items():
@@ -46,6 +59,8 @@ def trials() -> Iterator[Trial]:
         yield batch_trial(Memory(), mapper, some, f"{name}: 40 triangles")
         yield batch_trial(Memory(), mapper, some, f"{name}: 40 triangles, culled", cull=1)
         yield batch_trial(Memory(), mapper, [], f"{name}: an empty list")
+        for number, each in enumerate(whole_steps(rng, 60)):
+            yield batch_trial(Memory(), mapper, [each], f"{name}: whole steps {number}, {each}")
         for corner in range(3):
             wrong = [v if k != corner else None for k, v in enumerate(some[3])]
             yield batch_trial(Memory(), mapper, [*some[:3], wrong, *some[4:]],

@@ -15,7 +15,7 @@ from tmap.base.errors import UserError
 from tmap.base.outputs import as_json, bars, check_directory
 from tmap.base.paths import ACCURACY_BASELINE
 from tmap.corpus import polygon_sets, random_maps
-from tmap.corpus.settings_grid import combinations, depth_combinations
+from tmap.corpus.settings_grid import combinations, depth_combinations, size_combinations
 from tmap.guest import guest_frames, provenance
 from tmap.guest.emulator import CYCLES_PER_TICK, MEASURED
 from tmap.ideal import ideal, perspective
@@ -25,7 +25,7 @@ from tmap.scene_file.scene_file import IDENTITY, MAPPER_LAYOUT, Material, Object
 from tmap.setup.shading import LIT
 
 #: Sets whose rows are kept in the committed baseline, for README and tests.
-BASELINE_SETS = "medium", "depth"
+BASELINE_SETS = "medium", *polygon_sets.SIZES, "depth"
 #: Settings in a row.
 ASKED = "edges", "gradients", "start", "perspective", "mapper"
 #: Names that --set takes in addition to the sets: the turning face, the scenes, texture engines'
@@ -108,19 +108,25 @@ def measure(names: list[str], machines: list[str], settings: list[Settings],
     return rows
 
 
+def measure_all(names: list[str], machines: list[str], on_step=None) -> list[dict]:
+    """Returns the rows of sets, each with its settings, in the order of ``polygon_sets.every``."""
+    kinds = ((polygon_sets.SHAPES, combinations()), (polygon_sets.SIZES, size_combinations()),
+             (polygon_sets.DEPTHS, depth_combinations()))
+    return [row for sets, settings in kinds
+            for row in measure([name for name in names if name in sets], machines, settings, on_step)]
+
+
 def write_sets(folder: Path, names: list[str], machines: list[str], accept: bool, on_step) -> str:
     """Measures the sets and writes their report; returns the table to print."""
     from tmap.accuracy import perspective_curves, pictures
 
-    flat = [name for name in names if name not in polygon_sets.DEPTHS]
-    rows = measure(flat, machines, combinations(), on_step) + measure(
-        [name for name in names if name not in flat], machines, depth_combinations(), on_step)
+    rows = measure_all(names, machines, on_step)
     found = provenance.record() | {
         "conditions": f"{polygon_sets.COUNT} triangles a set; cycles with set-up, DMA and "
                       "interrupts off; texel error: the larger of u's and v's.", "rows": rows}
     folder.mkdir(parents=True, exist_ok=True)
-    pictures.plot(rows, folder / "accuracy.png")
-    if flat != names:
+    pictures.plot([r for r in rows if r["name"] not in polygon_sets.SIZES], folder / "accuracy.png")
+    if polygon_sets.DEPTHS.keys() & set(names):
         perspective_curves.plot(folder / "pieces.png")
     pictures.write_swimming(folder)
     pictures.write_mappers(folder)
@@ -166,12 +172,12 @@ def command(folder: Path, names: list[str] | None, machine: str | None, accept: 
     if accept and (machine or names):
         raise UserError("accuracy: --accept needs all machines and all sets")
     check_directory(folder)
-    every = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS, *FILES]
+    every = [*polygon_sets.every(), *FILES]
     if unknown := [name for name in names or () if name not in every]:
         raise UserError(f"accuracy: no set is called {unknown[0]}; "
                         f"there are {', '.join(every[:-1])} and {every[-1]}")
     names = names or every
-    sets = [name for name in names if name in polygon_sets.SHAPES or name in polygon_sets.DEPTHS]
+    sets = [name for name in names if name in polygon_sets.every()]
     machines, made, excess = [machine] if machine else list(MEASURED), [], []
     with bars() as progress:
         if sets:

@@ -10,6 +10,7 @@ from pathlib import Path
 from tmap.accuracy.rows import beats
 from tmap.base.errors import UserError
 from tmap.base.paths import ACCURACY_BASELINE
+from tmap.corpus.polygon_sets import SIZES
 from tmap.scene_file.scene_file import MAPPER_LAYOUT
 
 #: Mappers that draw the same picture as affine. "arbitrary" is judged alone: its polygons in the
@@ -17,11 +18,12 @@ from tmap.scene_file.scene_file import MAPPER_LAYOUT
 FAMILY = ("affine", "generated", "tiled", "columns")
 #: Columns of a row that are settings of a material.
 COLUMNS = ("mapper", "edges", "gradients", "start", "perspective")
-#: The sets that are judged: without depth and with it.
+#: The sets that are judged without a size: without depth and with it.
 FLAT_SET, DEPTH_SET = "medium", "depth"
 COST, WRONG = "cycles_per_pixel", "coverage_errors_per_million"
+POLYGON = "cycles_per_polygon"
 LARGEST, RMS = "texel_error_max", "texel_error_rms"
-NUMBERS = (COST, WRONG, LARGEST, RMS, "wrong_texels_percent")
+NUMBERS = (COST, POLYGON, WRONG, LARGEST, RMS, "wrong_texels_percent")
 #: Examples of the field that a material without texture has instead.
 COLOURS = {"flat": 'colour = "#ffffff"', "gouraud": 'shades = ["#000000", "#ffffff"]'}
 
@@ -36,11 +38,17 @@ class Wish:
     wrong: float | None = None  # pixels in a million
     mapper: str | None = None
     measure: str = LARGEST  # or RMS
+    pixels: float | None = None  # of a polygon
 
     @property
     def set_name(self) -> str:
-        """The set of polygons whose rows are judged."""
-        return DEPTH_SET if self.depth else FLAT_SET
+        """The set of polygons whose rows are judged: with ``pixels`` the one of the nearest size, by
+        ratio."""
+        if self.depth:
+            return DEPTH_SET
+        if self.pixels is None:
+            return FLAT_SET
+        return min(SIZES, key=lambda name: max(SIZES[name] / self.pixels, self.pixels / SIZES[name]))
 
     def is_met(self, row: dict) -> bool:
         """Returns True if a row keeps both error limits."""
@@ -108,11 +116,11 @@ def pasted(row: dict) -> str:
 
 def table(steps: tuple[dict | None, dict, dict | None]) -> str:
     """Returns a table of the choice and its neighbours."""
-    titles = ("", *COLUMNS, "cycles/pixel", "largest error", "rms error",
+    titles = ("", *COLUMNS, "cycles/polygon", "cycles/pixel", "largest error", "rms error",
               "wrong in 10^6", "wrong texels")
     lines = [titles]
     for title, row in zip(("cheaper", "choice", "more exact"), steps):
-        lines.append((title, *(row[s] for s in COLUMNS), f"{row[COST]:.2f}", f"{row[LARGEST]:.4f}",
+        lines.append((title, *(row[s] for s in COLUMNS), f"{row[POLYGON]:,.0f}", f"{row[COST]:.2f}", f"{row[LARGEST]:.4f}",
                       f"{row[RMS]:.4f}", f"{row[WRONG]:,.0f}",
                       f"{row['wrong_texels_percent']:.2f} %")
                      if row else (title, "-", *[""] * (len(titles) - 2)))

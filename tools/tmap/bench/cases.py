@@ -15,6 +15,7 @@ from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
 from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
 from tmap.bench.trial import Check
+from tmap.corpus import polygon_sets
 from tmap.guest.kernels import Case
 
 #: Ends of the names of spans with wide texels, and their steps.
@@ -118,7 +119,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
 KINDS = {"rows": pixel_calls, "lines": line_calls,
          "points": lambda: ((name, 1, make()) for name, make in mesh.CASES.items()),
          "polygons": lambda: ((f"polygon_{mapper}", pixels, triangles.case(mapper, pixels))
-                              for mapper in triangles.ROUTINES for pixels in triangles.SIZES),
+                              for mapper in triangles.ROUTINES for pixels in polygon_sets.SIZES.values()),
          "instructions": instruction_costs.calls}
 
 

@@ -27,9 +27,23 @@ class Loop:
     commit: str = ""
 
 
+@dataclass(frozen=True)
+class Renderer:
+    """A published renderer of whole polygons."""
+
+    name: str
+    source: str
+    repository: str
+    kind: str  # flat, gouraud or affine
+    cycles: list[int]  # a polygon, by polygon_sets.SIZES
+    pixels: float  # of them wrong, per cent
+    texels: float | None = None  # or shades
+
+
+_READ = tomllib.loads(Path(__file__).with_suffix(".toml").read_text())
+RENDERERS = [Renderer(**each) for each in _READ.pop("polygons")]
 #: Kind of work to the published loops for it.
-PUBLISHED = {kind: [Loop(**loop) for loop in loops] for kind, loops in tomllib.loads(
-    Path(__file__).with_suffix(".toml").read_text()).items()}
+PUBLISHED = {kind: [Loop(**loop) for loop in loops] for kind, loops in _READ.items()}
 #: Kind of work to our rows of the bench: row, name, what it is, whether it is exact.
 OURS = {
     "textured": (("affine_addx", "affine, addx", "one circular chain of addx", True),

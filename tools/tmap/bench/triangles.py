@@ -8,14 +8,13 @@ import numpy as np
 from tmap.base import elementary
 from tmap.base.fixed import M32
 from tmap.bench.trial import Check, Trial, Write
+from tmap.corpus import polygon_sets
 from tmap.guest.kernels import Arena, Case
 from tmap.setup import snapped
 from tmap.setup.spans import coordinates
 
 WIDTH, HEIGHT = 128, 128
 COLOUR = 0xA7
-#: Pixels of the triangles of a row.
-SIZES = (8, 25, 100, 500, 2000)
 COUNT = 32  # of a row
 ROUTINES = {"flat": "triangles_flat", "gouraud": "triangles_gouraud", "affine": "triangles_affine"}
 
@@ -72,32 +71,18 @@ def batch_trial(arena: Arena, mapper: str, triangles: list, title: str = "", cul
                  near_ends={"d0": listed + 12 * drawn}, writes=[Write(row, frame.tobytes(), far=True)])
 
 
-def sized(pixels: int) -> list:
-    """COUNT triangles of an area, inside the frame, no thinner than a quarter of what an equilateral
-    one is; 0.4 to 1 texel a pixel."""
+def triangles(pixels: int) -> list:
+    """COUNT triangles of polygon_sets.sized, as a batch has them."""
     rng, made = random.Random(f"triangles {pixels}"), []
-    while len(made) < COUNT:
-        points = [(rng.random(), rng.random()) for _ in range(3)]
-        (ax, ay), (bx, by), (cx, cy) = points
-        area = ((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2
-        if area < 0:
-            points[1:], area = points[:0:-1], -area
-        if area < 0.13:
-            continue
-        scale = math.sqrt(pixels / area)
-        width, height = (scale * (max(c) - min(c)) for c in zip(*points))
-        if max(width, height) > WIDTH - 8:
-            continue
-        move = [rng.random() * (side - 1 - extent) - scale * min(c)
-                for side, extent, c in zip((WIDTH, HEIGHT), (width, height), zip(*points))]
+    for _ in range(COUNT):
+        points = polygon_sets.sized(rng, pixels)
         turn, texels = rng.uniform(0, math.tau), rng.uniform(0.4, 1) * (1 << 20)
         cos, sin = elementary.cos(turn), elementary.sin(turn)
-        places = [[scale * c + more for c, more in zip(point, move)] for point in points]
         made.append([(round(16 * x), round(16 * y), round((cos * x - sin * y) * texels) + (128 << 20),
-                      round((sin * x + cos * y) * texels) + (128 << 20)) for x, y in places])
+                      round((sin * x + cos * y) * texels) + (128 << 20)) for x, y in points])
     return made
 
 
 def case(mapper: str, pixels: int) -> tuple[int, Case, Check]:
     """A row's batch, seen from the front."""
-    return batch_trial(Arena(), mapper, sized(pixels), cull=1).row(COUNT)
+    return batch_trial(Arena(), mapper, triangles(pixels), cull=1).row(COUNT)

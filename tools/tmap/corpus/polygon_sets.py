@@ -19,6 +19,13 @@ STEPS = (1 / 16, 1 / 4, 1, 4, 16)
 SHAPES = {"small": ((12, 40), (3, 20)), "medium": ((1800, 2200), (40, 90)),
           "large": ((15000, 40000), (150, 256)), "thin": ((60, 250), (100, 256)),
           "steep": ((60, 250), (0.3, 3))}
+#: Name of a set of random triangles to the area of each, pixels; 0.4 to 1 texel a pixel.
+SIZES = {f"{pixels}_pixels": pixels for pixels in (8, 25, 100, 500, 2000)}
+SIDE = 128  # of the square that they are in
+#: The least area of such a triangle over the square of its longest side; an equilateral one has 0.43.
+#: So they are as high as those on which published renderers were measured: 4.2, 7.4, 14.6, 32.7 and
+#: 65 lines.
+ROUND = 0.3
 #: Name of a set of medium triangles in space to the largest ratio of the depths of their ends; the
 #: least ratio is half of that.
 DEPTHS = {"depth": 4, "deep": 100}
@@ -26,10 +33,34 @@ FOCUS = WIDTH / 2  # pixels from the viewer to the screen
 LARGEST = 8192  # texels: the limit of s and t
 
 
+def every() -> list[str]:
+    """Returns the names of all sets."""
+    return [*SHAPES, *SIZES, *DEPTHS]
+
+
 def area(points) -> float:
     """Returns a triangle's area."""
     (x0, y0), (x1, y1), (x2, y2) = points
     return abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
+
+
+def sized(rng: random.Random, pixels: int) -> list[tuple[float, float]]:
+    """Returns a triangle of so many pixels, its corners clockwise on the screen."""
+    while True:
+        points = [(rng.random(), rng.random()) for _ in range(3)]
+        longest = max(length((q[0] - p[0], q[1] - p[1]))
+                      for p, q in zip(points, points[1:] + points[:1]))
+        if area(points) < ROUND * longest * longest:
+            continue
+        scale = math.sqrt(pixels / area(points))
+        extents = [scale * (max(c) - min(c)) for c in zip(*points)]
+        if max(extents) > SIDE - 8:
+            continue
+        moves = [rng.random() * (SIDE - 1 - extent) - scale * min(c)
+                 for extent, c in zip(extents, zip(*points))]
+        (x0, y0), (x1, y1), (x2, y2) = made = [
+            (scale * x + moves[0], scale * y + moves[1]) for x, y in points]
+        return made if (x1 - x0) * (y2 - y0) > (x2 - x0) * (y1 - y0) else made[::-1]
 
 
 def corners(rng: random.Random, name: str) -> list[tuple[float, float]]:
@@ -99,7 +130,10 @@ def polygons(name: str, inside: float | None = None) -> list[list[tuple[int, ...
     made = []
     for k in range(COUNT):
         rng = random.Random(f"{name} {k}")
-        points, step = corners(rng, "medium" if name in DEPTHS else name), STEPS[k % len(STEPS)]
+        if name in SIZES:
+            points, step = sized(rng, SIZES[name]), rng.uniform(0.4, 1)
+        else:
+            points, step = corners(rng, "medium" if name in DEPTHS else name), STEPS[k % len(STEPS)]
         if name in DEPTHS:
             surface = in_space(rng, points, step, DEPTHS[name])
         else:

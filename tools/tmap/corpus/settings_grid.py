@@ -26,6 +26,14 @@ def combinations() -> list[Settings]:
                    for settings in usual(mapper)]
 
 
+def size_combinations() -> list[Settings]:
+    """Returns the settings for triangles of a mesh: one for each step of accuracy."""
+    return [Settings(edges, "polygon", "truncated") for edges in ("integer", "subpixel")] \
+        + [Settings(edges) for edges in ("subpixel", "snapped", "exact")] \
+        + [Settings(edges, mapper=mapper) for mapper in ("gouraud", "flat")
+           for edges in ("integer", "subpixel", "snapped", "exact")]
+
+
 def depth_combinations() -> list[Settings]:
     """Returns the settings for a set with depth: affine and every other perspective."""
     return [Settings(edges, perspective=p) for edges in ("subpixel", "exact")

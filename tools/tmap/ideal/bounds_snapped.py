@@ -6,7 +6,7 @@ that is drawn with, n the number of lines below the first and k that of pixels f
 * A step along the long edge is a product with a reciprocal that is off by 1/2 (1/4 U for values up to
   1,024 apart), rounded down: off by 5/4 U. The value where the edge crosses the first line has less than
   one such step and is rounded down: 9/4 U.
-* p is rounded towards zero: U. It is 0 if it does not fit, or is SHADES_STEEP shades or more: g.
+* p is rounded towards zero, a whole negative step of shades away from it: U. It is 0 if it does not fit, or is SHADES_STEEP shades or more: g.
 * The first pixel is less than a pixel from the crossing: p's error, and U by rounding the product. The
   distance itself is off by 4/2^16 pixel: 4 g U.
 * A line adds the step along the edge and p times the slope's fraction, rounded down: 9/4 U, of which

@@ -91,7 +91,7 @@ def of_accuracy(tell: Tell) -> Entry:
         from tmap.accuracy import accuracy
         from tmap.corpus import polygon_sets
 
-        names, done = [*polygon_sets.SHAPES, *polygon_sets.DEPTHS], count(1)
+        names, done = polygon_sets.every(), count(1)
         total = len(names) * len(MEASURED)
         accuracy.write_sets(folder, names, list(MEASURED), False, lambda: tell(next(done), total))
         return json.loads((folder / "accuracy.json").read_text())

@@ -33,6 +33,7 @@ def measured_tables(measured: dict, accuracy: dict, counted: dict) -> dict[str, 
              "meshes": readme_cycles.mesh_table(measured),
              "rules": readme_cycles.rules_table(measured),
              "triangles by size": readme_cycles.triangles_table(measured),
+             "prices by size": readme_cycles.prices_table(measured, accuracy),
              "perspective": readme_cycles.perspective_table(measured, accuracy),
              "polygons a second": polys.table(counted["rows"]).rstrip(),
              "Glide's steps": readme_modes.steps_table(measured),
@@ -49,7 +50,8 @@ def tables() -> dict[str, str]:
         BASELINE, ACCURACY_BASELINE, POLYS_BASELINE))
     return (measured_tables(measured, accuracy, counted) | rooms.tables() | readme_numbers.tables()
             | readme_programs.tables(measured) | readme_scenes.tables(measured, accuracy, counted)
-            | {"what accuracy costs": readme_cycles.accuracy_table(accuracy),
+            | {"what a triangle costs": readme_cycles.prices_table(measured, accuracy, ("affine",)),
+               "what accuracy costs": readme_cycles.accuracy_table(accuracy),
                "dithered points": readme_cycles.dithered_tables(measured),
                "instructions": instruction_costs.table(measured, MACHINES)})
 

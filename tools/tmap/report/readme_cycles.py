@@ -2,7 +2,8 @@
 
 from tmap.accuracy import dither_errors
 from tmap.base.markdown import MACHINES, table
-from tmap.bench import bench, rules
+from tmap.bench import bench, published, rules
+from tmap.corpus.polygon_sets import SIZES
 from tmap.guest.emulator import CLOCK_HZ
 
 #: Lines of the comparison: title, name with {} for the form, length.
@@ -33,6 +34,39 @@ def triangles_table(baseline: dict) -> str:
              *(f"{found[name, machine, size]:,.0f}" for size in sizes)]
             for name, machine in dict.fromkeys((name, machine) for name, machine, _ in found)]
     return table(["mapper", "memory", *(f"{size:,} pixels" for size in sizes)], rows, "ll")
+
+
+#: Lines of the table of prices by size: title, edges, gradients, start.
+PRICE_LINES = (("integer", "polygon", "truncated"), ("subpixel", "polygon", "truncated"),
+               ("subpixel", "plane", "subtexel"), ("snapped", "plane", "subtexel"),
+               ("exact", "plane", "subtexel"))
+
+
+def prices_table(baseline: dict, accuracy: dict,
+                 mappers: tuple[str, ...] = ("flat", "gouraud", "affine")) -> str:
+    """Returns a Markdown table: triangles in fast RAM by settings and pixels, and published ones."""
+    figures = {(r["name"], r["length"]): r["cycles_per_polygon"] for r in baseline["polygons"]
+               if r["machine"] == "a1200-fast"}
+    found = {(r["mapper"], *(r[s] for s in ("edges", "gradients", "start")), r["name"]): r
+             for r in accuracy["rows"] if r["machine"] == "a1200-fast"}
+    rows = []
+    for mapper in mappers:
+        for settings in PRICE_LINES:
+            if (mapper, *settings, "8_pixels") not in found:
+                continue
+            some = [found[mapper, *settings, name] for name in SIZES]
+            errors = [f"{sum(r['coverage_errors_per_million'] for r in some) / len(some) / 10_000:.1f} %",
+                      "" if mapper == "flat" else f"{max(r['texel_error_max'] for r in some):.3f}"]
+            if settings[0] == "snapped":
+                rows.append([mapper, "snapped, in a batch", *(f"{figures[f'polygon_{mapper}', n]:,.0f}"
+                                                             for n in SIZES.values()), *errors])
+            rows.append([mapper, ", ".join(settings),
+                         *(f"{r['cycles_per_polygon']:,.0f}" for r in some), *errors])
+        rows += [[mapper, f"{each.name}: {each.source}", *(f"{c:,}" for c in each.cycles),
+                  f"{each.pixels:g} %", "" if each.texels is None else f"{each.texels:g} % wrong"]
+                 for each in published.RENDERERS if each.kind == mapper]
+    return table(["mapper", "settings, or a published renderer", *(f"{n:,} px" for n in SIZES.values()),
+                  "wrong pixels", "largest error"], rows, "ll")
 
 
 #: Lines of the table of accuracy's costs: edges, gradients, start, mapper.

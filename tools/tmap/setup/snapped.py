@@ -99,9 +99,10 @@ class Edge:
         return [self.at + n * self.step >> self.bits for n in range(count)]
 
 
-def gradient(top, middle, bottom, key: int, area: int, small: bool, most: int) -> int:
+def gradient(top, middle, bottom, key: int, area: int, small: bool, most: int,
+             never_whole: bool = False) -> int:
     """Returns a value's step a pixel away from the long edge; 0 where it does not fit, or is not below
-    ``most``."""
+    ``most``. ``never_whole``: a whole negative step is a unit farther from 0, where the exact one may be as well."""
     n = (middle[key] - top[key]) * (bottom[1] - top[1]) \
         - (bottom[key] - top[key]) * (middle[1] - top[1])
     high = n >> 32
@@ -109,7 +110,9 @@ def gradient(top, middle, bottom, key: int, area: int, small: bool, most: int) -
     if sliver and 2 * (high if high >= 0 else ~high) >= area:
         return 0
     found = towards_zero(n, area)
-    return found if -most <= found < most else 0
+    if not -most <= found < most:
+        return 0
+    return found - (never_whole and found < 0 and not found & 0xFFFF)
 
 
 def value_of(top, bottom, key: int, edge: Edge, pixel: int, right: bool) -> Value:
@@ -149,8 +152,9 @@ def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | N
             short += Edge(a[0], a[1], b[0] - a[0], b[1] - a[1], small).columns(lines)
     edge = Edge(x, y, dx, dy, small)
     most = STEEP << 16 if mapper == "gouraud" else 1 << 31
-    values = [value_of(top, bottom, key, edge, gradient(top, middle, bottom, key, area, small, most), right)
-              for key in range(2, 2 + keys)]
+    steps = [gradient(top, middle, bottom, key, area, small, most, mapper == "gouraud")
+             for key in range(2, 2 + keys)]
+    values = [value_of(top, bottom, key, edge, step, right) for key, step in enumerate(steps, 2)]
     return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values)
 
 
