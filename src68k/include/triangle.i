@@ -8,7 +8,7 @@
 ; Values are interpolated along the long edge; a line is drawn away from it, to the right if it is
 ; the left one, else to the left. In names, l is the long edge's side and r the other one.
 ;
-; Slopes are products with a table of reciprocals (c/triangle/reciprocals.c): 2^31 / dy below
+; Slopes are products with a table of reciprocals (c/triangle/tables.c): 2^31 / dy below
 ; FINER_HEIGHT sixteenths of a line, 2^39 / dy from there on.
 
         include "routine.i"

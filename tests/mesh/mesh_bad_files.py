@@ -41,9 +41,9 @@ def wrong_meshes() -> list[Row]:
     entry("meshes", 0, "corners", 3, said="face.corners")
     entry("meshes", 0, "corner", 61, M32, said="mesh.corners")
     entry("instances", 1, "mesh", 2, M32)
-    entry("instances", 1, "material", 7, M32)
+    entry("instances", 1, "material", 10, M32)
     entry("instances", 1, "material", 4, said="instance.flags")  # shades need light
-    entry("instances", 1, "material", 6, said="corner.s or t")
+    entry("instances", 1, "material", 9, said="corner.s or t")
     entry("instances", 2, "before", 3, M32)
     entry("instances", 1, "view", 33, M32, said="instance.views")
     entry("instances", 1, "views", 0, 33, M32)

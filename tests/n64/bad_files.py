@@ -29,7 +29,7 @@ def primitives() -> Scene:
 def boxes() -> Scene:
     """Meshes, and a material that meshes cannot have."""
     scene = with_engine(mesh_cases.boxes(1))
-    scene.materials = [Material()] * 6 + [Material("n64", unit=0, primitive="coloured")]
+    scene.materials = [Material()] * 9 + [Material("n64", unit=0, primitive="coloured")]
     return scene
 
 
@@ -50,5 +50,5 @@ def wrong_primitives() -> list[Row]:
         entry("poses", 1, field, 1, 65537, 2**31, said="pose.xx, xy, yx or yy")
     for field in ("x0", "y0"):
         entry("poses", 2, field, 1, M32, said="pose.x0 or y0")
-    WrongFields(boxes(), rows).entry("instances", 0, "material", 6)
+    WrongFields(boxes(), rows).entry("instances", 0, "material", 9)
     return rows

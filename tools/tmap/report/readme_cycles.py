@@ -55,7 +55,8 @@ def prices_table(baseline: dict, accuracy: dict,
             if (mapper, *settings, "8_pixels") not in found:
                 continue
             some = [found[mapper, *settings, name] for name in SIZES]
-            errors = [f"{sum(r['coverage_errors_per_million'] for r in some) / len(some) / 10_000:.1f} %",
+            wrong = sum(r["coverage_errors_per_million"] * n for r, n in zip(some, SIZES.values()))
+            errors = [f"{wrong / sum(SIZES.values()) / 10_000:.1f} %",
                       "" if mapper == "flat" else f"{max(r['texel_error_max'] for r in some):.3f}"]
             if settings[0] == "snapped":
                 rows.append([mapper, "snapped, in a batch", *(f"{figures[f'polygon_{mapper}', n]:,.0f}"
