@@ -2,6 +2,7 @@
 
 #include "math/math.h"
 #include "polygon/shading.h"
+#include "triangle/triangles.h"
 
 /* INSET: how far u and v of a triangle may be outside the vertices' range at a pixel's centre. The
    parts: edges are within EDGE_ERROR pixels, half as much in a frame's 1,024 lines, times STEEP_4
@@ -11,10 +12,6 @@
 #define INSET SHADE_INSET
 #define ON_PLANE (3 * INSET / 4)
 #define STEEP_4 (4 * 65536)
-
-/* Vertices are snapped to 1/16 pixel. */
-#define SNAP_MASK 0xfff
-#define SNAP_HALF 0x800
 
 const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,
                                        const struct material *material)
@@ -33,8 +30,8 @@ const struct vertex *material_vertices(struct vertex *to, const struct vertex *f
             to[i].x &= ~0xffff;
             to[i].y &= ~0xffff;
         } else if (material->edges == EDGES_SNAPPED) {
-            to[i].x = (to[i].x + SNAP_HALF) & ~SNAP_MASK;
-            to[i].y = (to[i].y + SNAP_HALF) & ~SNAP_MASK;
+            to[i].x = (to[i].x + SNAPPED_HALF) & ~SNAPPED_MASK;
+            to[i].y = (to[i].y + SNAPPED_HALF) & ~SNAPPED_MASK;
             low = high = from[i].shade;         /* its own range: polygons share vertices */
             shade_limits(&low, &high);
         }

@@ -7,7 +7,7 @@ enum { LIST_TRIANGLES = 24 };   /* drawn together, on the stack */
 /* Vertices on the screen as the material's edges take them. */
 static fix16 placed(fix16 at, const struct material *material)
 {
-    return material->edges == EDGES_SNAPPED ? (at + 0x800) & ~0xfff
+    return material->edges == EDGES_SNAPPED ? (at + SNAPPED_HALF) & ~SNAPPED_MASK
          : material->edges == EDGES_INTEGER ? at & ~0xffff : at;
 }
 

@@ -13,8 +13,8 @@ static int32 triangle_vertex(struct snapped_vertex *to, const struct triangle_ra
                              fix16 scale, const struct vertex *from)
 {
     const uint32 reach = (uint32)SNAPPED_TEXELS << 16;
-    const int32 x = (from->x + (1 << (15 - SNAPPED_BITS))) >> (16 - SNAPPED_BITS);
-    const int32 y = (from->y + (1 << (15 - SNAPPED_BITS))) >> (16 - SNAPPED_BITS);
+    const int32 x = (from->x + SNAPPED_HALF) >> (16 - SNAPPED_BITS);
+    const int32 y = (from->y + SNAPPED_HALF) >> (16 - SNAPPED_BITS);
     fix16 s = from->s, t = from->t;
 
     if ((uint32)x > range->right || (uint32)y > range->bottom)
@@ -51,7 +51,6 @@ int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, in
     const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
     const fix16 scale = material->map ? material->map->scale : 0;
     struct triangle_range range;
-
     int32 all = 1;
 
     triangle_range_set(&range, frame);

@@ -8,6 +8,8 @@ enum snapped_limits {
     /* Vertices are snapped to 1/SNAPPED_ONE pixel. */
     SNAPPED_BITS = 4,
     SNAPPED_ONE = 1 << SNAPPED_BITS,
+    SNAPPED_HALF = 1 << (15 - SNAPPED_BITS),        /* of that, 16.16 */
+    SNAPPED_MASK = (1 << (16 - SNAPPED_BITS)) - 1,  /* what rounding clears */
 
     /* A triangle is drawn where x is 0 to SNAPPED_WIDTH, it covers less than SNAPPED_LINES lines, and
        u and v of its vertices are -SNAPPED_TEXELS to SNAPPED_TEXELS (excluded). */

@@ -191,6 +191,23 @@ wide_set_up macro
         bra     .edges\@
         endm
 
+; Sets up the triangles of a batch with values of the mapper \1; small ones are up to \2 * 16 pixels
+; wide.
+triangles_set_up macro
+        triangle_fetch
+        triangle_order .right
+        triangle_small .left_wide,\2
+        small_set_up left,\1
+.left_wide
+        wide_set_up left,\1
+.right  exg     d1,d2
+        exg     a2,a3
+        triangle_small .right_wide,\2
+        small_set_up right,\1
+.right_wide
+        wide_set_up right,\1
+        endm
+
 ; The lines of wide triangles with values of the mapper \2, long edge on the side \1. a0 the long
 ; edge's pixel, a6 the short one's, d5 and d6 their errors, d4's lower word free, d0 free between
 ; lines. Macros as in small_lines; \2_enter_wide also draws whole rounds, up to a6. \3 to \6: part and

@@ -11,12 +11,12 @@
 ; cost:    bench rows mesh_gather_flat, mesh_gather_gouraud, mesh_gather_affine
 ;
 ; It stops at the end of the faces or of the list's room, and at a face of another material or with
-; other flags, with more than TRIANGLE_CORNERS_MAX corners, with a point, u or v that is out of range, or
-; of SNAPPED_LINES lines or more.
+; other flags, with more than TRIANGLE_CORNERS_MAX corners, of SNAPPED_LINES lines or more, or with
+; a point, u or v that is out of range.
 
 ; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the points, a6 the
 ; attributes; d3 the face's first vertex, d4 corners left, d5 and d7 least and greatest y, d6 the
-; map's scale, 0 for 1.
+; map's scale, 0 for 1; in mirror_values SNAPPED_RAISED.
 
 ; s or t, \1, as u or v to the vertex. Uses d0/d2.
 texels  macro

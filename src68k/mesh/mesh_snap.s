@@ -13,8 +13,8 @@
         movem.l snap_plan_right(a0),d6-d7
         move.l  snap_plan_count(a0),d3
         movea.l snap_plan_points(a0),a0
-        move.l  #$800,d4                ; 1/32 pixel
-        moveq   #12,d5
+        move.l  #SNAPPED_HALF,d4
+        moveq   #16-SNAPPED_BITS,d5
 .point  tst.l   mesh_point_outside(a0)
         bne.s   .out
         move.l  mesh_point_screen_x(a0),d0
@@ -27,10 +27,10 @@
         asr.l   d5,d1
         cmp.l   d7,d1
         bhi.s   .out
-        add.w   #16,d0
+        add.w   #SNAPPED_ONE,d0
         swap    d0
         move.w  d1,d0
-        add.w   #15,d0
+        add.w   #SNAPPED_ONE-1,d0
 .placed move.l  d0,mesh_point_place(a0)
         lea     mesh_point_sizeof(a0),a0
         subq.l  #1,d3

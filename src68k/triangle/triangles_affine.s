@@ -170,18 +170,7 @@ affine_quotient
         triangle_quotient
         small_close
         wide_close
-        triangle_fetch
-        triangle_order .right
-        triangle_small .left_wide,1
-        small_set_up left,affine
-.left_wide
-        wide_set_up left,affine
-.right  exg     d1,d2
-        exg     a2,a3
-        triangle_small .right_wide,1
-        small_set_up right,affine
-.right_wide
-        wide_set_up right,affine
+        triangles_set_up affine,1
         small_lines left,affine
         small_lines right,affine
         wide_lines left,affine,wide_l_part(sp),wide_l_step(sp),wide_r_part(sp),wide_r_step(sp)

@@ -127,18 +127,7 @@ flat_wide macro
         triangles_open colour
         small_close
         wide_close
-        triangle_fetch
-        triangle_order .right
-        triangle_small .left_wide,2
-        small_set_up left,flat
-.left_wide
-        wide_set_up left,flat
-.right  exg     d1,d2
-        exg     a2,a3
-        triangle_small .right_wide,2
-        small_set_up right,flat
-.right_wide
-        wide_set_up right,flat
+        triangles_set_up flat,2
         small_lines left,flat
         small_lines right,flat
         wide_lines left,flat,d7,a5,a4,a2

@@ -160,18 +160,7 @@ gouraud_quotient
         triangle_quotient
         small_close
         wide_close
-        triangle_fetch
-        triangle_order .right
-        triangle_small .left_wide,2
-        small_set_up left,gouraud
-.left_wide
-        wide_set_up left,gouraud
-.right  exg     d1,d2
-        exg     a2,a3
-        triangle_small .right_wide,2
-        small_set_up right,gouraud
-.right_wide
-        wide_set_up right,gouraud
+        triangles_set_up gouraud,2
         small_lines left,gouraud
         small_lines right,gouraud
         wide_lines left,gouraud,d1,a5,d3,a2

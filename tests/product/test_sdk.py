@@ -293,7 +293,7 @@ def box(number: int) -> np.ndarray:
     for k in range(8):
         x, y, z = (40 if k >> bit & 1 else -40 for bit in range(3))
         right, away = cosine * x - sine * z, sine * x + cosine * z
-        corners.append(((WIDTH // 2 << 16) + right * 1024 - (64 << 16) * (number == 3 and k == 0),
+        corners.append(((WIDTH // 2 << 16) + right * 1024 - (128 << 16) * (number == 3 and k == 0),
                         (HEIGHT // 2 << 16) + (TURNS[1][0] * 64 * y - TURNS[1][1] * away) * 16,
                         255 * (k & 1) << 16, (200 if k & 2 else 40) + (50 if k & 4 else 0) << 16, 0))
     v, u = np.indices((256, 256))
@@ -306,7 +306,7 @@ def box(number: int) -> np.ndarray:
                 polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
                 model.draw(frame, polygon, (u ^ v).astype(np.uint8), 0)
                 drawn += 1
-    assert 4 <= drawn <= 8
+    assert 4 <= drawn <= 8 and (min(x for x, *_ in corners) < 0) == (number == 3)
     return frame
 
 

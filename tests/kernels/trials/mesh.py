@@ -148,6 +148,7 @@ def mesh_gather_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    makers = mesh_snap_trials, mesh_gather_trials, mesh_transform_trials, mesh_attributes_trials, mesh_cut_trials, mesh_faces_trials
+    makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_trials, mesh_attributes_trials,
+              mesh_cut_trials, mesh_faces_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

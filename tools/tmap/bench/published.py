@@ -1,5 +1,5 @@
-"""Published loops beside ours: the same work measured on the same emulator. published.toml has their
-figures, in cycles a pixel, and where they are from."""
+"""Published loops and renderers beside ours: the same work measured on the same emulator. published.toml
+has their figures, in cycles a pixel or a polygon, and where they are from."""
 
 import tomllib
 from dataclasses import dataclass

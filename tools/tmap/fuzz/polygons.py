@@ -226,7 +226,7 @@ def even(seed: int, number: int) -> Fuzzed:
         if mapper == "arbitrary":
             points = points[:3]
             plane = inside_map(plane[:3], map_size)
-    if settings.edges == "snapped" and mapper != "arbitrary" and hand.random() < 0.75:
+    if settings.edges == "snapped" and mapper != "arbitrary" and hand.random() < 0.5:
         points, plane = for_triangles(hand, width, height, 127)
         settings = replace(settings, gradients="plane", start="subtexel")
     shades = [rng.choice((0, 255 * ONE, 256 * ONE - 1, rng.randrange(256 * ONE))) for _ in points]

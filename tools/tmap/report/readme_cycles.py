@@ -36,7 +36,7 @@ def triangles_table(baseline: dict) -> str:
     return table(["mapper", "memory", *(f"{size:,} pixels" for size in sizes)], rows, "ll")
 
 
-#: Lines of the table of prices by size: title, edges, gradients, start.
+#: Lines of the table of prices by size: edges, gradients, start.
 PRICE_LINES = (("integer", "polygon", "truncated"), ("subpixel", "polygon", "truncated"),
                ("subpixel", "plane", "subtexel"), ("snapped", "plane", "subtexel"),
                ("exact", "plane", "subtexel"))

@@ -79,7 +79,7 @@ int main(void)
         for (int32 k = 0; k < CORNERS; k++)
             set_corner(&vertices[k], k, number);
         if (number == FRAMES - 1)
-            vertices[0].x -= 64 << 16;          /* beyond the frame: drawn by polygon_draw */
+            vertices[0].x -= 128 << 16;         /* beyond the frame: drawn by polygon_draw */
         name[4] = (char)('0' + number);
         if (triangles_draw(&renderer, &list, &material) != POLYGON_DRAWN
             || !save(name, pixels, WIDTH * HEIGHT))
