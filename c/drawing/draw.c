@@ -337,7 +337,7 @@ static enum polygon_result draw(struct setup *s)
 static void count_snapped(struct setup *s)
 {
     s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, s->material);
-    s->kind = triangle_kind(s->material);
+    s->kind = triangle_kind(s->frame, s->material);
     if (outline_find(s) != POLYGON_DRAWN)
         return;
     s->span.lines = s->edges.lines;

@@ -1,6 +1,77 @@
 #include "triangle/polygon.h"
 
+#include "polygon/kind.h"
+#include "polygon/scratch.h"
 #include "polygon/shading.h"
+
+static int32 triangle_has_map(const struct material *material, int32 pixel_bytes)
+{
+    return material->map && material->map->layout == MAP_PAGE
+        && material->map->texel_bytes == pixel_bytes;
+}
+
+triangle_drawer *triangle_routine(const struct frame *frame, const struct material *material)
+{
+    if (frame->pitch > TRIANGLE_PITCH_MAX)
+        return 0;
+    if (material->mapper == MAPPER_FLAT)
+        return frame->pixel_bytes == 1 ? triangles_flat : triangles_spans;
+    if (material->gradients != GRADIENTS_PLANE || material->start != START_SUBTEXEL
+        || material->perspective)
+        return 0;
+    if (material->mapper == MAPPER_AFFINE && triangle_has_map(material, frame->pixel_bytes))
+        return frame->pixel_bytes == 1 ? triangles_affine : triangles_spans;
+    if (frame->pixel_bytes != 1)
+        return 0;
+    if (material->mapper == MAPPER_GOURAUD)
+        return triangles_gouraud;
+    return material->mapper == MAPPER_LIT && triangle_has_map(material, 1) && material->light
+        && material->light->layout == MAP_LIGHT ? triangles_spans : 0;
+}
+
+/* Sets what triangles_spans needs besides. */
+static void triangle_spans_set(struct triangle_plan *plan, const struct renderer *renderer,
+                               const struct material *material)
+{
+    const struct frame *const frame = renderer->frame;
+
+    plan->row -= EDGE_BIAS * frame->pixel_bytes;
+    plan->lines = material->mapper == MAPPER_FLAT ? triangle_lines_flat : triangle_lines_addx;
+    plan->draw = kind_spans[triangle_kind(frame, material)];
+    plan->light = material->mapper == MAPPER_LIT ? material->light->texels : 0;
+    plan->span->lines = renderer->scratch->lines;
+    plan->span->pitch = frame->pitch;
+    plan->span->map = plan->map;
+    plan->span->colour = material->colour;
+}
+
+void triangle_plan_set(struct triangle_plan *plan, struct span_plan *span,
+                       const struct renderer *renderer, const struct material *material)
+{
+    plan->span = span;
+    plan->row = renderer->frame->pixels;
+    plan->pitch = renderer->frame->pitch;
+    plan->map = material->map ? material->map->texels : 0;
+    plan->reciprocals = renderer->triangles->reciprocals;
+    plan->colour = material->colour * 0x01010101;
+    plan->cull = 0;
+    if (triangle_routine(renderer->frame, material) == triangles_spans)
+        triangle_spans_set(plan, renderer, material);
+}
+
+const struct triangle *triangles_spans(struct triangle_plan *plan)
+{
+    for (;;) {
+        const struct triangle *const next = plan->lines(plan);
+
+        if (!plan->span->count)
+            return next;
+        if (plan->light)
+            plan->span->light = plan->light + 256 * (next[-1].a->shade >> LEVEL_BITS);
+        plan->draw(plan->span);
+        plan->list = next;
+    }
+}
 
 /* Returns a value in 1/2^20, raised. */
 static int32 triangle_value(fix16 value)
@@ -57,6 +128,7 @@ int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, in
     for (; count > 0; count--, to++, from++) {
         fix16 low = from->shade, high = low;
 
+        to->shade = low;
         if (!triangle_vertex(to, &range, scale, from)) {
             to->x = -1;
             all = 0;
@@ -75,6 +147,7 @@ int32 triangle_polygon(const struct renderer *renderer, const struct polygon *po
     struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX];
     struct triangle list[TRIANGLE_CORNERS_MAX - 2];
     struct triangle_plan plan;
+    struct span_plan span;
     int32 i;
 
     if (!routine || polygon->count > TRIANGLE_CORNERS_MAX
@@ -88,7 +161,7 @@ int32 triangle_polygon(const struct renderer *renderer, const struct polygon *po
         list[i - 2].b = &vertices[i - 1];
         list[i - 2].c = &vertices[i];
     }
-    triangle_plan_set(&plan, renderer, material);
+    triangle_plan_set(&plan, &span, renderer, material);
     plan.list = list;
     plan.end = &list[polygon->count - 2];
     routine(&plan);

@@ -9,26 +9,10 @@
 /* A polygon of more corners is cheaper in one piece. */
 enum { TRIANGLE_CORNERS_MAX = 4 };
 
-typedef const struct triangle *triangle_drawer(const struct triangle_plan *plan);
+typedef const struct triangle *triangle_drawer(struct triangle_plan *plan);
 
 /* Returns the routine for a material with EDGES_SNAPPED and the frame's pixels, or 0. */
-static inline triangle_drawer *triangle_routine(const struct frame *frame,
-                                                const struct material *material)
-{
-    if (frame->pixel_bytes != 1 || frame->pitch > TRIANGLE_PITCH_MAX)
-        return 0;
-    if (material->mapper == MAPPER_FLAT)
-        return triangles_flat;
-    if (material->gradients != GRADIENTS_PLANE || material->start != START_SUBTEXEL
-        || material->perspective)
-        return 0;
-    if (material->mapper == MAPPER_GOURAUD)
-        return triangles_gouraud;
-    if (material->mapper != MAPPER_AFFINE || !material->map
-        || material->map->layout != MAP_PAGE || material->map->texel_bytes != 1)
-        return 0;
-    return triangles_affine;
-}
+triangle_drawer *triangle_routine(const struct frame *frame, const struct material *material);
 
 /* Returns the routine that draws batches of a material's triangles, or 0: there is none, or pixels
    are counted. */
@@ -40,24 +24,12 @@ static inline triangle_drawer *triangle_drawer_of(const struct renderer *rendere
     return triangle_routine(renderer->frame, material);
 }
 
-/* Returns the kind that its pixels are counted as. */
-static inline enum span_kind triangle_kind(const struct material *material)
-{
-    return material->mapper == MAPPER_FLAT ? SPAN_TRIANGLES_FLAT
-         : material->mapper == MAPPER_GOURAUD ? SPAN_TRIANGLES_GOURAUD : SPAN_TRIANGLES_AFFINE;
-}
+/* Returns the kind that its pixels are counted as; triangles_spans calls its span. */
+enum span_kind triangle_kind(const struct frame *frame, const struct material *material);
 
-/* Sets what the frame and the material decide. */
-static inline void triangle_plan_set(struct triangle_plan *plan, const struct renderer *renderer,
-                                     const struct material *material)
-{
-    plan->row = renderer->frame->pixels;
-    plan->pitch = renderer->frame->pitch;
-    plan->map = material->map ? material->map->texels : 0;
-    plan->reciprocals = renderer->triangles->reciprocals;
-    plan->colour = material->colour * 0x01010101;
-    plan->cull = 0;
-}
+/* Sets what the frame and the material decide; triangles_spans uses the span. */
+void triangle_plan_set(struct triangle_plan *plan, struct span_plan *span,
+                       const struct renderer *renderer, const struct material *material);
 
 /* The largest x and y of vertices, 1/16 pixel. */
 struct triangle_range {

@@ -3,6 +3,7 @@
 #define TRIANGLES_H
 
 #include "compiler.h"
+#include "span/scanline.h"
 
 enum snapped_limits {
     /* Vertices are snapped to 1/SNAPPED_ONE pixel. */
@@ -38,7 +39,7 @@ enum snapped_limits {
 struct snapped_vertex {
     int16 x, y;                 /* 12.4: x + 1 and y + 15/16; x below 0: out of range */
     int32 u, v;                 /* 12.20 texels, modulo 4,096; Gouraud: u is the shade */
-    int32 spare;                /* 16 bytes: an index is a shift */
+    fix16 shade;                /* lit; 16 bytes: an index is a shift */
 };
 
 struct triangle {
@@ -54,6 +55,12 @@ struct triangle_plan {
     const int32 *reciprocals;   /* SNAPPED_RECIPROCALS */
     uint32 colour;              /* flat: four pixels */
     int32 cull;                 /* 1: triangles seen from the back are left out */
+
+    /* triangles_spans, whose row is the pixel -EDGE_BIAS: */
+    const struct triangle *(*lines)(struct triangle_plan *plan);        /* triangle_lines_<form> */
+    void (*draw)(const struct span_plan *plan);
+    const uint8 *light;         /* the light table, or 0 */
+    struct span_plan *span;     /* its lines, pitch, map and colour are set */
 };
 
 struct renderer;
@@ -69,10 +76,17 @@ struct triangle_tables {
 
 void triangle_tables_make(struct triangle_tables *tables);
 
-/* src68k/triangle: contracts there. They draw the list up to the first triangle that they cannot
-   draw, and return its address, or the list's end. */
-const struct triangle *triangles_flat(const struct triangle_plan *plan);
-const struct triangle *triangles_gouraud(const struct triangle_plan *plan);
-const struct triangle *triangles_affine(const struct triangle_plan *plan);
+/* They draw the list up to the first triangle that they cannot draw, and return its address, or the
+   list's end. src68k/triangle has contracts. triangles_spans, in C, makes a scanline table for each
+   triangle and calls a span. */
+const struct triangle *triangles_flat(struct triangle_plan *plan);
+const struct triangle *triangles_gouraud(struct triangle_plan *plan);
+const struct triangle *triangles_affine(struct triangle_plan *plan);
+const struct triangle *triangles_spans(struct triangle_plan *plan);
+
+/* The scanline table of the list's first triangle that has lines. They return the address behind it;
+   with no line, as above. */
+const struct triangle *triangle_lines_flat(struct triangle_plan *plan);
+const struct triangle *triangle_lines_addx(struct triangle_plan *plan);
 
 #endif

@@ -21,6 +21,7 @@ batch_row       rs.l    1               ; row 0 of the frame
 batch_source    rs.l    1               ; the map, or the colour
 batch_reciprocals rs.l  1
 batch_pitch     rs.l    1
+batch_pixels    rs.l    1               ; tables of lines: the frame's row 0, as spans take it
 batch_sizeof    rs.l    0
 
 ; Begins a routine that draws the batch a0. \1: the plan's field of what it draws, if any.
@@ -180,6 +181,28 @@ triangle_quotient macro
         rts
 .wide   moveq   #0,d4
         rts
+        endm
+
+; The gradients of u and v: a4 and a2 = the steps a pixel, a6 and a3 = their differences along the long
+; edge. d3 = dy2 and d1 = dy1 as longwords. \1: the area up to which a quotient may not fit; then
+; texel_quotient, which is triangle_quotient, divides.
+texel_gradients macro
+        move.l  a6,d6
+        move.w  d2,d3
+        ext.l   d3
+        ext.l   d1
+        cmp.l   #\1,d6
+        bls.s   .sliver\@
+        gradient snapped_vertex_u,a6
+        movea.l d4,a4
+        gradient snapped_vertex_v,a3
+        bra.s   .found\@
+.sliver\@
+        gradient snapped_vertex_u,a6,texel_quotient
+        movea.l d4,a4
+        gradient snapped_vertex_v,a3,texel_quotient
+.found\@
+        movea.l d4,a2
         endm
 
 ; Packs u (\1) and v (\2), 16.16, into \1 = B, uuVv, and \2 = A, v--U. Uses \3.

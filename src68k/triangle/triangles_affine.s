@@ -90,27 +90,6 @@ affine_enter_wide macro
         jmp     (a2,d4.w*8)
         endm
 
-; The gradients: a4 and a2 = the steps a pixel of u and v, a6 and a3 = their differences along the
-; long edge. d3 = dy2 and d1 = dy1 as longwords. \1: the area up to which a quotient may not fit.
-affine_gradients macro
-        move.l  a6,d6
-        move.w  d2,d3
-        ext.l   d3
-        ext.l   d1
-        cmp.l   #\1,d6
-        bls.s   .sliver\@
-        gradient snapped_vertex_u,a6
-        movea.l d4,a4
-        gradient snapped_vertex_v,a3
-        bra.s   .found\@
-.sliver\@
-        gradient snapped_vertex_u,a6,affine_quotient
-        movea.l d4,a4
-        gradient snapped_vertex_v,a3,affine_quotient
-.found\@
-        movea.l d4,a2
-        endm
-
 ; Packs the starts a6 and a3, the steps a pixel a4 and a2, the steps a line (sp)+ and d7.
 affine_pack macro
         move.l  a6,d0
@@ -133,7 +112,7 @@ affine_pack macro
         endm
 
 affine_small macro
-        affine_gradients SLIVER_SMALL
+        texel_gradients SLIVER_SMALL
         move.l  a2,d4
         moveq   #15,d5
         long_small \1
@@ -150,7 +129,7 @@ affine_small macro
         endm
 
 affine_wide macro
-        affine_gradients SLIVER_WIDE
+        texel_gradients SLIVER_WIDE
         moveq   #15,d5
         long_wide \1
         value_start_wide snapped_vertex_u,a6,a4,a6
@@ -166,7 +145,7 @@ affine_wide macro
 
         routine triangles_affine,a0
         triangles_open map
-affine_quotient
+texel_quotient
         triangle_quotient
         small_close
         wide_close

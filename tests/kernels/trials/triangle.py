@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.triangles import HEIGHT, ROUTINES, WIDTH, batch_trial
+from tmap.bench.triangles import HEIGHT, LINERS, ROUTINES, WIDTH, batch_trial, lines_trial
 from tmap.bench.trial import Trial
 
 MOST = 256 << 20
@@ -67,3 +67,21 @@ def trials() -> Iterator[Trial]:
                               f"{name}: vertex {corner} of the fourth is out of range")
         high = [(0, 0, MOST // 2, 0), (16 * 20, 16 * HEIGHT, MOST // 2, 0), (0, 16 * 30, MOST // 2, 0)]
         yield batch_trial(Memory(), mapper, [some[0], high, some[1]], f"{name}: the second is too high")
+    for name in LINERS:
+        yield from table_trials(name)
+
+
+def table_trials(name: str) -> Iterator[Trial]:
+    """Tables of lines of single triangles, of the first with lines in a batch, and of none."""
+    rng = np.random.default_rng(len(name))
+    for number, each in enumerate(triangles(rng, 300)):
+        yield lines_trial(Memory(), name, [each], f"{name}: triangle {number}, {each}")
+    some = triangles(rng, 6)
+    flat = [(v[0], some[0][0][1], *v[2:]) for v in some[0]]
+    turned = [some[1][k] for k in (0, 2, 1)]
+    for title, batch, cull in (("an empty list", [], 0), ("one without area", [flat], 0),
+                               ("the second has lines", [flat, some[2]], 0),
+                               ("culled or not", [some[1], turned], 1),
+                               ("culled or not, turned", [turned, some[1]], 1),
+                               ("the first is out of range", [[None, *some[3][1:]], some[4]], 0)):
+        yield lines_trial(Memory(), name, batch, f"{name}: {title}", cull)

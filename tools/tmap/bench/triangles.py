@@ -7,16 +7,24 @@ import numpy as np
 
 from tmap.base import elementary
 from tmap.base.fixed import M32
-from tmap.bench.trial import Check, Trial, Write
+from tmap.bench.edges import table_writes
+from tmap.bench.trial import Check, Trial, Write, fields
+from tmap.build import layout
 from tmap.corpus import polygon_sets
 from tmap.guest.kernels import Arena, Case
 from tmap.setup import snapped
+from tmap.setup.scanline import add_span_plan, pack
 from tmap.setup.spans import coordinates
 
 WIDTH, HEIGHT = 128, 128
 COLOUR = 0xA7
 COUNT = 32  # of a row
+BIAS = layout.load().constants["EDGE_BIAS"]
+#: Fields of a plan that only triangles_spans reads.
+UNUSED = dict.fromkeys(("lines", "draw", "light", "span"), 0)
 ROUTINES = {"flat": "triangles_flat", "gouraud": "triangles_gouraud", "affine": "triangles_affine"}
+#: Makers of tables of lines, and a mapper whose lines they are.
+LINERS = {"triangle_lines_flat": ("flat", "flat", 4), "triangle_lines_addx": ("lit", "addx", 1)}
 
 
 def page() -> np.ndarray:
@@ -26,8 +34,7 @@ def page() -> np.ndarray:
 
 def draw(frame: np.ndarray, mapper: str, vertices, cull: bool, texture: np.ndarray) -> None:
     """Draws a triangle of the model's; ``vertices``: x, y in 1/16 pixel, values in 1/2^20."""
-    made = snapped.set_up([v[:2 + snapped.VALUES[mapper]] for v in vertices], mapper,
-                          snapped.VALUES[mapper], cull)
+    made = snapped.set_up(vertices, mapper, cull)
     for y, line in enumerate(snapped.lines(made) if made else (), made.top if made else 0):
         if line.right <= line.left:
             continue
@@ -45,24 +52,65 @@ def record(vertex) -> bytes:
     return b"".join((c & M32).to_bytes(4, "big") for c in (x + 16 << 16 | y + 15, u, v, 0))
 
 
-def batch_trial(arena: Arena, mapper: str, triangles: list, title: str = "", cull: int = 0) -> Trial:
-    """A batch. The routine must stop at the first triangle with a vertex None, or too high."""
-    far, texture = Arena(), page()
+def add_list(arena: Arena, triangles: list) -> tuple[int, int]:
+    """Puts a batch's vertices, list and reciprocals into an arena; returns where the last two are."""
     vertices = arena.add(b"".join(map(record, sum(triangles, []))), name="vertices")
     places = range(vertices, vertices + 48 * len(triangles), 16)
     listed = arena.add(b"".join(at.to_bytes(4, "big") for at in places), name="list")
     arena.pointers += range(listed, listed + 4 * len(places), 4)
-    table = arena.add(b"".join(snapped.reciprocal(dy).to_bytes(4, "big")
-                               for dy in range(16 * snapped.LINES)), name="reciprocals")
+    return listed, arena.add(b"".join(snapped.reciprocal(dy).to_bytes(4, "big")
+                                      for dy in range(16 * snapped.LINES)), name="reciprocals")
+
+
+def is_handed(triangle) -> bool:
+    """Returns true if a routine stops at a triangle: it has a vertex None, or is too high."""
+    return None in triangle or max(v[1] for v in triangle) - min(v[1] for v in triangle) \
+        >= 16 * snapped.LINES
+
+
+def lines_trial(arena: Arena, routine: str, triangles: list, title: str = "", cull: int = 0) -> Trial:
+    """The table of lines of the first triangle of a batch that has some."""
+    mapper, form, pixel_bytes = LINERS[routine]
+    listed, table = add_list(arena, triangles)
+    room = arena.room("scanline", HEIGHT, "lines")
+    span = add_span_plan(arena, {"lines": room}, {}, pitch=WIDTH)
+    plan = arena.struct("triangle_plan", {"list": listed, "end": listed + 12 * len(triangles),
+                                          "reciprocals": table, "span": span},
+                        row=0, map=0, pitch=WIDTH, colour=0, cull=cull, **{
+                            name: 0 for name in UNUSED if name != "span"})
+    behind, made = 0, None
+    for triangle in triangles:
+        if is_handed(triangle):
+            break
+        behind += 1
+        made = snapped.set_up(triangle, mapper, bool(cull), pixel_bytes)
+        if made:
+            break
+    lines = snapped.lines(made) if made else []
+    numbers = {"count": len(lines)}
+    if lines:
+        numbers |= {"row": made.top * WIDTH}
+        sign = -1 if made.right else 1
+        numbers |= {f"d{name}dx": sign * value.pixel for name, value in zip("uv", made.values)}
+    entries = [{"left": line.left + BIAS, "last": line.right - 1 + BIAS} | pack(form, line.u, line.v)
+               for line in lines]
+    return Trial(Case(routine, arena, pointers={"a0": plan}), title,
+                 near_ends={"d0": listed + 12 * behind},
+                 writes=fields(span, "span_plan", numbers) + table_writes(room, entries, form))
+
+
+def batch_trial(arena: Arena, mapper: str, triangles: list, title: str = "", cull: int = 0) -> Trial:
+    """A batch. The routine must stop at the first triangle with a vertex None, or too high."""
+    far, texture = Arena(), page()
+    listed, table = add_list(arena, triangles)
     map_at = far.add(texture.tobytes(), align=1 << 16, name="map")
     row = far.blank(WIDTH * HEIGHT, name="frame")
     plan = arena.struct("triangle_plan", {"list": listed, "end": listed + 12 * len(triangles),
                                           "reciprocals": table}, {"row": row, "map": map_at},
-                        pitch=WIDTH, colour=COLOUR * 0x01010101, cull=cull)
+                        pitch=WIDTH, colour=COLOUR * 0x01010101, cull=cull, **UNUSED)
     frame, drawn = np.zeros((HEIGHT, WIDTH), np.uint8), 0
     for vertices_ in triangles:
-        if None in vertices_ or max(v[1] for v in vertices_) - min(v[1] for v in vertices_) \
-                >= 16 * snapped.LINES:
+        if is_handed(vertices_):
             break
         draw(frame, mapper, vertices_, bool(cull), texture)
         drawn += 1
@@ -86,3 +134,8 @@ def triangles(pixels: int) -> list:
 def case(mapper: str, pixels: int) -> tuple[int, Case, Check]:
     """A row's batch, seen from the front."""
     return batch_trial(Arena(), mapper, triangles(pixels), cull=1).row(COUNT)
+
+
+def lines_case(routine: str, pixels: int) -> tuple[int, Case, Check]:
+    """A row's call: the lines of one triangle."""
+    return lines_trial(Arena(), routine, triangles(pixels)[:1]).row(1)

@@ -252,7 +252,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     if outline is None:
         return None
     if by_routine:
-        return by_triangles(vertices, outline, width, settings)
+        return by_triangles(vertices, outline, width, settings, pixel_bytes)
     polygon = outline.polygon(width, settings.has_exact_edges, textured)
     if settings.perspective != "none" and not is_flat(vertices, settings.tolerance) \
             and set_perspective(polygon, vertices, outline, settings):
@@ -269,15 +269,18 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     return polygon
 
 
-def by_triangles(vertices, outline: Outline, width: int, settings: Settings) -> Polygon | None:
+def by_triangles(vertices, outline: Outline, width: int, settings: Settings,
+                 pixel_bytes: int) -> Polygon | None:
     """Returns the polygon that routines for triangles draw; None if it covers no line."""
     keys = snapped.VALUES[settings.mapper]
-    triangle = snapped.set_up(snapped.converted(vertices, keys), settings.mapper, keys)
+    triangle = snapped.set_up(snapped.converted(vertices, keys), settings.mapper, False, pixel_bytes)
     if triangle is None:
         return None
     polygon = outline.polygon(width, True, keys > 0)
     polygon.mapper, polygon.triangle = settings.mapper, triangle
     polygon.lines = snapped.lines(triangle)
+    if settings.mapper == "lit":
+        polygon.level = vertices[0][-1] >> 16
     return polygon
 
 

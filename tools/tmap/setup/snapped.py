@@ -16,10 +16,12 @@ M24 = (1 << 24) - 1
 SMALL_HEIGHT = 224
 #: How far the wide triangles' edges begin below x + 1, 2^-32 pixel: BELOW of triangle_wide.i.
 BELOW = 102400
-#: Widths of small triangles, pixels, by mapper.
-SMALL_WIDTH = {"flat": 32, "gouraud": 32, "affine": 16}
+#: Widths of small triangles, pixels, by mapper and bytes a pixel; where tables of lines are made, none is.
+SMALL_WIDTH = {("flat", 1): 32, ("gouraud", 1): 32, ("affine", 1): 16}
 #: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
-VALUES = {"flat": 0, "gouraud": 1, "affine": 2}
+VALUES = {"flat": 0, "gouraud": 1, "affine": 2, "lit": 2}
+#: Those with pixels of two and four bytes.
+WIDE_PIXELS = ("flat", "affine")
 #: The most corners of a polygon that is drawn as triangles.
 CORNERS = 4
 
@@ -66,6 +68,15 @@ class Triangle:
     long: list[int]
     short: list[int]
     values: list[Value]
+    by_spans: bool = False  # from a table of lines
+
+    @property
+    def pixel_chain(self) -> int:
+        """The step of u and v a pixel to the right, as the chain adds it; spans take v's modulo 256."""
+        sign = -1 if self.right else 1
+        u, v = (sign * value.pixel for value in self.values)
+        return chain_of(u, signed(v, 24)) if self.by_spans else sign * chain_of(*(
+            value.pixel for value in self.values))
 
     def steps(self, line: int, column: int) -> tuple[int, int, int]:
         """Returns how a pixel is reached: lines, pixels added and taken away at carries, pixels
@@ -126,9 +137,9 @@ def value_of(top, bottom, key: int, edge: Edge, pixel: int, right: bool) -> Valu
                  along - ((-fraction if right else fraction) * pixel >> 31))
 
 
-def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | None:
+def set_up(vertices, mapper: str, cull: bool = False, pixel_bytes: int = 1) -> Triangle | None:
     """Sets a triangle up; returns None if it covers no line or has no area. ``vertices``: (x, y,
-    values ...): sixteenths of a pixel, and 1/2^20 of a texel or shade; ``keys``: how many values."""
+    values ...): sixteenths of a pixel, and 1/2^20 of a texel or shade; more values are ignored."""
     if vertices[0][1] > vertices[1][1]:
         k = 2 if vertices[1][1] > vertices[2][1] else 1
     else:
@@ -142,7 +153,7 @@ def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | N
     right = two[1] < one[1]
     middle, bottom = (two, one) if right else (one, two)
     (x, y), dx, dy = top[:2], bottom[0] - top[0], bottom[1] - top[1]
-    small = dy <= SMALL_HEIGHT and area <= dy * 16 * SMALL_WIDTH[mapper]
+    small = dy <= SMALL_HEIGHT and area <= dy * 16 * SMALL_WIDTH.get((mapper, pixel_bytes), 0)
     first, half, end = (v[1] + 15 >> 4 for v in (top, middle, bottom))
     if first == end:
         return None
@@ -153,9 +164,10 @@ def set_up(vertices, mapper: str, keys: int, cull: bool = False) -> Triangle | N
     edge = Edge(x, y, dx, dy, small)
     most = STEEP << 16 if mapper == "gouraud" else 1 << 31
     steps = [gradient(top, middle, bottom, key, area, small, most, mapper == "gouraud")
-             for key in range(2, 2 + keys)]
+             for key in range(2, 2 + VALUES[mapper])]
     values = [value_of(top, bottom, key, edge, step, right) for key, step in enumerate(steps, 2)]
-    return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values)
+    return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values,
+                    (mapper, pixel_bytes) not in SMALL_WIDTH)
 
 
 def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes: int = 1) -> bool:
@@ -163,8 +175,8 @@ def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes:
     1/65536 pixel, snapped or not, then u and v in 1/65536 texel."""
     keys = VALUES.get(settings.mapper, -1)
     on_plane = (settings.gradients, settings.start, settings.perspective) == ("plane", "subtexel", "none")
-    if settings.edges != "snapped" or pixel_bytes > 1 or keys < 0 or keys and not on_plane \
-            or len(vertices) > CORNERS:
+    if settings.edges != "snapped" or keys < 0 or keys and not on_plane or len(vertices) > CORNERS \
+            or pixel_bytes > 1 and settings.mapper not in WIDE_PIXELS:
         return False
     xs, ys = ([snap(v[k]) for v in vertices] for k in (0, 1))
     return (0 <= min(xs) and max(xs) <= 16 * min(width, WIDTH) and 0 <= min(ys)
@@ -183,27 +195,29 @@ def chain_of(u: int, v: int) -> int:
     return (u - (v < 0) << 24) + (v & M24)
 
 
+def chain_at(triangle: Triangle, n: int, pixels: int) -> int:
+    """Returns u and v, as a chain holds them, ``n`` lines below the first pixel and ``pixels`` to the
+    right."""
+    u, v = triangle.values
+    return (u.at << 24) + (v.at & M24) + n * chain_of(u.line, v.line) + pixels * triangle.pixel_chain
+
+
 def lines(triangle: Triangle) -> list[Line]:
     """Returns a triangle's lines. A line's u is the chain's, in which u is one more each time v
     wraps; so it is with steps from line to line."""
     made, right = [], triangle.right
+    sign = -1 if right else 1
     for n, ends in enumerate(zip(triangle.long, triangle.short)):
         left, end = reversed(ends) if right else ends
         line = Line(left, end)
         made.append(line)
-        if not triangle.values or end <= left:
-            continue
         n, carries, along = triangle.steps(n, left)
-        pixels = along - carries if right else along + carries
-        sign = -1 if right else 1
-        found = [value.at + n * value.line + pixels * value.pixel for value in triangle.values]
+        pixels = along + sign * carries
+        found = [value.at + n * value.line + pixels * value.pixel & M32 for value in triangle.values]
         steps = [sign * value.pixel & M32 for value in triangle.values]
-        line.u, line.dudx = found[0] & M32, steps[0]
+        if found:
+            line.u, line.dudx = found[0], steps[0]
         if len(found) == 2:
-            u, v = triangle.values
-            line.v, line.dvdx = found[1] & M32, steps[1]
-            pixel = chain_of(u.pixel, v.pixel)
-            line.chain = (u.at << 24) + (v.at & M24) + n * chain_of(u.line, v.line) \
-                + pixels * pixel, sign * pixel
-            line.u = line.chain[0] >> 24 & M32
+            line.chain = chain_at(triangle, n, sign * pixels), triangle.pixel_chain
+            line.u, line.v, line.dvdx = line.chain[0] >> 24 & M32, found[1], steps[1]
     return made
