@@ -3,9 +3,7 @@
 #include "math/math.h"
 #include "polygon/texturing.h"
 
-/* A level is a quarter of a shade. Spans keep the lowest bits of its fraction for wraps of
-   v. */
-#define LEVEL_OF(shade) ((shade) >> (LEVEL_BITS - 16))
+/* Spans keep the lowest bits of a level's fraction for wraps of v. */
 #define FREE_BITS ((1 << CUT_LEVEL) - 1)
 
 /* INSET: how far a pixel's level on the stepped plane may be outside the vertices' range. A pixel
@@ -35,7 +33,7 @@ static const struct vertex *lit(struct vertex *to, const struct vertex *from)
 {
     to->x = from->x;
     to->y = from->y;
-    to->s = LEVEL_OF(from->shade);
+    to->s = SHADE_LEVEL(from->shade);
     to->t = 0;
     return to;
 }
@@ -84,9 +82,9 @@ void shading_lines(struct span_plan *span, const struct sides *sides,
     plan.shade = t.u
                + (uint32)plan.dcdy * (uint32)(box->top - t.j)
                - (uint32)plan.dcdx * (uint32)(EDGE_BIAS + t.i);
-    plan.low = plan.high = LEVEL_OF(vertices->shade);
+    plan.low = plan.high = SHADE_LEVEL(vertices->shade);
     for (int32 k = 1; k < count; k++) {
-        fix16 level = LEVEL_OF(vertices[k].shade);
+        fix16 level = SHADE_LEVEL(vertices[k].shade);
 
         plan.low = level < plan.low ? level : plan.low;
         plan.high = level > plan.high ? level : plan.high;

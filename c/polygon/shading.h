@@ -11,6 +11,9 @@ enum {
     SHADE_INSET = 65536 / 16    /* how far Gouraud's shades are kept inside the vertices' range */
 };
 
+/* The level of a shade, 16.16: a quarter of it. */
+#define SHADE_LEVEL(shade) ((shade) >> (LEVEL_BITS - 16))
+
 /* Finds the limits of the vertices' shades that keep every pixel in the vertices' range, and applies
    them. */
 void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high);

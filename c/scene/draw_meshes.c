@@ -95,12 +95,12 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
     triangle_drawer *const routine = triangle_drawer_of(renderer, material);
     const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
     struct triangle_plan plan;
-    struct span_plan span;
+    struct triangle_lines lines;
     struct gather_plan gather;
 
     if (!routine || (is_shaded && !(face->placed->flags & MESH_LIT)))
         return face;
-    triangle_plan_set(&plan, &span, renderer, material);
+    triangle_plan_set(&plan, routine, &lines, renderer, material);
     plan.list = batch->list;
     gather.end = end;
     gather.vertices = batch->vertices;

@@ -8,5 +8,6 @@ enum span_kind triangle_kind(const struct frame *frame, const struct material *m
              : frame->pixel_bytes == 2 ? SPAN_AFFINE_16 : SPAN_AFFINE_32;
     return material->mapper == MAPPER_FLAT ? SPAN_TRIANGLES_FLAT
          : material->mapper == MAPPER_GOURAUD ? SPAN_TRIANGLES_GOURAUD
-         : material->mapper == MAPPER_LIT ? SPAN_LIT : SPAN_TRIANGLES_AFFINE;
+         : material->mapper == MAPPER_LIT ? SPAN_LIT
+         : material->mapper == MAPPER_LIT_GOURAUD ? SPAN_LIT_GOURAUD : SPAN_TRIANGLES_AFFINE;
 }

@@ -59,11 +59,11 @@ enum polygon_result triangles_draw(struct renderer *renderer, const struct trian
     enum polygon_result result, refused = POLYGON_DRAWN;
     struct triangle room[LIST_TRIANGLES];
     struct triangle_plan plan;
-    struct span_plan span;
+    struct triangle_lines lines;
 
     if (routine) {
         triangle_vertices(list->room, list->vertices, list->vertex_count, renderer->frame, material);
-        triangle_plan_set(&plan, &span, renderer, material);
+        triangle_plan_set(&plan, routine, &lines, renderer, material);
         plan.cull = list->cull;
     }
     for (int32 first = 0, some = 1; first < list->count; first += some) {

@@ -27,9 +27,11 @@ static inline triangle_drawer *triangle_drawer_of(const struct renderer *rendere
 /* Returns the kind that its pixels are counted as; triangles_spans calls its span. */
 enum span_kind triangle_kind(const struct frame *frame, const struct material *material);
 
-/* Sets what the frame and the material decide; triangles_spans uses the span. */
-void triangle_plan_set(struct triangle_plan *plan, struct span_plan *span,
-                       const struct renderer *renderer, const struct material *material);
+/* Sets what the frame and the material decide; triangles_spans, if that is the material's routine, uses
+   the lines. */
+void triangle_plan_set(struct triangle_plan *plan, triangle_drawer *routine,
+                       struct triangle_lines *to, const struct renderer *renderer,
+                       const struct material *material);
 
 /* The largest x and y of vertices, 1/16 pixel. */
 struct triangle_range {

@@ -28,6 +28,7 @@ enum snapped_limits {
 
     SHADES_STEEP = 256,         /* a step of so many shades a pixel is drawn as 0: no line of such a
                                    triangle has two pixels */
+    LEVELS_STEEP = 64,          /* the same for levels of light */
 
     /* Up to these areas, in 1/512 square pixel, the quotient of a gradient may not fit 32 bits. Its
        dividend is below 2 * 2^30 dy, u and v being less than 1,024 texels apart. */
@@ -39,11 +40,17 @@ enum snapped_limits {
 struct snapped_vertex {
     int16 x, y;                 /* 12.4: x + 1 and y + 15/16; x below 0: out of range */
     int32 u, v;                 /* 12.20 texels, modulo 4,096; Gouraud: u is the shade */
-    fix16 shade;                /* lit; 16 bytes: an index is a shift */
+    int32 level;                /* lit: of the light table, 12.20; 16 bytes: an index is a shift */
 };
 
 struct triangle {
     const struct snapped_vertex *a, *b, *c;
+};
+
+/* Room for what triangles_spans makes. */
+struct triangle_lines {
+    struct span_plan span;
+    struct shade_plan shade;
 };
 
 /* Everything a routine for triangles needs. */
@@ -60,7 +67,9 @@ struct triangle_plan {
     const struct triangle *(*lines)(struct triangle_plan *plan);        /* triangle_lines_<form> */
     void (*draw)(const struct span_plan *plan);
     const uint8 *light;         /* the light table, or 0 */
+    uint32 *shades;             /* room for one a line, or 0: one level a triangle */
     struct span_plan *span;     /* its lines, pitch, map and colour are set */
+    struct shade_plan *shade;   /* lit Gouraud */
 };
 
 struct renderer;
@@ -88,5 +97,6 @@ const struct triangle *triangles_spans(struct triangle_plan *plan);
    with no line, as above. */
 const struct triangle *triangle_lines_flat(struct triangle_plan *plan);
 const struct triangle *triangle_lines_addx(struct triangle_plan *plan);
+const struct triangle *triangle_lines_levels(struct triangle_plan *plan);
 
 #endif

@@ -21,7 +21,11 @@ batch_row       rs.l    1               ; row 0 of the frame
 batch_source    rs.l    1               ; the map, or the colour
 batch_reciprocals rs.l  1
 batch_pitch     rs.l    1
-batch_pixels    rs.l    1               ; tables of lines: the frame's row 0, as spans take it
+; tables of lines:
+batch_pixels    rs.l    1               ; the frame's row 0, as spans take it
+batch_shade     rs.l    1               ; the shade plan
+batch_level     rs.l    1               ; the level's difference along the long edge
+batch_light     rs.l    1               ; its step a pixel
 batch_sizeof    rs.l    0
 
 ; Begins a routine that draws the batch a0. \1: the plan's field of what it draws, if any.

@@ -15,6 +15,7 @@ table_open macro
         clr.l   batch_pitch(a5)
         move.l  triangle_plan_reciprocals(a0),batch_reciprocals(a5)
         move.l  triangle_plan_row(a0),batch_pixels(a5)
+        move.l  triangle_plan_shade(a0),batch_shade(a5)
         movea.l triangle_plan_span(a0),a1
         move.l  a1,batch_source(a5)
         clr.l   span_plan_count(a1)

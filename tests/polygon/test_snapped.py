@@ -8,7 +8,7 @@ import numpy as np
 from tmap.base.fixed import ONE, fix
 from tmap.ideal import bounds
 from tmap.model import model
-from tmap.setup import snapped
+from tmap.setup import shading, snapped
 from tmap.setup.texturing import Settings
 
 WIDTH, HEIGHT = 320, 256
@@ -85,3 +85,23 @@ def test_a_wrong_reciprocal_leaves_the_bounds(monkeypatch):
     vertices = [(fix(10), fix(10), 0, 0, 0, ONE), (fix(250), fix(40), fix(200), fix(20), 0, ONE),
                 (fix(60), fix(120), fix(30), fix(99), 0, ONE)]
     assert bounds.judge(vertices, SNAPPED, WIDTH, HEIGHT).complaint
+
+
+def test_levels_keep_their_bound_and_the_vertices_levels():
+    rng, worst = random.Random("snapped levels"), 0.0
+    settings = Settings("snapped", mapper="lit_gouraud")
+    for _ in range(300):
+        reach = rng.choice((1, 4, 30, 100))
+        x, y = rng.uniform(reach, WIDTH - reach), rng.uniform(reach / 2, HEIGHT - reach / 2)
+        vertices = [(fix(x + rng.uniform(-reach, reach)), fix(y + rng.uniform(-reach, reach) / 2), 0, 0,
+                     rng.choice((fix(rng.uniform(0, 255)), rng.randrange(64) << 18)), ONE) for _ in range(3)]
+        verdict = bounds.judge(vertices, settings, WIDTH, HEIGHT)
+        assert not verdict.complaint, (vertices, verdict.complaint)
+        worst = max(worst, verdict.texel_ratio)
+        polygon = model.set_up(model.adapt(vertices, settings, 256), WIDTH, HEIGHT, True, settings, (256, 256))
+        if polygon:
+            assert polygon.triangle
+            levels = [level for line in polygon.lines for level in shading.rows(line)]
+            whole = [v[4] >> 18 for v in vertices]
+            assert not levels or min(whole) <= min(levels) and max(levels) <= max(whole), vertices
+    assert worst > 0.8

@@ -13,12 +13,13 @@ MOST = 256 << 20
 
 
 def vertex(rng, around: tuple[int, int], reach: int, size: int, whole: bool) -> tuple[int, ...]:
-    """A vertex near a place in the frame; u, which Gouraud draws, is a shade."""
+    """A vertex near a place in the frame: u, which Gouraud draws, is a shade; then v and a level."""
     x, y = (int(np.clip(c + rng.integers(-reach, reach + 1), 0, 16 * side - 1))
             for c, side in zip(around, (WIDTH, HEIGHT)))
     u = int(rng.integers(1 << 17, min(size, MOST) - (1 << 17)))
     v = int(rng.integers(-size, size))
-    return (x & -16, y & -16, u, v) if whole else (x, y, u, v)
+    level = int(rng.integers(1 << 16, 64 << 20))
+    return (x & -16, y & -16, u, v, level) if whole else (x, y, u, v, level)
 
 
 def triangles(rng, count: int) -> list[list[tuple]]:
@@ -45,7 +46,7 @@ def whole_steps(rng, count: int) -> list[list[tuple]]:
         if max(values) - min(values) >= MOST - (1 << 20):
             continue
         base = (1 << 19) - min(values) + int(rng.integers(0, 2)) * 12345
-        made.append([(x, y, value + base, -value) for (x, y, *_), value in zip(three, values)])
+        made.append([(x, y, value + base, -value, 0) for (x, y, *_), value in zip(three, values)])
     return made
 
 
@@ -65,7 +66,7 @@ def trials() -> Iterator[Trial]:
             wrong = [v if k != corner else None for k, v in enumerate(some[3])]
             yield batch_trial(Memory(), mapper, [*some[:3], wrong, *some[4:]],
                               f"{name}: vertex {corner} of the fourth is out of range")
-        high = [(0, 0, MOST // 2, 0), (16 * 20, 16 * HEIGHT, MOST // 2, 0), (0, 16 * 30, MOST // 2, 0)]
+        high = [(x, y, MOST // 2, 0, 0) for x, y in ((0, 0), (16 * 20, 16 * HEIGHT), (0, 16 * 30))]
         yield batch_trial(Memory(), mapper, [some[0], high, some[1]], f"{name}: the second is too high")
     for name in LINERS:
         yield from table_trials(name)

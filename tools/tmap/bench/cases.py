@@ -118,8 +118,8 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
 #: A kind of rows to what makes names, lengths and calls. Points are normals, faces or vertices too.
 KINDS = {"rows": pixel_calls, "lines": line_calls,
          "points": lambda: ((name, 1, make()) for name, make in mesh.CASES.items()),
-         "polygons": lambda: ((f"polygon_{mapper}", pixels, triangles.case(mapper, pixels))
-                              for mapper in triangles.ROUTINES for pixels in polygon_sets.SIZES.values()),
+         "polygons": lambda: ((name, pixels, call(pixels)) for name, call in triangles.CASES.items()
+                              for pixels in polygon_sets.SIZES.values()),
          "instructions": instruction_costs.calls}
 
 

@@ -1,5 +1,6 @@
 """Calls of the routines that draw batches of triangles: expected pixels come from the model."""
 
+import functools
 import math
 import random
 
@@ -21,10 +22,11 @@ COLOUR = 0xA7
 COUNT = 32  # of a row
 BIAS = layout.load().constants["EDGE_BIAS"]
 #: Fields of a plan that only triangles_spans reads.
-UNUSED = dict.fromkeys(("lines", "draw", "light", "span"), 0)
+UNUSED = dict.fromkeys(("lines", "draw", "light", "shades", "span", "shade"), 0)
 ROUTINES = {"flat": "triangles_flat", "gouraud": "triangles_gouraud", "affine": "triangles_affine"}
 #: Makers of tables of lines, and a mapper whose lines they are.
-LINERS = {"triangle_lines_flat": ("flat", "flat", 4), "triangle_lines_addx": ("lit", "addx", 1)}
+LINERS = {"triangle_lines_flat": ("flat", "flat", 4), "triangle_lines_addx": ("lit", "addx", 1),
+          "triangle_lines_levels": ("lit_gouraud", "addx", 1)}
 
 
 def page() -> np.ndarray:
@@ -48,8 +50,8 @@ def record(vertex) -> bytes:
     """A struct snapped_vertex. None: one that is out of range."""
     if vertex is None:
         return b"\xff" * 4 + bytes(12)
-    x, y, u, v = vertex
-    return b"".join((c & M32).to_bytes(4, "big") for c in (x + 16 << 16 | y + 15, u, v, 0))
+    x, y, *values = vertex
+    return b"".join((c & M32).to_bytes(4, "big") for c in (x + 16 << 16 | y + 15, *values))
 
 
 def add_list(arena: Arena, triangles: list) -> tuple[int, int]:
@@ -74,10 +76,11 @@ def lines_trial(arena: Arena, routine: str, triangles: list, title: str = "", cu
     listed, table = add_list(arena, triangles)
     room = arena.room("scanline", HEIGHT, "lines")
     span = add_span_plan(arena, {"lines": room}, {}, pitch=WIDTH)
+    shade = arena.struct("shade_plan", {}, **dict.fromkeys(layout.load().struct("shade_plan").fields, 0))
     plan = arena.struct("triangle_plan", {"list": listed, "end": listed + 12 * len(triangles),
-                                          "reciprocals": table, "span": span},
+                                          "reciprocals": table, "span": span, "shade": shade},
                         row=0, map=0, pitch=WIDTH, colour=0, cull=cull, **{
-                            name: 0 for name in UNUSED if name != "span"})
+                            name: 0 for name in UNUSED if name not in ("span", "shade")})
     behind, made = 0, None
     for triangle in triangles:
         if is_handed(triangle):
@@ -87,16 +90,19 @@ def lines_trial(arena: Arena, routine: str, triangles: list, title: str = "", cu
         if made:
             break
     lines = snapped.lines(made) if made else []
-    numbers = {"count": len(lines)}
+    numbers, levels = {"count": len(lines)}, {}
     if lines:
         numbers |= {"row": made.top * WIDTH}
         sign = -1 if made.right else 1
         numbers |= {f"d{name}dx": sign * value.pixel for name, value in zip("uv", made.values)}
+        levels = {"shade": made.level_at(0, -BIAS), "dcdx": made.level_at(0, 1) - made.level_at(0, 0),
+                  "dcdy": made.level_at(1, 0) - made.level_at(0, 0)} if made.level else {}
     entries = [{"left": line.left + BIAS, "last": line.right - 1 + BIAS} | pack(form, line.u, line.v)
                for line in lines]
     return Trial(Case(routine, arena, pointers={"a0": plan}), title,
                  near_ends={"d0": listed + 12 * behind},
-                 writes=fields(span, "span_plan", numbers) + table_writes(room, entries, form))
+                 writes=fields(span, "span_plan", numbers) + fields(shade, "shade_plan", levels)
+                 + table_writes(room, entries, form))
 
 
 def batch_trial(arena: Arena, mapper: str, triangles: list, title: str = "", cull: int = 0) -> Trial:
@@ -127,7 +133,8 @@ def triangles(pixels: int) -> list:
         turn, texels = rng.uniform(0, math.tau), rng.uniform(0.4, 1) * (1 << 20)
         cos, sin = elementary.cos(turn), elementary.sin(turn)
         made.append([(round(16 * x), round(16 * y), round((cos * x - sin * y) * texels) + (128 << 20),
-                      round((sin * x + cos * y) * texels) + (128 << 20)) for x, y in points])
+                      round((sin * x + cos * y) * texels) + (128 << 20), 16 + 12 * k << 20)
+                     for k, (x, y) in enumerate(points)])
     return made
 
 
@@ -139,3 +146,8 @@ def case(mapper: str, pixels: int) -> tuple[int, Case, Check]:
 def lines_case(routine: str, pixels: int) -> tuple[int, Case, Check]:
     """A row's call: the lines of one triangle."""
     return lines_trial(Arena(), routine, triangles(pixels)[:1]).row(1)
+
+
+#: Rows to what makes their calls, by a triangle's pixels.
+CASES = {f"polygon_{mapper}": functools.partial(case, mapper) for mapper in ROUTINES} \
+    | {name: functools.partial(lines_case, name) for name in LINERS}

@@ -21,7 +21,7 @@ def combinations() -> list[Settings]:
             for g in ("scanline", "polygon", "plane") for s in ("truncated", "subtexel")]
     made += [Settings(e, "plane", "subtexel", mapper="flat")
              for e in ("integer", "subpixel", "snapped", "exact")]
-    made += [Settings("snapped", mapper=mapper) for mapper in ("gouraud", "affine")]
+    made += [Settings("snapped", mapper=mapper) for mapper in ("gouraud", "affine", "lit", "lit_gouraud")]
     return made + [settings for mapper in MAPPERS[1] if mapper not in ("flat", "affine")
                    for settings in usual(mapper)]
 
@@ -31,7 +31,9 @@ def size_combinations() -> list[Settings]:
     return [Settings(edges, "polygon", "truncated") for edges in ("integer", "subpixel")] \
         + [Settings(edges) for edges in ("subpixel", "snapped", "exact")] \
         + [Settings(edges, mapper=mapper) for mapper in ("gouraud", "flat")
-           for edges in ("integer", "subpixel", "snapped", "exact")]
+           for edges in ("integer", "subpixel", "snapped", "exact")] \
+        + [Settings(edges, mapper=mapper) for mapper in ("lit", "lit_gouraud")
+           for edges in ("snapped", "exact")]
 
 
 def depth_combinations() -> list[Settings]:

@@ -317,6 +317,14 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
 
 def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     """Adds the error of the level at both ends of every line inside the exact polygon."""
+    if polygon.triangle:
+        plane = ideal.plane_of(vertices, -1)
+        for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
+            for i in {left, right - 1}:
+                bound = bounds_snapped.level_bound(abs(plane.nx / plane.d), polygon.triangle, i, y)
+                add_error(plane.error(line.c + (i - line.left) * line.dcdx, i, y), (bound, bound),
+                          "level", (i, y), out)
+        return
     t, light, plane = polygon.shading.plane, polygon.shading, ideal.plane_of(vertices, -1)
     (least, _), (most, _) = model.plane_range(vertices, t)
     beyond = max(0, light.low - least, most - light.high) * UNIT
@@ -364,7 +372,7 @@ def check_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
         check_texels(adapted, polygon, settings, size,
                      held_beyond(adapted, polygon, settings, size), out)
-        if polygon.shading:
+        if polygon.mapper == "lit_gouraud":
             check_levels(adapted, polygon, out)
     return out
 

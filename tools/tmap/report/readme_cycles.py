@@ -5,6 +5,7 @@ from tmap.base.markdown import MACHINES, table
 from tmap.bench import bench, published, rules
 from tmap.corpus.polygon_sets import SIZES
 from tmap.guest.emulator import CLOCK_HZ
+from tmap.setup.shading import LIT
 
 #: Lines of the comparison: title, name with {} for the form, length.
 LINES = [("step, 1 interpolant", "step_{}_1", 1024), ("step, 2", "step_{}_2", 1024),
@@ -30,7 +31,7 @@ def triangles_table(baseline: dict) -> str:
     found = {(r["name"], r["machine"], r["length"]): r["cycles_per_polygon"]
              for r in baseline["polygons"]}
     sizes = list(dict.fromkeys(size for *_, size in found))
-    rows = [[name.removeprefix("polygon_"), MACHINES[machine],
+    rows = [[name.removeprefix("polygon_").replace("triangle_lines", "a table of lines:").replace("_", " "), MACHINES[machine],
              *(f"{found[name, machine, size]:,.0f}" for size in sizes)]
             for name, machine in dict.fromkeys((name, machine) for name, machine, _ in found)]
     return table(["mapper", "memory", *(f"{size:,} pixels" for size in sizes)], rows, "ll")
@@ -43,7 +44,7 @@ PRICE_LINES = (("integer", "polygon", "truncated"), ("subpixel", "polygon", "tru
 
 
 def prices_table(baseline: dict, accuracy: dict,
-                 mappers: tuple[str, ...] = ("flat", "gouraud", "affine")) -> str:
+                 mappers: tuple[str, ...] = ("flat", "gouraud", "affine", "lit", "lit_gouraud")) -> str:
     """Returns a Markdown table: triangles in fast RAM by settings and pixels, and published ones."""
     figures = {(r["name"], r["length"]): r["cycles_per_polygon"] for r in baseline["polygons"]
                if r["machine"] == "a1200-fast"}
@@ -58,7 +59,7 @@ def prices_table(baseline: dict, accuracy: dict,
             wrong = sum(r["coverage_errors_per_million"] * n for r, n in zip(some, SIZES.values()))
             errors = [f"{wrong / sum(SIZES.values()) / 10_000:.1f} %",
                       "" if mapper == "flat" else f"{max(r['texel_error_max'] for r in some):.3f}"]
-            if settings[0] == "snapped":
+            if settings[0] == "snapped" and mapper not in LIT:
                 rows.append([mapper, "snapped, in a batch", *(f"{figures[f'polygon_{mapper}', n]:,.0f}"
                                                              for n in SIZES.values()), *errors])
             rows.append([mapper, ", ".join(settings),

@@ -273,7 +273,8 @@ def by_triangles(vertices, outline: Outline, width: int, settings: Settings,
                  pixel_bytes: int) -> Polygon | None:
     """Returns the polygon that routines for triangles draw; None if it covers no line."""
     keys = snapped.VALUES[settings.mapper]
-    triangle = snapped.set_up(snapped.converted(vertices, keys), settings.mapper, False, pixel_bytes)
+    triangle = snapped.set_up(snapped.converted(vertices, settings.mapper), settings.mapper, False,
+                              pixel_bytes)
     if triangle is None:
         return None
     polygon = outline.polygon(width, True, keys > 0)

@@ -7,7 +7,7 @@ the bottom one. Lines are drawn away from it.
 
 from dataclasses import dataclass
 
-from tmap.base.fixed import M32, signed
+from tmap.base.fixed import M32, ONE, signed
 from tmap.build import layout
 from tmap.setup.texturing import Line, Settings
 
@@ -19,7 +19,7 @@ BELOW = 102400
 #: Widths of small triangles, pixels, by mapper and bytes a pixel; where tables of lines are made, none is.
 SMALL_WIDTH = {("flat", 1): 32, ("gouraud", 1): 32, ("affine", 1): 16}
 #: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
-VALUES = {"flat": 0, "gouraud": 1, "affine": 2, "lit": 2}
+VALUES = {"flat": 0, "gouraud": 1, "affine": 2, "lit": 2, "lit_gouraud": 2}
 #: Those with pixels of two and four bytes.
 WIDE_PIXELS = ("flat", "affine")
 #: The most corners of a polygon that is drawn as triangles.
@@ -28,7 +28,8 @@ CORNERS = 4
 LIMITS = layout.load().constants
 WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
     "SNAPPED_WIDTH", "SNAPPED_LINES", "SNAPPED_TEXELS", "SNAPPED_RAISED", "FINER_HEIGHT"))
-STEEP = LIMITS["SHADES_STEEP"]
+STEEP, STEEP_LEVELS = LIMITS["SHADES_STEEP"], LIMITS["LEVELS_STEEP"]
+INSET = ONE // 16  # how far a level is kept inside its whole one
 
 
 def snap(coordinate: int) -> int:
@@ -69,6 +70,7 @@ class Triangle:
     short: list[int]
     values: list[Value]
     by_spans: bool = False  # from a table of lines
+    level: Value | None = None  # lit Gouraud
 
     @property
     def pixel_chain(self) -> int:
@@ -77,6 +79,13 @@ class Triangle:
         u, v = (sign * value.pixel for value in self.values)
         return chain_of(u, signed(v, 24)) if self.by_spans else sign * chain_of(*(
             value.pixel for value in self.values))
+
+    def level_at(self, n: int, column: int) -> int:
+        """Returns the plane's level on a line and column, modulo 2^32."""
+        step = -self.level.pixel if self.right else self.level.pixel
+        down = self.level.line - self.whole * step & ~3
+        at = self.level.at - (self.long[0] - self.right) * step & ~3
+        return at + n * down + column * step
 
     def steps(self, line: int, column: int) -> tuple[int, int, int]:
         """Returns how a pixel is reached: lines, pixels added and taken away at carries, pixels
@@ -166,8 +175,12 @@ def set_up(vertices, mapper: str, cull: bool = False, pixel_bytes: int = 1) -> T
     steps = [gradient(top, middle, bottom, key, area, small, most, mapper == "gouraud")
              for key in range(2, 2 + VALUES[mapper])]
     values = [value_of(top, bottom, key, edge, step, right) for key, step in enumerate(steps, 2)]
+    level = None
+    if mapper == "lit_gouraud":
+        step = gradient(top, middle, bottom, 4, area, small, STEEP_LEVELS << 16) & ~3
+        level = value_of(top, bottom, 4, edge, step, right)
     return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values,
-                    (mapper, pixel_bytes) not in SMALL_WIDTH)
+                    (mapper, pixel_bytes) not in SMALL_WIDTH, level)
 
 
 def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes: int = 1) -> bool:
@@ -184,10 +197,14 @@ def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes:
             and (keys < 2 or all(-TEXELS << 16 <= c < TEXELS << 16 for v in vertices for c in v[2:4])))
 
 
-def converted(vertices, keys: int) -> list[tuple]:
+def converted(vertices, mapper: str) -> list[tuple]:
     """Returns (x, y, values ...) as in struct snapped_vertex, without what it adds to x and y."""
-    return [(snap(x), snap(y), *(value + RAISED << 4 for value in values[:keys]))
+    made = [(snap(x), snap(y), *(value + RAISED << 4 for value in values[:VALUES[mapper]]))
             for x, y, *values in vertices]
+    if mapper == "lit_gouraud":
+        made = [(*v, min(max(level, (level & ~0xFFFF) + INSET), (level | 0xFFFF) - INSET) << 4)
+                for v, (*_, level) in zip(made, vertices)]
+    return made
 
 
 def chain_of(u: int, v: int) -> int:
@@ -220,4 +237,8 @@ def lines(triangle: Triangle) -> list[Line]:
         if len(found) == 2:
             line.chain = chain_at(triangle, n, sign * pixels), triangle.pixel_chain
             line.u, line.v, line.dvdx = line.chain[0] >> 24 & M32, found[1], steps[1]
+        if triangle.level:
+            line.chain = None
+            line.c = signed(triangle.level_at(n, left))
+            line.dcdx = triangle.level_at(0, 1) - triangle.level_at(0, 0)
     return made
