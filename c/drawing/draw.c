@@ -19,7 +19,7 @@
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
 #include "polygon/shading.h"
-#include "triangle/polygon.h"
+#include "triangle/triangles.h"
 
 /* Uses of the scratch room by polygons without perspective, one at a time. */
 union made {
@@ -334,10 +334,10 @@ static enum polygon_result draw(struct setup *s)
 }
 
 /* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
-static void count_snapped(struct setup *s)
+static void count_snapped(struct setup *s, enum span_kind kind)
 {
     s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, s->material);
-    s->kind = triangle_kind(s->frame, s->material);
+    s->kind = kind;
     if (outline_find(s) != POLYGON_DRAWN)
         return;
     s->span.lines = s->edges.lines;
@@ -353,13 +353,16 @@ enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon
 
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    if (material->edges == EDGES_SNAPPED && renderer->triangles
-        && renderer->triangles->draw(renderer, polygon, material)) {
-        if (renderer->counts) {
-            setup_begin(&s, renderer, polygon, material);
-            count_snapped(&s);
+    if (material->edges == EDGES_SNAPPED && renderer->triangles) {
+        const enum span_kind kind = renderer->triangles->draw(renderer, polygon, material);
+
+        if (kind != SPAN_KINDS) {
+            if (renderer->counts) {
+                setup_begin(&s, renderer, polygon, material);
+                count_snapped(&s, kind);
+            }
+            return POLYGON_DRAWN;
         }
-        return POLYGON_DRAWN;
     }
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);

@@ -86,20 +86,6 @@ static int32 level(const struct setup *s)
     return s->given->shade >> LEVEL_BITS;
 }
 
-/* Return 1 if a step is 0, and if it is small enough for the spans that step only u or v:
-   62 texels a pixel, for 1,024 pixels. Both modulo 256 texels, as the map repeats. */
-static int32 is_still(fix16 step)
-{
-    return !((uint32)step << 8);
-}
-
-static int32 is_slow(fix16 step)
-{
-    const uint32 most = (uint32)62 << 24;
-
-    return ((uint32)step << 8) + most <= 2 * most;
-}
-
 enum span_kind lower_affine(const struct material *material, enum form form)
 {
     return material->gradients == GRADIENTS_SCANLINE ? SPAN_AFFINE_SCANLINE
@@ -162,13 +148,13 @@ void lower_by_steps(struct setup *s)
     enum span_kind kind = s->kind;
 
     if (kind == SPAN_AFFINE_ADDX_WRAP) {
-        LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW, is_still(span->dvdx) && is_slow(span->dudx))
-        LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN, is_still(span->dudx) && is_slow(span->dvdx))
+        LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW, STEP_IS_STILL(span->dvdx) && STEP_IS_SLOW(span->dudx))
+        LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN, STEP_IS_STILL(span->dudx) && STEP_IS_SLOW(span->dvdx))
         LOWER(NO_WRAP, AFFINE_ADDX_WRAP, AFFINE_ADDX, !s->texturing.wraps)
         LOWER(SHORT, AFFINE_ADDX, AFFINE_SHORT, width <= SHORT_AFFINE)
         LOWER(SHORT_WRAP, AFFINE_ADDX_WRAP, AFFINE_SHORT_WRAP, width <= SHORT_AFFINE_WRAP)
         LOWER(UNIT_STEP, AFFINE_ROW, AFFINE_COPY,
-              is_still(span->dudx - 65536) && width >= COPY_LEAST)
+              STEP_IS_STILL(span->dudx - 65536) && width >= COPY_LEAST)
         LOWER(SHORT_ROW, AFFINE_ROW, AFFINE_ROW_SHORT, width <= SHORT_AFFINE_ROW)
     } else if (kind == SPAN_LIT_WRAP) {
         LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
@@ -178,13 +164,13 @@ void lower_by_steps(struct setup *s)
         LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
     } else if (kind == SPAN_AFFINE_16_WRAP) {
         LOWER(STILL_V, AFFINE_16_WRAP, AFFINE_16_ROW,
-              is_still(span->dvdx) && is_slow(span->dudx))
+              STEP_IS_STILL(span->dvdx) && STEP_IS_SLOW(span->dudx))
         LOWER(NO_WRAP, AFFINE_16_WRAP, AFFINE_16, !s->texturing.wraps)
         LOWER(UNIT_STEP, AFFINE_16_ROW, AFFINE_16_COPY,
-              is_still(span->dudx - 65536) && width >= COPY_16_LEAST)
+              STEP_IS_STILL(span->dudx - 65536) && width >= COPY_16_LEAST)
     } else if (kind == SPAN_AFFINE_32_WRAP) {
         LOWER(STILL_V, AFFINE_32_WRAP, AFFINE_32_ROW,
-              is_still(span->dvdx) && is_slow(span->dudx))
+              STEP_IS_STILL(span->dvdx) && STEP_IS_SLOW(span->dudx))
         LOWER(NO_WRAP, AFFINE_32_WRAP, AFFINE_32, !s->texturing.wraps)
     } else if (s->material->mapper == MAPPER_DITHERED) {
         dithered_span(s);

@@ -92,15 +92,16 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
                                             const struct mesh_face *end)
 {
     const struct material *const material = face->placed->material;
-    triangle_drawer *const routine = triangle_drawer_of(renderer, material);
+    const enum span_kind kind = triangle_batch_kind(renderer, material);
+    triangle_drawer *routine;
     const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
     struct triangle_plan plan;
     struct triangle_lines lines;
     struct gather_plan gather;
 
-    if (!routine || (is_shaded && !(face->placed->flags & MESH_LIT)))
+    if (kind == SPAN_KINDS || material->light || (is_shaded && !(face->placed->flags & MESH_LIT)))
         return face;
-    triangle_plan_set(&plan, routine, &lines, renderer, material);
+    routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
     plan.list = batch->list;
     gather.end = end;
     gather.vertices = batch->vertices;
@@ -190,7 +191,7 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     transform.middle_x = header->width << 15;
     transform.middle_y = header->height << 15;
     mesh_transform(&transform);
-    if (triangle_drawer_of(renderer, placed->material))
+    if (triangle_batch_kind(renderer, placed->material) != SPAN_KINDS)
         snap(renderer, at->points, transform.count);
     if (instance->flags)
         make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,

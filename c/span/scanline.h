@@ -78,6 +78,11 @@ struct edge_plan {
     fix16 dudx, dvdx;           /* texels a pixel, added at a carry */
 };
 
+/* True if a step is 0, and if it is small enough for the spans that step only u or v: 62 texels a
+   pixel, for 1,024 pixels. Both modulo 256 texels, as the map repeats. */
+#define STEP_IS_STILL(step) (!((uint32)(step) << 8))
+#define STEP_IS_SLOW(step) (((uint32)(step) << 8) + ((uint32)62 << 24) <= (uint32)124 << 24)
+
 /* Texels a pixel of one line. */
 struct scanline_step {
     fix16 dudx, dvdx;

@@ -55,15 +55,16 @@ static void point(struct triangle *to, const struct triangle_list *list, int32 n
 enum polygon_result triangles_draw(struct renderer *renderer, const struct triangle_list *list,
                                    const struct material *material)
 {
-    triangle_drawer *const routine = triangle_drawer_of(renderer, material);
+    const enum span_kind kind = triangle_batch_kind(renderer, material);
+    triangle_drawer *routine = 0;
     enum polygon_result result, refused = POLYGON_DRAWN;
     struct triangle room[LIST_TRIANGLES];
     struct triangle_plan plan;
     struct triangle_lines lines;
 
-    if (routine) {
+    if (kind != SPAN_KINDS) {
         triangle_vertices(list->room, list->vertices, list->vertex_count, renderer->frame, material);
-        triangle_plan_set(&plan, routine, &lines, renderer, material);
+        routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
         plan.cull = list->cull;
     }
     for (int32 first = 0, some = 1; first < list->count; first += some) {

@@ -1,52 +1,27 @@
 #include "triangle/polygon.h"
 
+#include "polygon/counts.h"
 #include "polygon/kind.h"
 #include "polygon/scratch.h"
 #include "polygon/shading.h"
 
-/* Returns non-zero if a material's map, and its light table, are those of spans of this many bytes a
-   pixel. */
-static int32 triangle_has_maps(const struct material *material, int32 pixel_bytes)
-{
-    const struct map *const map = material->map, *const light = material->light;
-
-    return map && map->layout == MAP_PAGE && map->texel_bytes == pixel_bytes
-        && (material->mapper == MAPPER_AFFINE || (light && light->layout == MAP_LIGHT));
-}
-
-triangle_drawer *triangle_routine(const struct frame *frame, const struct material *material)
-{
-    const int32 wide = frame->pixel_bytes != 1;
-
-    if (frame->pitch > TRIANGLE_PITCH_MAX)
-        return 0;
-    if (material->mapper == MAPPER_FLAT)
-        return wide ? triangles_spans : triangles_flat;
-    if (material->gradients != GRADIENTS_PLANE || material->start != START_SUBTEXEL
-        || material->perspective)
-        return 0;
-    if (material->mapper == MAPPER_GOURAUD)
-        return wide ? 0 : triangles_gouraud;
-    if (material->mapper != MAPPER_AFFINE
-        && (wide || (material->mapper != MAPPER_LIT && material->mapper != MAPPER_LIT_GOURAUD)))
-        return 0;
-    return !triangle_has_maps(material, frame->pixel_bytes) ? 0
-         : wide || material->mapper != MAPPER_AFFINE ? triangles_spans : triangles_affine;
-}
-
 /* Sets what triangles_spans needs besides. */
-static void triangle_spans_set(struct triangle_plan *plan, struct triangle_lines *to,
-                               const struct renderer *renderer, const struct material *material)
+static void triangle_spans_set(struct triangle_plan *plan, enum span_kind kind,
+                               struct triangle_lines *to, const struct renderer *renderer,
+                               const struct material *material)
 {
     const struct frame *const frame = renderer->frame;
+    const int32 has_levels = kind == SPAN_LIT_GOURAUD;
 
     plan->row -= EDGE_BIAS * frame->pixel_bytes;
     plan->lines = material->mapper == MAPPER_FLAT ? triangle_lines_flat
-                : material->mapper == MAPPER_LIT_GOURAUD ? triangle_lines_levels
-                : triangle_lines_addx;
-    plan->draw = kind_spans[triangle_kind(frame, material)];
-    plan->light = material->light ? material->light->texels : 0;
-    plan->shades = material->mapper == MAPPER_LIT_GOURAUD ? renderer->scratch->room : 0;
+                : has_levels ? triangle_lines_levels : triangle_lines_addx;
+    plan->kind = kind;
+    plan->only_counts = renderer->counts && renderer->only_counts;
+    plan->off = renderer->off;
+    plan->light = kind == SPAN_LIT || kind == SPAN_LIT_WRAP || has_levels
+                ? material->light->texels : 0;
+    plan->shades = has_levels ? renderer->scratch->room : 0;
     plan->span = &to->span;
     plan->shade = &to->shade;
     to->span.lines = to->shade.lines = renderer->scratch->lines;
@@ -58,9 +33,9 @@ static void triangle_spans_set(struct triangle_plan *plan, struct triangle_lines
     to->shade.inside = 1;
 }
 
-void triangle_plan_set(struct triangle_plan *plan, triangle_drawer *routine,
-                       struct triangle_lines *to, const struct renderer *renderer,
-                       const struct material *material)
+triangle_drawer *triangle_plan_set(struct triangle_plan *plan, enum span_kind kind,
+                                   struct triangle_lines *to, const struct renderer *renderer,
+                                   const struct material *material)
 {
     plan->row = renderer->frame->pixels;
     plan->pitch = renderer->frame->pitch;
@@ -68,8 +43,14 @@ void triangle_plan_set(struct triangle_plan *plan, triangle_drawer *routine,
     plan->reciprocals = renderer->triangles->reciprocals;
     plan->colour = material->colour * 0x01010101;
     plan->cull = 0;
-    if (routine == triangles_spans)
-        triangle_spans_set(plan, to, renderer, material);
+    if (kind == SPAN_TRIANGLES_AFFINE)
+        return triangles_affine;
+    if (kind == SPAN_TRIANGLES_FLAT)
+        return triangles_flat;
+    if (kind == SPAN_TRIANGLES_GOURAUD)
+        return triangles_gouraud;
+    triangle_spans_set(plan, kind, to, renderer, material);
+    return triangles_spans;
 }
 
 /* Sets the levels of a triangle's lines. */
@@ -83,20 +64,47 @@ static void triangle_levels(struct span_plan *span, struct shade_plan *shade)
     span->dcdx = shade->dcdx;
 }
 
+/* Returns the cheapest span for the steps of a triangle's lines. */
+static enum span_kind triangle_lowered(const struct triangle_plan *plan)
+{
+    const fix16 dudx = plan->span->dudx, dvdx = plan->span->dvdx;
+    const int32 row = STEP_IS_STILL(dvdx) && STEP_IS_SLOW(dudx) && RULE_IS_ON(plan, STILL_V);
+    const int32 copy = row && STEP_IS_STILL(dudx - 65536) && RULE_IS_ON(plan, UNIT_STEP);
+
+    switch (plan->kind) {
+    case SPAN_AFFINE_ADDX:
+    case SPAN_AFFINE_ADDX_WRAP:
+        return copy ? SPAN_AFFINE_COPY : row ? SPAN_AFFINE_ROW
+             : STEP_IS_STILL(dudx) && STEP_IS_SLOW(dvdx) && RULE_IS_ON(plan, STILL_U)
+             ? SPAN_AFFINE_COLUMN : (enum span_kind)plan->kind;
+    case SPAN_AFFINE_16:
+        return copy ? SPAN_AFFINE_16_COPY : row ? SPAN_AFFINE_16_ROW : SPAN_AFFINE_16;
+    case SPAN_AFFINE_32:
+        return row ? SPAN_AFFINE_32_ROW : SPAN_AFFINE_32;
+    default:
+        return plan->kind;
+    }
+}
+
 const struct triangle *triangles_spans(struct triangle_plan *plan)
 {
     struct span_plan *const span = plan->span;
+    enum span_kind kind = plan->kind;
 
     for (;;) {
         const struct triangle *const next = plan->lines(plan);
 
-        if (!span->count)
+        if (!span->count) {
+            plan->kind = kind;
             return next;
+        }
         if (plan->shades)
             triangle_levels(span, plan->shade);
         else if (plan->light)
             span->light = plan->light + 256 * (next[-1].a->level >> 20);
-        plan->draw(span);
+        kind = triangle_lowered(plan);
+        if (!plan->only_counts)
+            kind_spans[kind](span);
         plan->list = next;
     }
 }
@@ -174,30 +182,99 @@ int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, in
     return all;
 }
 
-int32 triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
-                       const struct material *material)
+/* Returns non-zero if u or v may be the same along lines: the triangles of the polygon have a level edge,
+   are not small, and a level edge has equal ends. Triangles have the same picture in either way of
+   drawing only if they are not small. */
+static int32 triangle_may_be_still(const struct snapped_vertex *v, int32 count)
 {
-    triangle_drawer *const routine = triangle_routine(renderer->frame, material);
+    const struct snapped_vertex *last = &v[count - 1];
+    const int32 y = v->y;
+    int32 other = y, still = 0;
+
+    for (; count > 0; count--, last = v++) {
+        if (v->y != y) {
+            if (other != y && v->y != other)
+                return 0;
+            other = v->y;
+        }
+        still |= v->y == last->y && (v->u == last->u || v->v == last->v);
+    }
+    return still && (other - y > SMALL_HEIGHT || y - other > SMALL_HEIGHT);
+}
+
+static int32 triangle_is_equal(const struct vertex *v, int32 count, int32 lowest)
+{
+    const fix16 first = v->shade >> lowest;
+
+    while (--count > 0)
+        if ((++v)->shade >> lowest != first)
+            return 0;
+    return 1;
+}
+
+/* Returns a cheaper kind that the vertices allow; sets *colour if that is flat. */
+static enum span_kind triangle_by_vertices(enum span_kind kind, uint32 *colour,
+                                           const struct renderer *renderer,
+                                           const struct polygon *polygon,
+                                           const struct material *material)
+{
+    const struct vertex *const v = polygon->vertices;
+    const int32 level = v->shade >> LEVEL_BITS;
+
+    if (kind == SPAN_TRIANGLES_GOURAUD && RULE_IS_ON(renderer, EQUAL_SHADES)
+        && triangle_is_equal(v, polygon->count, 16)) {
+        *colour = (uint32)v->shade >> 16;
+        return SPAN_TRIANGLES_FLAT;
+    }
+    if (kind == SPAN_LIT_GOURAUD && RULE_IS_ON(renderer, EQUAL_LEVELS)
+        && triangle_is_equal(v, polygon->count, LEVEL_BITS))
+        kind = SPAN_LIT_WRAP;   /* u is as without wraps of v */
+    if (kind != SPAN_LIT && kind != SPAN_LIT_WRAP)
+        return kind;
+    if (level == 0 && material->light->dark && RULE_IS_ON(renderer, NO_LIGHT)) {
+        *colour = *material->light->texels;
+        return SPAN_TRIANGLES_FLAT;
+    }
+    if (level == LIGHT_LEVELS - 1 && material->light->full && RULE_IS_ON(renderer, FULL_LIGHT))
+        return kind == SPAN_LIT ? SPAN_AFFINE_ADDX : SPAN_AFFINE_ADDX_WRAP;
+    return kind;
+}
+
+enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
+                                const struct material *material)
+{
+    enum span_kind kind = triangle_kind(renderer->frame, material);
+    const int32 count = polygon->count;
     struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX];
     struct triangle list[TRIANGLE_CORNERS_MAX - 2];
     struct triangle_plan plan;
     struct triangle_lines lines;
+    triangle_drawer *routine;
+    uint32 colour = material->colour;
     int32 i;
 
-    if (!routine || polygon->count > TRIANGLE_CORNERS_MAX
-        || !triangle_vertices(vertices, polygon->vertices, polygon->count, renderer->frame, material)
-        || !triangle_is_low(vertices, polygon->count))
-        return 0;
-    if (renderer->counts && renderer->only_counts)
-        return 1;
-    for (i = 2; i < polygon->count; i++) {
+    if (kind == SPAN_KINDS || count > TRIANGLE_CORNERS_MAX
+        || !triangle_vertices(vertices, polygon->vertices, count, renderer->frame, material)
+        || !triangle_is_low(vertices, count))
+        return SPAN_KINDS;
+    if (material->mapper != MAPPER_FLAT && material->mapper != MAPPER_AFFINE)
+        kind = triangle_by_vertices(kind, &colour, renderer, polygon, material);
+    else if (kind == SPAN_TRIANGLES_AFFINE && triangle_may_be_still(vertices, count))
+        kind = SPAN_AFFINE_ADDX;
+    for (i = 2; i < count; i++) {
         list[i - 2].a = vertices;
         list[i - 2].b = &vertices[i - 1];
         list[i - 2].c = &vertices[i];
     }
-    triangle_plan_set(&plan, routine, &lines, renderer, material);
+    routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
+    plan.colour = colour * 0x01010101;
     plan.list = list;
-    plan.end = &list[polygon->count - 2];
-    routine(&plan);
-    return 1;
+    plan.end = &list[count - 2];
+    if (routine == triangles_spans) {
+        routine(&plan);
+        return plan.kind;
+    }
+    if (!renderer->counts || !renderer->only_counts)
+        routine(&plan);
+    return kind;
 }

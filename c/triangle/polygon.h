@@ -11,27 +11,24 @@ enum { TRIANGLE_CORNERS_MAX = 4 };
 
 typedef const struct triangle *triangle_drawer(struct triangle_plan *plan);
 
-/* Returns the routine for a material with EDGES_SNAPPED and the frame's pixels, or 0. */
-triangle_drawer *triangle_routine(const struct frame *frame, const struct material *material);
-
-/* Returns the routine that draws batches of a material's triangles, or 0: there is none, or pixels
-   are counted. */
-static inline triangle_drawer *triangle_drawer_of(const struct renderer *renderer,
-                                                  const struct material *material)
-{
-    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts)
-        return 0;
-    return triangle_routine(renderer->frame, material);
-}
-
-/* Returns the kind that its pixels are counted as; triangles_spans calls its span. */
+/* Returns how triangles of a material with EDGES_SNAPPED are drawn: SPAN_TRIANGLES_*, or the span of
+   their lines; SPAN_KINDS if they have no routine. */
 enum span_kind triangle_kind(const struct frame *frame, const struct material *material);
 
-/* Sets what the frame and the material decide; triangles_spans, if that is the material's routine, uses
-   the lines. */
-void triangle_plan_set(struct triangle_plan *plan, triangle_drawer *routine,
-                       struct triangle_lines *to, const struct renderer *renderer,
-                       const struct material *material);
+/* Returns the kind for batches of a material's triangles; SPAN_KINDS also if pixels are counted. */
+static inline enum span_kind triangle_batch_kind(const struct renderer *renderer,
+                                                 const struct material *material)
+{
+    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts)
+        return SPAN_KINDS;
+    return triangle_kind(renderer->frame, material);
+}
+
+/* Sets what the frame, the material and the kind decide; triangles_spans uses the lines. Returns the
+   routine. */
+triangle_drawer *triangle_plan_set(struct triangle_plan *plan, enum span_kind kind,
+                                   struct triangle_lines *to, const struct renderer *renderer,
+                                   const struct material *material);
 
 /* The largest x and y of vertices, 1/16 pixel. */
 struct triangle_range {
@@ -51,10 +48,11 @@ static inline void triangle_range_set(struct triangle_range *range, const struct
 int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, int32 count,
                         const struct frame *frame, const struct material *material);
 
-/* Draws the polygon as a fan of triangles; with renderer->only_counts it only says whether it would.
-   Returns 0, and draws nothing, if the material has no routine, the polygon too many corners or too
-   many lines, or a vertex out of range (enum snapped_limits). */
-int32 triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
+/* Draws the polygon as a fan of triangles; with renderer->only_counts it only says how it would.
+   Vertices and steps may allow a cheaper kind, with the same picture. Returns the kind; SPAN_KINDS, and
+   draws nothing, if the material has no routine, the polygon too many corners or too many lines, or a
+   vertex out of range (enum snapped_limits). */
+enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
                        const struct material *material);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef TRIANGLES_H
 #define TRIANGLES_H
 
-#include "compiler.h"
+#include "polygon/polygon.h"
 #include "span/scanline.h"
 
 enum snapped_limits {
@@ -21,6 +21,9 @@ enum snapped_limits {
 
     /* Added to u and v of vertices, 1/65536 texel: as much as a pixel's may be too low. */
     SNAPPED_RAISED = 512,
+
+    /* What is not higher, in 1/16 line, may be drawn in 16 bits: as small. */
+    SMALL_HEIGHT = 224,
 
     /* Reciprocals: 2^31 / dy, from FINER_HEIGHT sixteenths of a line on 2^39 / dy. */
     FINER_HEIGHT = 256,
@@ -65,21 +68,20 @@ struct triangle_plan {
 
     /* triangles_spans, whose row is the pixel -EDGE_BIAS: */
     const struct triangle *(*lines)(struct triangle_plan *plan);        /* triangle_lines_<form> */
-    void (*draw)(const struct span_plan *plan);
+    int32 kind;                 /* enum span_kind of the lines; set to what the last triangle's were
+                                   lowered to */
+    int32 only_counts;          /* 1: nothing is drawn */
+    uint32 off;                 /* the renderer's: rules that are off */
     const uint8 *light;         /* the light table, or 0 */
     uint32 *shades;             /* room for one a line, or 0: one level a triangle */
     struct span_plan *span;     /* its lines, pitch, map and colour are set */
     struct shade_plan *shade;   /* lit Gouraud */
 };
 
-struct renderer;
-struct polygon;
-struct material;
-
 /* What polygon_draw needs to draw triangles with snapped vertices. */
 struct triangle_tables {
-    int32 (*draw)(const struct renderer *renderer, const struct polygon *polygon,
-                  const struct material *material);     /* triangle_polygon */
+    enum span_kind (*draw)(const struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material);    /* triangle_polygon */
     int32 reciprocals[SNAPPED_RECIPROCALS];
 };
 

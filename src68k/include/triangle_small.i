@@ -12,8 +12,6 @@
 
         include "triangle.i"
 
-SMALL_HEIGHT equ 224
-
 ; The stack while lines are drawn, longwords.
                 rsreset
 small_count     rs.l    1               ; lines of this part that are left

@@ -116,7 +116,7 @@ def test_run_json(folder, out):
     for frame in frames:
         assert frame["cycles"] > 64 * 48 and frame["cycles"] % CYCLES_PER_TICK == 0
         assert frame["polygons"] == 2
-        assert {kind.removesuffix("_wrap") for kind in frame["spans"]} == {"fill", "affine_swap"}
+        assert {kind.removesuffix("_wrap") for kind in frame["spans"]} == {"triangles_flat", "affine_swap"}
         assert frame["pixels"] == sum(frame["spans"].values())
     for key in ("cycles", "polygons", "pixels"):
         assert totals[key] == sum(frame[key] for frame in frames)
@@ -124,7 +124,7 @@ def test_run_json(folder, out):
     assert sum(totals["spans"].values()) == totals["pixels"]
     lowering = about["lowering"]
     assert list(lowering) == ["red", "wall"] and lowering["wall"]["asked"] == {
-        "mapper": "affine", "edges": "subpixel", "gradients": "plane", "start": "subtexel",
+        "mapper": "affine", "edges": "snapped", "gradients": "plane", "start": "subtexel",
         "clip": "scissor", "perspective": "none", "tolerance": 0}
     assert totals["pixels"] == sum(sum(each["spans"].values()) for each in lowering.values())
 

@@ -87,7 +87,7 @@ def test_content(folder):
     made = make(folder)
     assert (made.width, made.height, made.frames, made.background) == (64, 48, 8, 0)
     assert made.palette[0].tolist() == [16, 32, 48] and made.palette[1].tolist() == [255, 0, 0]
-    assert made.materials == [Material(colour=1), Material("affine", texture=0)]
+    assert made.materials == [Material(edges="snapped", colour=1), Material("affine", "snapped", texture=0)]
     assert [(o.material, o.vertex, o.vertices, o.pose, o.poses) for o in made.objects] == [
         (0, 0, 3, 0, 8), (1, 3, 4, 8, 8), (1, 7, 4, 16, 8)]
     assert made.vertices.shape == (11, 6) and made.poses.shape == (24, 6)

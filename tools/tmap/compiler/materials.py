@@ -14,6 +14,7 @@ from tmap.images import images, palette
 from tmap.scene_file.materials import SETTINGS, Material
 from tmap.scene_file.textures import (LAYOUTS, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, Texture,
                                       size_fault)
+from tmap.setup import snapped
 from tmap.setup.shading import LIT
 
 SIDE_MAX = 1 << 15  # texels, of any map
@@ -31,7 +32,8 @@ def texture_schema():
 def material_schema():
     """Returns the check of a material."""
     settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
-                for name in SETTINGS if name != "mapper"} | {"tolerance": (number(0, 1), 0)}
+                for name in SETTINGS if name != "mapper"} \
+        | {"tolerance": (number(0, 1), 0), "edges": (one_of(*SETTINGS["edges"]), "")}
     mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
     check = choice({
         "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
@@ -61,6 +63,22 @@ def has_shades(material: dict) -> bool:
     count."""
     looks = n64.looks(material)
     return mapper_of(material) in LIT or bool(looks and looks.shade)
+
+
+def is_for_triangles(material: dict) -> bool:
+    """Returns true if routines for triangles draw a checked material."""
+    settings = material["gradients"], material["start"], material["perspective"]
+    return mapper_of(material) == "flat" or mapper_of(material) in snapped.VALUES \
+        and settings == ("plane", "subtexel", "none")
+
+
+def settle_edges(materials: dict[str, dict]) -> None:
+    """Sets the edges of materials that state none, all the same, so that neighbours leave no gap: snapped
+    if routines for triangles draw all of them."""
+    unstated = [m for m in materials.values() if not m["edges"]]
+    edges = "snapped" if all(map(is_for_triangles, unstated)) else Material.edges
+    for material in unstated:
+        material["edges"] = edges
 
 
 def check_units(material: dict, kind: str, frames: tuple[str, ...], pixel: PixelFormat,
@@ -127,6 +145,7 @@ def check(spec: dict, where: str) -> None:
         if texture["width"] * texture["height"] > TEXELS_MAX:
             fail(join(f"{where}textures", name) + ".width",
                  f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
+    settle_edges(spec["materials"])
     for name, material in spec["materials"].items():
         at = join(f"{where}materials", name)
         check_settings(material, FORMATS[spec["format"]], at)

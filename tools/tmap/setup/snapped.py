@@ -12,8 +12,6 @@ from tmap.build import layout
 from tmap.setup.texturing import Line, Settings
 
 M24 = (1 << 24) - 1
-#: Heights of small triangles, 1/16 line: SMALL_HEIGHT of src68k/include/triangle_small.i.
-SMALL_HEIGHT = 224
 #: How far the wide triangles' edges begin below x + 1, 2^-32 pixel: BELOW of triangle_wide.i.
 BELOW = 102400
 #: Widths of small triangles, pixels, by mapper and bytes a pixel; where tables of lines are made, none is.
@@ -28,6 +26,8 @@ CORNERS = 4
 LIMITS = layout.load().constants
 WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
     "SNAPPED_WIDTH", "SNAPPED_LINES", "SNAPPED_TEXELS", "SNAPPED_RAISED", "FINER_HEIGHT"))
+#: Heights of small triangles, 1/16 line.
+SMALL_HEIGHT = LIMITS["SMALL_HEIGHT"]
 STEEP, STEEP_LEVELS = LIMITS["SHADES_STEEP"], LIMITS["LEVELS_STEEP"]
 INSET = ONE // 16  # how far a level is kept inside its whole one
 
