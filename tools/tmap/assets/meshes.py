@@ -71,6 +71,6 @@ def ring(along: int, around: int, thick: float) -> bytes:
 
 
 #: The demo's rings: triangles, and faces along and around.
-RINGS = {192: (16, 6), 80: (10, 4), 64: (8, 4), 32: (4, 4), 24: (4, 3)}
+RINGS = {192: (16, 6), 80: (10, 4)}
 FILES = {"knot.obj": knot} | {f"demo/ring{triangles}.obj": lambda sides=sides: ring(*sides, 0.45)
                               for triangles, sides in RINGS.items()}
