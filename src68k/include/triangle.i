@@ -22,6 +22,7 @@ batch_source    rs.l    1               ; the map, or the colour
 batch_reciprocals rs.l  1
 batch_pitch     rs.l    1
 batch_pixels    rs.l    1               ; tables of lines: the frame's row 0, as spans take it
+batch_room      rs.l    1               ; of a triangle that is not small: below 0 if it is wide
 batch_sizeof    rs.l    0
 
 ; Begins a routine that draws the batch a0. \1: the plan's field of what it draws, if any.
