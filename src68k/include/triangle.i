@@ -21,6 +21,7 @@ batch_row       rs.l    1               ; row 0 of the frame
 batch_source    rs.l    1               ; the map, or the colour
 batch_reciprocals rs.l  1
 batch_pitch     rs.l    1
+batch_room      rs.l    1               ; of a triangle that is not small: below 0 if it is wide
 ; tables of lines:
 batch_pixels    rs.l    1               ; the frame's row 0, as spans take it
 batch_shade     rs.l    1               ; the shade plan

@@ -145,60 +145,58 @@ small_set_up macro
         bra     .edges\@
         endm
 
+; \2 = the negative number of a line's pixels, from the long edge \1, left or right, at \3,
+; to the short one, at \4: pointers or offsets. None is negative: edges are exact.
+line_pixels macro
+        ifc     '\1','left'
+        move.w  \3,\2
+        sub.w   \4,\2
+        else
+        move.w  \4,\2
+        sub.w   \3,\2
+        endc
+        endm
+
 ; The lines of small triangles with values of the mapper \2, long edge on the side \1. a0 the row,
-; a6 the long edge's step, d5 the long edge, d6 the short one, d4's lower word free. The macros
-; \2_line steps the values a line, \2_more_\1 a pixel, \2_keep keeps them; \2_enter goes to the
-; pixels, of which d4 is the negative number; \2_pixels are those of a line, at a1.
+; a6 the long edge's step, d5 the long edge, d6 the short one. \3: a register whose lower word
+; becomes the negative number of pixels. \4: the lines left, \5: the short edge's step: registers, or
+; their places on the stack. The macro \2_zero clears d4's lower word if it needs to, \2_line steps
+; the values a line, \2_more_\1 a pixel, \2_keep keeps them; \2_enter goes to the pixels of the label \2_end_\1;
+; \2_pixel_\1 is one, at a1.
 small_lines macro
         cnop    0,4
-\2_pixels_\1
         rept    \2_unrolled
         \2_pixel_\1
         endr
 \2_end_\1
-small_next_\1
-        subq.l  #1,(sp)
-        beq     small_part_\1
-        add.l   small_step(sp),d6
-        clr.w   d4
+        subq.l  #1,\4
+        beq.s   small_part_\1
+        \2_zero
+        add.l   \5,d6
         addx.w  d4,d6
 small_stepped_\1
-        \2_line
+        \2_line small
         add.l   a6,d5
         bcs.s   small_more_\1
 small_first_\1
         \2_keep
-        ifc     '\1','left'
-        move.w  d5,d4
-        sub.w   d6,d4
-        else
-        move.w  d6,d4
-        sub.w   d5,d4
-        endc
-        bpl.s   small_next_\1
+        line_pixels \1,\3,d5,d6
         lea     (a0,d5.w),a1
-        \2_enter \1
+        \2_enter \2_end_\1,\3
 small_more_\1
         addq.w  #1,d5
         \2_more_\1
         \2_keep
-        ifc     '\1','left'
-        move.w  d5,d4
-        sub.w   d6,d4
-        else
-        move.w  d6,d4
-        sub.w   d5,d4
-        endc
-        bpl     small_next_\1
+        line_pixels \1,\3,d5,d6
         lea     (a0,d5.w),a1
-        \2_enter \1
+        \2_enter \2_end_\1,\3
 small_part_\1
-        move.l  small_count_2(sp),(sp)
+        move.l  small_count_2(sp),\4
         beq     small_end
         clr.l   small_count_2(sp)
-        move.l  small_step_2(sp),small_step(sp)
+        move.l  small_step_2(sp),\5
         move.l  small_start_2(sp),d6
-        clr.w   d4
+        \2_zero
         bra     small_stepped_\1
         endm
 

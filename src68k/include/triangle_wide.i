@@ -191,68 +191,84 @@ wide_set_up macro
         bra     .edges\@
         endm
 
+; batch_room = below 0 if a line of the triangle may have more than \1 * 16 pixels: 1 or 4. Uses d7.
+triangle_room macro
+        moveq   #0,d7
+        move.w  d2,d7
+        lsl.l   #8,d7
+        ifeq    \1-4
+        lsl.l   #2,d7
+        endc
+        sub.l   d6,d7
+        move.l  d7,batch_room(a5)
+        endm
+
 ; Sets up the triangles of a batch with values of the mapper \1; small ones are up to \2 * 16 pixels
-; wide.
+; wide, narrow ones up to \3 * 16, if the mapper makes that difference.
 triangles_set_up macro
         triangle_fetch
         triangle_order .right
         triangle_small .left_wide,\2
         small_set_up left,\1
 .left_wide
+        ifnb    \3
+        triangle_room \3
+        endc
         wide_set_up left,\1
 .right  exg     d1,d2
         exg     a2,a3
         triangle_small .right_wide,\2
         small_set_up right,\1
 .right_wide
+        ifnb    \3
+        triangle_room \3
+        endc
         wide_set_up right,\1
         endm
 
-; The lines of wide triangles with values of the mapper \2, long edge on the side \1. a0 the long
-; edge's pixel, a6 the short one's, d5 and d6 their errors, d4's lower word free, d0 free between
-; lines. Macros as in small_lines; \2_enter_wide also draws whole rounds, up to a6. \3 to \6: part and
-; step of the long edge, then of the short one: registers, or their places on the stack.
+; Begins the lines, long edge on the side \1.
+wide_begin macro
+        tst.l   wide_sizeof+batch_room(sp)
+        bpl     narrow_first_\1
+        bra     wide_first_\1
+        endm
+
+; The lines of triangles that are not small with values of the mapper \2, long edge on the side \1, \3 wide or
+; narrow. a0 the long edge's pixel, \6 the short one's, d5 and d6 their errors, \4 and \5 part and step
+; of the long edge, \7 as \3 of small_lines. Macros as there; \2_short steps the short edge,
+; \2_second makes it the second one. \2_narrow_\1 are the pixels of any line, which \2_enter goes
+; to; \2_wide_\1 are a round of them, with a test for the next, which \2_enter_wide goes to.
 wide_lines macro
         cnop    0,4
-        \2_rounds_\1
-wide_next_\1
+        \2_\3_\1
+\3_next_\1
         subq.l  #1,(sp)
-        beq     wide_part_\1
-        adda.l  \6,a6
-        add.l   \5,d6
-        bcc.s   wide_stepped_\1
-        addq.l  #1,a6
-wide_stepped_\1
-        clr.w   d4
-        \2_line
-        adda.l  \4,a0
-        add.l   \3,d5
-        bcs.s   wide_more_\1
-wide_first_\1
+        beq.s   \3_part_\1
+        \2_short
+\3_stepped_\1
+        \2_zero
+        \2_line wide
+        adda.l  \5,a0
+        add.l   \4,d5
+        bcs.s   \3_more_\1
+\3_first_\1
         \2_keep
-        ifc     '\1','left'
-        move.w  a0,d4
-        sub.w   a6,d4
-        else
-        move.w  a6,d4
-        sub.w   a0,d4
-        endc
-        bpl.s   wide_next_\1
+        line_pixels \1,\7,a0,\6
         movea.l a0,a1
-        \2_enter_wide \1
-wide_more_\1
+        \2_enter_\3 \1
+\3_more_\1
         addq.l  #1,a0
         \2_more_\1
-        bra.s   wide_first_\1
-wide_part_\1
+        \2_keep
+        line_pixels \1,\7,a0,\6
+        movea.l a0,a1
+        \2_enter_\3 \1
+\3_part_\1
         move.l  wide_count_2(sp),(sp)
         beq     wide_end
         clr.l   wide_count_2(sp)
-        move.l  wide_r_step_2(sp),\6
-        move.l  wide_r_part_2(sp),\5
-        movea.l wide_r_2(sp),a6
-        move.l  wide_r_error_2(sp),d6
-        bra     wide_stepped_\1
+        \2_second
+        bra     \3_stepped_\1
         endm
 
 ; Ends a wide triangle.

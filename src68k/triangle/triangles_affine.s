@@ -20,6 +20,10 @@
 
 affine_unrolled equ     16
 
+affine_zero macro
+        clr.w   d4
+        endm
+
 affine_line macro
         move.l  a4,d1
         add.l   a5,d1
@@ -57,37 +61,71 @@ affine_pixel_right macro
         move.b  (a2),-(a1)
         endm
 
+; Goes to the -d4 pixels before the label \1.
 affine_enter macro
-        lea     affine_end_\1(pc,d4.w*4),a2
+        lea     \1(pc,d4.w*4),a2
         add.l   d3,d1
         jmp     (a2,d4.w*8)
         endm
 
-affine_rounds_left macro
-affine_round_left
+affine_pixels macro
         rept    16
-        affine_pixel_left
+        affine_pixel_\1
         endr
+        endm
+
+affine_narrow_left macro
+        affine_pixels left
+affine_narrow_end_left
+        endm
+
+affine_narrow_right macro
+        affine_pixels right
+affine_narrow_end_right
+        endm
+
+affine_enter_narrow macro
+        affine_enter affine_narrow_end_\1
+        endm
+
+affine_wide_left macro
+affine_round_left
+        affine_pixels left
 affine_round_end_left
         cmpa.l  a6,a1
         bne     affine_round_left
         endm
 
-affine_rounds_right macro
+affine_wide_right macro
 affine_round_right
-        rept    16
-        affine_pixel_right
-        endr
+        affine_pixels right
 affine_round_end_right
         cmpa.l  a6,a1
         bne     affine_round_right
         endm
 
+; The last pixels of the line are a whole round where 16 are left: so many less 1 are counted.
 affine_enter_wide macro
+        subq.w  #1,d4
         or.w    #-16,d4
-        lea     affine_round_end_\1(pc,d4.w*4),a2
+        lea     affine_round_end_\1+12(pc,d4.w*4),a2
         add.l   d3,d1
         jmp     (a2,d4.w*8)
+        endm
+
+affine_short macro
+        adda.l  wide_r_step(sp),a6
+        add.l   wide_r_part(sp),d6
+        bcc.s   .stepped\@
+        addq.l  #1,a6
+.stepped\@
+        endm
+
+affine_second macro
+        move.l  wide_r_step_2(sp),wide_r_step(sp)
+        move.l  wide_r_part_2(sp),wide_r_part(sp)
+        movea.l wide_r_2(sp),a6
+        move.l  wide_r_error_2(sp),d6
         endm
 
 ; Packs the starts a6 and a3, the steps a pixel a4 and a2, the steps a line (sp)+ and d7.
@@ -140,7 +178,7 @@ affine_wide macro
         move.l  wide_r_error-4(sp),d6
         movea.l wide_r-4(sp),a6
         move.l  wide_count_1-4(sp),-(sp)
-        bra     wide_first_\1
+        wide_begin \1
         endm
 
         routine triangles_affine,a0
@@ -149,8 +187,10 @@ texel_quotient
         triangle_quotient
         small_close
         wide_close
-        triangles_set_up affine,1
-        small_lines left,affine
-        small_lines right,affine
-        wide_lines left,affine,wide_l_part(sp),wide_l_step(sp),wide_r_part(sp),wide_r_step(sp)
-        wide_lines right,affine,wide_l_part(sp),wide_l_step(sp),wide_r_part(sp),wide_r_step(sp)
+        triangles_set_up affine,1,1
+        small_lines left,affine,d4,(sp),small_step(sp)
+        small_lines right,affine,d4,(sp),small_step(sp)
+        wide_lines left,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4
+        wide_lines right,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4
+        wide_lines left,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4
+        wide_lines right,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4

@@ -14,15 +14,28 @@
 ; A shade is one chain, ss--SS with the integer in the lower word: its carry is added to its own lowest
 ; bit, so that adding steps a pixel or a line, in any order, is exact: modulo 2^32 - 1 the chain is
 ; the shade times 2^16. A negative step is one less before its halves are swapped. d0 is the shade,
-; d2 its step a pixel, a4 that step's fraction, d7 its step a line, a3 the line's first shade, d4
-; 0. Of a wide triangle's edges d1 and a5 are part and step of the long one, d3 and a2 of the
-; short one.
+; d2 its step a pixel, a4 that step's fraction, a3 the line's first shade, d4 0.
+;
+; Small: d7 is its step a line, d1 the lines left, a2 the short edge's step; d3 counts pixels.
+;
+; Not small: a2 and a5 are part and step of the long edge, d1 is the short one's pixel, a6 and d3 its
+; part and step; d7 counts pixels.
 
 gouraud_unrolled equ    32
 
+gouraud_step    equ     wide_r_error    ; the step a line, on the stack
+
+gouraud_zero macro
+        endm
+
+; \1: small or not.
 gouraud_line macro
         move.l  a3,d0
+        ifc     '\1','small'
         add.l   d7,d0
+        else
+        add.l   gouraud_step(sp),d0
+        endc
         addx.l  d4,d0
         endm
 
@@ -51,35 +64,64 @@ gouraud_pixel_right macro
         addx.l  d2,d0
         endm
 
+; Goes to the -\2 pixels before the label \1.
 gouraud_enter macro
         add.l   a4,d0
-        jmp     gouraud_end_\1(pc,d4.w*4)
+        jmp     \1(pc,\2.w*4)
         endm
 
-gouraud_rounds_left macro
-gouraud_round_left
-        rept    32
-        gouraud_pixel_left
+gouraud_pixels macro
+        rept    \2
+        gouraud_pixel_\1
         endr
+        endm
+
+gouraud_narrow_left macro
+        gouraud_pixels left,64
+gouraud_narrow_end_left
+        endm
+
+gouraud_narrow_right macro
+        gouraud_pixels right,64
+gouraud_narrow_end_right
+        endm
+
+gouraud_enter_narrow macro
+        gouraud_enter gouraud_narrow_end_\1,d7
+        endm
+
+gouraud_wide_left macro
+gouraud_round_left
+        gouraud_pixels left,32
 gouraud_round_end_left
-        cmpa.l  a6,a1
+        cmpa.l  d1,a1
         bne     gouraud_round_left
         endm
 
-gouraud_rounds_right macro
+gouraud_wide_right macro
 gouraud_round_right
-        rept    32
-        gouraud_pixel_right
-        endr
+        gouraud_pixels right,32
 gouraud_round_end_right
-        cmpa.l  a6,a1
+        cmpa.l  d1,a1
         bne     gouraud_round_right
         endm
 
 gouraud_enter_wide macro
-        or.w    #-32,d4
-        add.l   a4,d0
-        jmp     gouraud_round_end_\1(pc,d4.w*4)
+        subq.w  #1,d7
+        or.w    #-32,d7
+        gouraud_enter gouraud_round_end_\1+4,d7
+        endm
+
+gouraud_short macro
+        add.l   a6,d6
+        addx.l  d3,d1
+        endm
+
+gouraud_second macro
+        move.l  wide_r_step_2(sp),d3
+        movea.l wide_r_part_2(sp),a6
+        move.l  wide_r_2(sp),d1
+        move.l  wide_r_error_2(sp),d6
         endm
 
 ; a4 = the shade's step a pixel, not a whole negative number; a6 = its difference along the long edge.
@@ -135,6 +177,8 @@ gouraud_small macro
         movea.l (sp)+,a6
         move.l  (sp)+,d5
         move.l  (sp)+,d6
+        move.l  small_count(sp),d1
+        movea.l small_step(sp),a2
         bra     small_first_\1
         endm
 
@@ -145,13 +189,14 @@ gouraud_wide macro
         gouraud_pack
         move.l  (sp)+,d5
         move.l  wide_r_error-4(sp),d6
-        movea.l wide_r-4(sp),a6
-        move.l  wide_l_part-4(sp),d1
-        movea.l wide_l_step-4(sp),a5
-        move.l  wide_r_part-4(sp),d3
-        movea.l wide_r_step-4(sp),a2
+        move.l  d7,gouraud_step-4(sp)
+        move.l  wide_r-4(sp),d1
+        movea.l wide_l_part-4(sp),a2
+        movea.l wide_r_part-4(sp),a6
+        move.l  wide_r_step-4(sp),d3
         move.l  wide_count_1-4(sp),-(sp)
-        bra     wide_first_\1
+        movea.l wide_l_step(sp),a5
+        wide_begin \1
         endm
 
         routine triangles_gouraud,a0
@@ -160,8 +205,10 @@ gouraud_quotient
         triangle_quotient
         small_close
         wide_close
-        triangles_set_up gouraud,2
-        small_lines left,gouraud
-        small_lines right,gouraud
-        wide_lines left,gouraud,d1,a5,d3,a2
-        wide_lines right,gouraud,d1,a5,d3,a2
+        triangles_set_up gouraud,2,4
+        small_lines left,gouraud,d3,d1,a2
+        small_lines right,gouraud,d3,d1,a2
+        wide_lines left,gouraud,narrow,a2,a5,d1,d7
+        wide_lines right,gouraud,narrow,a2,a5,d1,d7
+        wide_lines left,gouraud,wide,a2,a5,d1,d7
+        wide_lines right,gouraud,wide,a2,a5,d1,d7
