@@ -104,6 +104,8 @@ static enum chain chain_of(const struct setup *s)
 {
     const struct material *m = s->material;
 
+    if (m->mapper == MAPPER_GOURAUD)
+        return CHAIN_SHADES;
     if (m->mapper == MAPPER_LIT_GOURAUD)
         return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
     if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT
@@ -121,21 +123,42 @@ static void set_cuts(struct texturing *t, enum mapper mapper)
     t->v_cut = mapper == MAPPER_TILED ? CUT_TILED_V : t->u_cut;
 }
 
-/* Finds the polygon's steps and the starts on its left edges. */
+/* Finds the outline and, unless the polygon is flat or has no plane of u and v, the plane. */
+static enum polygon_result set_outline(struct setup *s)
+{
+    int32 chain = OUTLINE_ALONE;
+
+    if (!is_flat(s) && s->kind != SPAN_PERSPECTIVE
+        && s->material->gradients == GRADIENTS_PLANE) {
+        set_cuts(&s->texturing, s->material->mapper);
+        chain = (int32)chain_of(s);
+    }
+    return outline_find(s, chain);
+}
+
+/* Finds the plane of a polygon that has its outline. */
+static void set_plane(struct setup *s)
+{
+    set_cuts(&s->texturing, s->material->mapper);
+    plane_find(s, (int32)chain_of(s));
+}
+
+/* Finds the polygon's steps and the starts on its left edges; a plane is there already. */
 static enum polygon_result set_texturing(struct setup *s)
 {
     const struct material *m = s->material;
     struct texturing *t = &s->texturing;
 
-    set_cuts(t, m->mapper);
-    if (m->gradients == GRADIENTS_PLANE)
-        texturing_plane(t, &s->sides, &s->box, chain_of(s));
-    else if (s->count == 3)
+    if (m->gradients == GRADIENTS_PLANE) {
+        if (m->start == START_TRUNCATED)
+            texturing_crossings(t, s->edges.left, s->edges.lefts);
+    } else if (s->count == 3) {
+        set_cuts(t, m->mapper);
         texturing_longest(t, &s->sides, &s->box, chain_of(s));
-    else
+        texturing_edges(t, s->edges.left, s->edges.lefts, m->start, s->box.right - s->box.left);
+    } else {
         return POLYGON_NO_TRIANGLE;
-    texturing_edges(t, s->edges.left, s->edges.lefts, m->gradients, m->start,
-                    s->box.right - s->box.left);
+    }
     s->span.dudx = t->dudx;
     s->span.dvdx = t->dvdx;
     s->edges.dudx = m->start == START_SUBTEXEL ? t->dudx : 0;
@@ -249,7 +272,7 @@ static int32 draw_perspective(struct setup *s)
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off */
-        set_texturing(s);
+        set_plane(s);
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
     } else if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box)) {
@@ -313,7 +336,7 @@ static enum polygon_result draw(struct setup *s)
     s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, material);
     if (lower_asked(s))
         lower_by_vertices(s);
-    result = outline_find(s);
+    result = set_outline(s);
     if (result != POLYGON_DRAWN)
         return result;
     result = set_span(s);
@@ -323,6 +346,7 @@ static enum polygon_result draw(struct setup *s)
         if (draw_perspective(s))
             return POLYGON_DRAWN;
         s->kind = lower_affine(material, s->form);
+        set_plane(s);
     }
     if (!is_flat(s) && material->gradients != GRADIENTS_SCANLINE) {
         result = set_texturing(s);
@@ -338,7 +362,7 @@ static void count_snapped(struct setup *s)
 {
     s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, s->material);
     s->kind = triangle_kind(s->frame, s->material);
-    if (outline_find(s) != POLYGON_DRAWN)
+    if (outline_find(s, OUTLINE_ALONE) != POLYGON_DRAWN)
         return;
     s->span.lines = s->edges.lines;
     s->span.count = s->box.bottom - s->box.top;

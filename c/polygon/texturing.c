@@ -114,27 +114,32 @@ static void to_crossing(const struct texturing *t, struct edge *edge)
     edge->dv = t->dvdy + mul_fix(t->dvdx, slope);
 }
 
-void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
-                     enum gradients gradients, enum start start, int32 width)
+/* Raises an edge's start and steps to what the spans keep. */
+static void raise_edge(const struct texturing *t, struct edge *edge)
 {
-    if (gradients == GRADIENTS_PLANE) {
-        texturing_starts(t, edges, count);
-        if (start == START_SUBTEXEL)
-            return;
-    }
+    edge->u = texturing_raised(edge->u, t->u_cut) | t->wrap_bit;
+    edge->v = texturing_raised(edge->v, t->v_cut);
+    edge->du = (fix16)texturing_raised((uint32)edge->du, t->u_cut);
+    edge->dv = (fix16)texturing_raised((uint32)edge->dv, t->v_cut);
+}
+
+void texturing_crossings(const struct texturing *t, struct edge *edges, int32 count)
+{
     for (; count > 0; count--, edges++) {
-        if (gradients == GRADIENTS_PLANE) {
-            to_crossing(t, edges);
-        } else {
-            texturing_along(edges);
-            if (start == START_SUBTEXEL)
-                to_pixels(t, edges);
-            edges->u += shortfall(t->dudx, t->u_cut, edges->lines, width, start);
-            edges->v += shortfall(t->dvdx, t->v_cut, edges->lines, width, start);
-        }
-        edges->u = texturing_raised(edges->u, t->u_cut) | t->wrap_bit;
-        edges->v = texturing_raised(edges->v, t->v_cut);
-        edges->du = (fix16)texturing_raised((uint32)edges->du, t->u_cut);
-        edges->dv = (fix16)texturing_raised((uint32)edges->dv, t->v_cut);
+        to_crossing(t, edges);
+        raise_edge(t, edges);
+    }
+}
+
+void texturing_edges(const struct texturing *t, struct edge *edges, int32 count, enum start start,
+                     int32 width)
+{
+    for (; count > 0; count--, edges++) {
+        texturing_along(edges);
+        if (start == START_SUBTEXEL)
+            to_pixels(t, edges);
+        edges->u += shortfall(t->dudx, t->u_cut, edges->lines, width, start);
+        edges->v += shortfall(t->dvdx, t->v_cut, edges->lines, width, start);
+        raise_edge(t, edges);
     }
 }

@@ -197,8 +197,9 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
     if settings.gradients == "scanline":
         scanline_lines(polygon.left_edges, polygon.right_edges, polygon.lines, settings)
     else:
-        find = plane if settings.gradients == "plane" else longest
-        polygon.texturing = find(vertices, outline.corners, outline.box, settings)
+        corners, box = outline.corners, outline.box
+        polygon.texturing = plane(vertices, corners, box, settings, True) \
+            if settings.gradients == "plane" else longest(vertices, corners, box, settings)
         if polygon.texturing is None:
             return False
         columns = [edge.column(y) for edge in polygon.left_edges for y in range(edge.top, edge.end)]
