@@ -155,7 +155,8 @@ static enum polygon_result set_texturing(struct setup *s)
     } else if (s->count == 3) {
         set_cuts(t, m->mapper);
         texturing_longest(t, &s->sides, &s->box, chain_of(s));
-        texturing_edges(t, s->edges.left, s->edges.lefts, m->start, s->box.right - s->box.left);
+        (m->start == START_SUBTEXEL ? texturing_pixels : texturing_edges)(
+            t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
     } else {
         return POLYGON_NO_TRIANGLE;
     }
