@@ -43,24 +43,28 @@ static union made *made_of(const struct setup *s)
 static enum polygon_result set_map(struct setup *s)
 {
     struct column_layout *columns = &s->scratch->columns;
-    uint8 *code = made_of(s)->code;
     const struct map *map = s->material->map;
-    enum mapper mapper = s->material->mapper;
+    const enum mapper mapper = s->material->mapper;
+    const struct mapper_traits *traits = &mappers[mapper];
+    uint8 *code;
 
-    if (mapper == MAPPER_GOURAUD)
-        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
     if (mapper == MAPPER_FLAT)
         return POLYGON_DRAWN;
-    if (!map || map->layout != mappers[mapper].layout || map->texel_bytes != s->frame->pixel_bytes
-        || !(map->texel_bytes & mappers[mapper].bytes)
+    if (mapper == MAPPER_GOURAUD)
+        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
+    if (!map || map->layout != traits->layout || map->texel_bytes != s->frame->pixel_bytes
+        || !(map->texel_bytes & traits->bytes)
         || (map->texel_bytes > 1 && s->material->perspective))
         return POLYGON_WRONG_MAP;
     s->span.map = map->texels;
+    if (mapper == MAPPER_AFFINE)
+        return POLYGON_DRAWN;
+    code = made_of(s)->code;
     s->span.map_width = map->width;
     s->span.map_height = map->height;
     s->span.columns = columns;
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
-    if (mappers[mapper].is & MAPPER_LIGHTS
+    if (traits->is & MAPPER_LIGHTS
         && !shading_light(&s->span, s->material,
                           s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
         return POLYGON_WRONG_MAP;
@@ -203,16 +207,19 @@ static fix16 slower(fix16 step)
     return step >= 0 ? step : step < -2 ? step + 2 : 0;
 }
 
+/* Returns non-zero if the mapper has a range that u and v of every pixel must stay in. */
+static int32 has_range(const struct setup *s)
+{
+    return (s->material->mapper == MAPPER_GOURAUD || s->material->mapper == MAPPER_ARBITRARY)
+        && !is_flat(s);
+}
+
 /* Keeps u and v of every pixel in the mapper's range. */
 static void clamp_lines(struct setup *s)
 {
     struct clamp_plan clamp;
-    int32 leaves;
+    int32 leaves = material_leaves_range(s);
 
-    if ((s->material->mapper != MAPPER_GOURAUD && s->material->mapper != MAPPER_ARBITRARY)
-        || is_flat(s))
-        return;
-    leaves = material_leaves_range(s);
     if (lower_to_no_clamp(s, leaves))
         return;
     material_range(&clamp, s);
@@ -258,7 +265,8 @@ static void draw_each_line(struct setup *s)
         line->dvdx = line->steps[i].dvdx;
         if (line->lines->last >= line->lines->left) {
             raise_line(&s->edges.lines[i], line, &s->texturing);
-            clamp_lines(s);
+            if (has_range(s))
+                clamp_lines(s);
             draw_span(s);
         }
         line->row += line->pitch;
@@ -296,7 +304,8 @@ static void draw_affine(struct setup *s)
     } else {
         lower_by_steps(s);
         make_lines(s, s->kind);
-        clamp_lines(s);
+        if (has_range(s))
+            clamp_lines(s);
         if (s->kind == SPAN_GENERATED)
             generated_span(s);
     }
