@@ -43,24 +43,28 @@ static union made *made_of(const struct setup *s)
 static enum polygon_result set_map(struct setup *s)
 {
     struct column_layout *columns = &s->scratch->columns;
-    uint8 *code = made_of(s)->code;
     const struct map *map = s->material->map;
-    enum mapper mapper = s->material->mapper;
+    const enum mapper mapper = s->material->mapper;
+    const struct mapper_traits *traits = &mappers[mapper];
+    uint8 *code;
 
-    if (mapper == MAPPER_GOURAUD)
-        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
     if (mapper == MAPPER_FLAT)
         return POLYGON_DRAWN;
-    if (!map || map->layout != mappers[mapper].layout || map->texel_bytes != s->frame->pixel_bytes
-        || !(map->texel_bytes & mappers[mapper].bytes)
+    if (mapper == MAPPER_GOURAUD)
+        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
+    if (!map || map->layout != traits->layout || map->texel_bytes != s->frame->pixel_bytes
+        || !(map->texel_bytes & traits->bytes)
         || (map->texel_bytes > 1 && s->material->perspective))
         return POLYGON_WRONG_MAP;
     s->span.map = map->texels;
+    if (mapper == MAPPER_AFFINE)
+        return POLYGON_DRAWN;
+    code = made_of(s)->code;
     s->span.map_width = map->width;
     s->span.map_height = map->height;
     s->span.columns = columns;
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
-    if (mappers[mapper].is & MAPPER_LIGHTS
+    if (traits->is & MAPPER_LIGHTS
         && !shading_light(&s->span, s->material,
                           s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
         return POLYGON_WRONG_MAP;
@@ -104,6 +108,8 @@ static enum chain chain_of(const struct setup *s)
 {
     const struct material *m = s->material;
 
+    if (m->mapper == MAPPER_GOURAUD)
+        return CHAIN_SHADES;
     if (m->mapper == MAPPER_LIT_GOURAUD)
         return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
     if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT
@@ -121,21 +127,43 @@ static void set_cuts(struct texturing *t, enum mapper mapper)
     t->v_cut = mapper == MAPPER_TILED ? CUT_TILED_V : t->u_cut;
 }
 
-/* Finds the polygon's steps and the starts on its left edges. */
+/* Finds the outline and, unless the polygon is flat or has no plane of u and v, the plane. */
+static enum polygon_result set_outline(struct setup *s)
+{
+    int32 chain = OUTLINE_ALONE;
+
+    if (!is_flat(s) && s->kind != SPAN_PERSPECTIVE
+        && s->material->gradients == GRADIENTS_PLANE) {
+        set_cuts(&s->texturing, s->material->mapper);
+        chain = (int32)chain_of(s);
+    }
+    return outline_find(s, chain);
+}
+
+/* Finds the plane of a polygon that has its outline. */
+static void set_plane(struct setup *s)
+{
+    set_cuts(&s->texturing, s->material->mapper);
+    plane_find(s, (int32)chain_of(s));
+}
+
+/* Finds the polygon's steps and the starts on its left edges; a plane is there already. */
 static enum polygon_result set_texturing(struct setup *s)
 {
     const struct material *m = s->material;
     struct texturing *t = &s->texturing;
 
-    set_cuts(t, m->mapper);
-    if (m->gradients == GRADIENTS_PLANE)
-        texturing_plane(t, &s->sides, &s->box, chain_of(s));
-    else if (s->count == 3)
+    if (m->gradients == GRADIENTS_PLANE) {
+        if (m->start == START_TRUNCATED)
+            texturing_crossings(t, s->edges.left, s->edges.lefts);
+    } else if (s->count == 3) {
+        set_cuts(t, m->mapper);
         texturing_longest(t, &s->sides, &s->box, chain_of(s));
-    else
+        (m->start == START_SUBTEXEL ? texturing_pixels : texturing_edges)(
+            t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
+    } else {
         return POLYGON_NO_TRIANGLE;
-    texturing_edges(t, s->edges.left, s->edges.lefts, m->gradients, m->start,
-                    s->box.right - s->box.left);
+    }
     s->span.dudx = t->dudx;
     s->span.dvdx = t->dvdx;
     s->edges.dudx = m->start == START_SUBTEXEL ? t->dudx : 0;
@@ -179,16 +207,19 @@ static fix16 slower(fix16 step)
     return step >= 0 ? step : step < -2 ? step + 2 : 0;
 }
 
+/* Returns non-zero if the mapper has a range that u and v of every pixel must stay in. */
+static int32 has_range(const struct setup *s)
+{
+    return (s->material->mapper == MAPPER_GOURAUD || s->material->mapper == MAPPER_ARBITRARY)
+        && !is_flat(s);
+}
+
 /* Keeps u and v of every pixel in the mapper's range. */
 static void clamp_lines(struct setup *s)
 {
     struct clamp_plan clamp;
-    int32 leaves;
+    int32 leaves = material_leaves_range(s);
 
-    if ((s->material->mapper != MAPPER_GOURAUD && s->material->mapper != MAPPER_ARBITRARY)
-        || is_flat(s))
-        return;
-    leaves = material_leaves_range(s);
     if (lower_to_no_clamp(s, leaves))
         return;
     material_range(&clamp, s);
@@ -234,7 +265,8 @@ static void draw_each_line(struct setup *s)
         line->dvdx = line->steps[i].dvdx;
         if (line->lines->last >= line->lines->left) {
             raise_line(&s->edges.lines[i], line, &s->texturing);
-            clamp_lines(s);
+            if (has_range(s))
+                clamp_lines(s);
             draw_span(s);
         }
         line->row += line->pitch;
@@ -249,7 +281,7 @@ static int32 draw_perspective(struct setup *s)
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off */
-        set_texturing(s);
+        set_plane(s);
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
     } else if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box)) {
@@ -272,7 +304,8 @@ static void draw_affine(struct setup *s)
     } else {
         lower_by_steps(s);
         make_lines(s, s->kind);
-        clamp_lines(s);
+        if (has_range(s))
+            clamp_lines(s);
         if (s->kind == SPAN_GENERATED)
             generated_span(s);
     }
@@ -313,7 +346,7 @@ static enum polygon_result draw(struct setup *s)
     s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, material);
     if (lower_asked(s))
         lower_by_vertices(s);
-    result = outline_find(s);
+    result = set_outline(s);
     if (result != POLYGON_DRAWN)
         return result;
     result = set_span(s);
@@ -323,6 +356,7 @@ static enum polygon_result draw(struct setup *s)
         if (draw_perspective(s))
             return POLYGON_DRAWN;
         s->kind = lower_affine(material, s->form);
+        set_plane(s);
     }
     if (!is_flat(s) && material->gradients != GRADIENTS_SCANLINE) {
         result = set_texturing(s);
@@ -338,7 +372,7 @@ static void count_snapped(struct setup *s, enum span_kind kind)
 {
     s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, s->material);
     s->kind = kind;
-    if (outline_find(s) != POLYGON_DRAWN)
+    if (outline_find(s, OUTLINE_ALONE) != POLYGON_DRAWN)
         return;
     s->span.lines = s->edges.lines;
     s->span.count = s->box.bottom - s->box.top;

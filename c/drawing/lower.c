@@ -86,30 +86,12 @@ static int32 level(const struct setup *s)
     return s->given->shade >> LEVEL_BITS;
 }
 
-enum span_kind lower_affine(const struct material *material, enum form form)
-{
-    return material->gradients == GRADIENTS_SCANLINE ? SPAN_AFFINE_SCANLINE
-         : form == FORM_SWAP ? SPAN_AFFINE_SWAP
-         : form == FORM_C ? SPAN_AFFINE_C
-         : SPAN_AFFINE_ADDX_WRAP;
-}
-
 int32 lower_to_nothing(struct setup *s)
 {
     if (!RULE_IS_ON(s, OUTSIDE) || !is_outside(s))
         return 0;
     RULE_APPLIES(s, OUTSIDE);
     return 1;
-}
-
-int32 lower_asked(struct setup *s)
-{
-    const struct material *m = s->material;
-
-    s->kind = (enum span_kind)mappers[m->mapper].kind[s->frame->pixel_bytes >> 1];
-    if (s->kind == SPAN_AFFINE_ADDX_WRAP)
-        s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
-    return m->perspective || mappers[m->mapper].is & MAPPER_BY_VERTICES;
 }
 
 void lower_by_vertices(struct setup *s)
@@ -179,15 +161,6 @@ void lower_by_steps(struct setup *s)
         LOWER(NO_WRAP_DITHERED, DITHERED_32_WRAP, DITHERED_32, !s->texturing.wraps)
     }
     s->kind = kind;
-}
-
-int32 lower_to_no_scissor(struct setup *s)
-{
-    if (!RULE_IS_ON(s, INSIDE_FRAME) || s->outline_sides->x_low < 0
-        || s->outline_sides->x_high + EDGE_ERROR > s->frame->width << 16)
-        return 0;
-    RULE_APPLIES(s, INSIDE_FRAME);
-    return 1;
 }
 
 int32 lower_to_no_clamp(struct setup *s, int32 leaves_range)

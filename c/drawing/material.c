@@ -5,52 +5,85 @@
 #include "triangle/triangles.h"
 
 /* INSET: how far u and v of a triangle may be outside the vertices' range at a pixel's centre. The
-   parts: edges are within EDGE_ERROR pixels, half as much in a frame's 1,024 lines, times STEEP_4
-   texels a pixel: 1/32; 512 steps are rounded by 1/2^17 each in both directions, and starts are
-   raised by as much: 1/64; the plane itself is off by less than 1/2^10. ON_PLANE: only the edges
-   count if the range is that of the stepped plane. */
+   parts: edges by EDGES_32; 512 steps are rounded by 1/2^17 each in both directions, and starts are
+   raised by as much: 1/64; the plane itself is off by less than 1/64, as gradients below STEEP_256
+   are off by 1/2^23 texel a pixel over 2^15 pixels, and starts are raised by twice that. ON_PLANE:
+   only the edges count if the range is that of the stepped plane. EDGES_32: rounded edges are off by
+   1/2^17 pixel a line and 1/2^17 more: by 1/32 texel at most if the step times the lines is less.
+   Cutting vertices moves them more, so with it steps are below STEEP_4. */
 #define INSET SHADE_INSET
 #define ON_PLANE (3 * INSET / 4)
+#define STEEP_256 (256 * 65536)
 #define STEEP_4 (4 * 65536)
+#define EDGES_32 4096           /* texels a pixel times lines */
 
-const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,
-                                       const struct material *material)
+/* Makes x and y of the set-up's vertices. */
+static void set_places(struct vertex *to, const struct vertex *from, int32 count, enum edges edges)
 {
-    fix16 scale = material->map ? material->map->scale : 65536;
-    fix16 low = 0, high = 0;
+    fix16 half = edges == EDGES_SNAPPED ? SNAPPED_HALF : 0;
+    fix16 mask = edges == EDGES_SNAPPED ? ~SNAPPED_MASK : edges == EDGES_INTEGER ? ~0xffff : ~0;
 
-    if (material->mapper == MAPPER_GOURAUD)
-        shade_range(from, count, &low, &high);
-    else if (material->edges != EDGES_INTEGER && material->edges != EDGES_SNAPPED
-             && scale == 65536)
-        return from;
-    for (int32 i = 0; i < count; i++) {
-        to[i] = from[i];
-        if (material->edges == EDGES_INTEGER) {
-            to[i].x &= ~0xffff;
-            to[i].y &= ~0xffff;
-        } else if (material->edges == EDGES_SNAPPED) {
-            to[i].x = (to[i].x + SNAPPED_HALF) & ~SNAPPED_MASK;
-            to[i].y = (to[i].y + SNAPPED_HALF) & ~SNAPPED_MASK;
-            low = high = from[i].shade;         /* its own range: polygons share vertices */
+    for (; count > 0; count--, to++, from++) {
+        to->x = (from->x + half) & mask;
+        to->y = (from->y + half) & mask;
+    }
+}
+
+/* MAPPER_GOURAUD: makes s of the shades. With snapped vertices each has its own range, because
+   polygons share them. */
+static void set_shades(struct vertex *to, const struct vertex *from, int32 count, enum edges edges)
+{
+    fix16 low, high;
+
+    shade_range(from, count, &low, &high);
+    for (; count > 0; count--, to++, from++) {
+        if (edges == EDGES_SNAPPED) {
+            low = high = from->shade;
             shade_limits(&low, &high);
         }
-        if (material->mapper == MAPPER_GOURAUD) {
-            to[i].s = shade_limited(from[i].shade, low, high);
-            to[i].t = 0;
-        } else if (scale != 65536) {
-            to[i].s = mul_round(from[i].s, scale);
-            to[i].t = mul_round(from[i].t, scale);
-        }
+        to->s = shade_limited(from->shade, low, high);
+        to->t = 0;
     }
+}
+
+static void set_texels(struct vertex *to, const struct vertex *from, int32 count, fix16 scale)
+{
+    for (; count > 0; count--, to++, from++) {
+        to->s = from->s;
+        to->t = from->t;
+        if (scale != 65536) {
+            to->s = mul_round(from->s, scale);
+            to->t = mul_round(from->t, scale);
+        }
+        to->shade = from->shade;
+        to->w = from->w;
+    }
+}
+
+const struct vertex *material_made(struct vertex *to, const struct vertex *from, int32 count,
+                                   const struct material *material)
+{
+    set_places(to, from, count, (enum edges)material->edges);
+    if (material->mapper == MAPPER_GOURAUD)
+        set_shades(to, from, count, (enum edges)material->edges);
+    else
+        set_texels(to, from, count, material->map ? material->map->scale : 65536);
     return to;
 }
 
-/* Returns non-zero if an edge's error may move u or v by more than INSET allows. */
-static int32 is_steep(const struct material *material, const struct span_plan *span)
+/* Returns non-zero if the error of edges or of gradients may move u or v by more than INSET
+   allows. */
+static int32 is_steep(const struct setup *s)
 {
-    return material->gradients != GRADIENTS_PLANE || span->dudx >= STEEP_4
-        || span->dudx <= -STEEP_4 || span->dvdx >= STEEP_4 || span->dvdx <= -STEEP_4;
+    const uint32 u = fix_magnitude(s->span.dudx), v = fix_magnitude(s->span.dvdx);
+    const uint32 steep = u > v ? u : v;
+
+    if (s->material->gradients != GRADIENTS_PLANE || steep >= STEEP_256)
+        return 1;
+    if (EDGES_ARE_EXACT(s->material->edges))
+        return 0;
+    return s->material->clip == CLIP_VERTICES ? steep >= STEEP_4
+         : ((steep >> 16) + 1) * (uint32)(s->span.count + 1) > EDGES_32;
 }
 
 /* Finds the least and the greatest value of a coordinate's stepped plane at the vertices. Each
@@ -92,10 +125,10 @@ int32 material_leaves_range(const struct setup *s)
     fix16 s_low, s_high, t_low = 0, t_high = 0, inset = INSET;
     struct clamp_plan clamp;
 
-    if (is_steep(s->material, &s->span))
+    if (is_steep(s))
         return 1;
     if (gouraud && s->count == 3)
-        return 0;               /* material_vertices has limited the shades */
+        return 0;               /* material_made has limited the shades */
     if (s->count == 3) {
         s_high = vertex_range(&s->vertices->s, 3, &s_low);
         s_high += s_low;

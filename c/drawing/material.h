@@ -4,12 +4,24 @@
 
 #include "polygon/setup.h"
 
-/* Returns the vertices for the set-up: x and y in whole pixels with EDGES_INTEGER, in
-   1/16 pixel with EDGES_SNAPPED; s and t in
-   texels (rounded down to 1/65536), or with MAPPER_GOURAUD the shade as s, limited so that rounding
-   gives no shade outside the vertices' range. */
-const struct vertex *material_vertices(struct vertex *to, const struct vertex *from, int32 count,
-                                       const struct material *material);
+/* Makes the vertices for the set-up and returns `to`: x and y in whole pixels with EDGES_INTEGER, in
+   1/16 pixel with EDGES_SNAPPED; s and t in texels, to the nearest 1/65536, or with MAPPER_GOURAUD
+   the shade as s, limited so that rounding gives no shade outside the vertices' range, and no shade
+   or w. */
+const struct vertex *material_made(struct vertex *to, const struct vertex *from, int32 count,
+                                   const struct material *material);
+
+/* The same, but returns the given vertices if they need no change. */
+static inline const struct vertex *material_vertices(struct vertex *to, const struct vertex *from,
+                                                     int32 count,
+                                                     const struct material *material)
+{
+    if ((material->edges == EDGES_EXACT || material->edges == EDGES_SUBPIXEL)
+        && material->mapper != MAPPER_GOURAUD
+        && (!material->map || material->map->scale == 65536))
+        return from;
+    return material_made(to, from, count, material);
+}
 
 /* Sets the ranges that u and v of every pixel must stay in: MAPPER_GOURAUD, MAPPER_ARBITRARY. */
 void material_range(struct clamp_plan *clamp, const struct setup *s);

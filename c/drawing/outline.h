@@ -8,9 +8,7 @@
 #include "polygon/clip.h"
 #include "polygon/planes.h"
 
-/* Clips the outline one pixel outside the frame's outermost pixel centres, so that rounding loses
-   none. Returns POLYGON_EMPTY if nothing is left, else POLYGON_DRAWN. */
-enum polygon_result outline_clip(struct setup *s);
+enum { OUTLINE_ALONE = -1 };    /* instead of a chain: no plane is to be found */
 
 static inline int32 outline_least(int32 a, int32 b)
 {
@@ -22,39 +20,19 @@ static inline int32 outline_most(int32 a, int32 b)
     return a > b ? a : b;
 }
 
-/* Finds the box of lines and columns in the frame that the sides may cover; returns 0 if it is
-   empty. */
-static inline int32 outline_box(struct rectangle *box, const struct sides *sides,
-                                const struct frame *frame)
-{
-    box->left = outline_most(FIX_CEIL(sides->x_low - EDGE_ERROR), 0);
-    box->right = outline_least(FIX_CEIL(sides->x_high + EDGE_ERROR), frame->width);
-    box->top = outline_most(FIX_CEIL(sides->top->y), 0);
-    box->bottom = outline_least(FIX_CEIL(sides->bottom->y), frame->height);
-    return box->left < box->right && box->top < box->bottom;
-}
+/* The same as outline_find for a material whose outline is clipped: one pixel outside the frame's
+   outermost pixel centres, so that rounding loses none. */
+enum polygon_result outline_clipped(struct setup *s, int32 chain);
 
-/* Fills in sides, box, outline and edges from frame, material, vertices and count. Exact edges
-   are not clipped: a new vertex on the border is rounded, so they would no longer be exact. */
-static inline enum polygon_result outline_find(struct setup *s)
+/* Fills in sides, box and edges from frame, material, vertices and count; unless `chain` (enum chain)
+   is below 0, the plane too, whose cuts are set. Exact edges are not clipped: a new vertex on the
+   border is rounded, so they would no longer be exact. */
+static inline enum polygon_result outline_find(struct setup *s, int32 chain)
 {
-    const int32 exact = EDGES_ARE_EXACT(s->material->edges);
-    enum polygon_result result = sides_find(&s->sides, s->vertices, s->count);
+    int32 exact = EDGES_ARE_EXACT(s->material->edges);
 
-    if (result != POLYGON_DRAWN)
-        return result;
-    if (!outline_box(&s->box, &s->sides, s->frame))
-        return POLYGON_EMPTY;
-    s->outline = s->vertices;
-    s->outline_count = s->count;
-    s->outline_sides = &s->sides;
-    if (s->material->clip == CLIP_VERTICES && !exact && outline_clip(s) != POLYGON_DRAWN)
-        return POLYGON_EMPTY;
-    s->edges.lines = s->scratch->lines;
-    s->edges.left = s->scratch->left;
-    s->edges.right = s->scratch->right;
-    edges_make(&s->edges, s->outline_sides, &s->box, exact);
-    return POLYGON_DRAWN;
+    return s->material->clip == CLIP_VERTICES && !exact ? outline_clipped(s, chain)
+                                                        : polygon_find(s, exact, chain);
 }
 
 /* Makes the scanline table with an edge stepper and cuts it to the frame's columns. */
@@ -80,7 +58,7 @@ static inline enum polygon_result outline_flat(struct setup *s)
     enum polygon_result result;
 
     s->vertices = planes_vertices(s->scratch, s->given, s->count);
-    result = outline_find(s);
+    result = outline_find(s, OUTLINE_ALONE);
     if (result != POLYGON_DRAWN)
         return result;
     outline_lines(s, EDGES_ARE_EXACT(s->material->edges) ? edge_flat_exact : edge_flat,

@@ -12,7 +12,7 @@
 
 /* How far x of an edge may be beyond its vertices, pixels, 16.16. Its start and steps are within
    1/2^17 each: at most 0.008 over the 1,024 lines of a frame. */
-#define EDGE_ERROR 1024
+enum { EDGE_ERROR = 1024 };
 
 struct setup {
     struct renderer *renderer;
@@ -34,14 +34,16 @@ struct setup {
 
     struct sides sides;
     struct rectangle box;               /* the part of the frame that it may cover */
-    const struct vertex *outline;       /* for edges: vertices, or their clipped part */
-    int32 outline_count;
-    const struct sides *outline_sides;
+    const struct sides *outline_sides;  /* for edges: sides, or those of the clipped part */
     struct edge_plan edges;
     struct span_plan span;
     struct texturing texturing;         /* not with GRADIENTS_SCANLINE */
     struct perspective_plan *perspective;
 };
+
+/* src68k/polygon: contracts there. */
+enum polygon_result polygon_find(struct setup *s, int32 exact, int32 chain);
+void plane_find(struct setup *s, int32 chain);
 
 /* Sets the fields that the caller gives; not `form`, which texture units do not use. */
 static inline void setup_begin(struct setup *s, struct renderer *renderer,

@@ -25,7 +25,8 @@ enum chain {
     CHAIN_NONE,                 /* no shared chain */
     CHAIN_ANYWHERE,             /* v may be anywhere */
     CHAIN_PLANE,                /* v is on the plane, within the box */
-    CHAIN_WHOLE                 /* the same, but u keeps all bits: a single wrap sets wraps */
+    CHAIN_WHOLE,                /* the same, but u keeps all bits: a single wrap sets wraps */
+    CHAIN_SHADES                /* no shared chain, and no v at all */
 };
 
 /* Low bits that spans of tiles, of columns and of light do not keep. */
@@ -40,20 +41,19 @@ void texturing_plane(struct texturing *t, const struct sides *sides,
                      const struct rectangle *box, enum chain chain);
 void texturing_wrap(struct texturing *t, const struct rectangle *box, enum chain chain);
 void texturing_starts(const struct texturing *t, struct edge *edges, int32 count);
+void texturing_longest(struct texturing *t, const struct sides *sides,
+                       const struct rectangle *box, enum chain chain);
+void texturing_along(struct edge *edge);
+void texturing_edges(const struct texturing *t, struct edge *edges, int32 count, int32 width);
 
 /* Returns value rounded up to a multiple of 2^cut. */
 uint32 texturing_raised(uint32 value, uint32 cut);
 
-/* Finds a triangle's steps from its longest scanline, the one through the middle vertex. */
-void texturing_longest(struct texturing *t, const struct sides *sides,
-                       const struct rectangle *box, enum chain chain);
+/* The same as texturing_edges, but moved to the first pixels, for START_SUBTEXEL. No line is wider
+   than `width` pixels. */
+void texturing_pixels(const struct texturing *t, struct edge *edges, int32 count, int32 width);
 
-/* Finds u and v where an edge crosses its lines, and their steps a line. */
-void texturing_along(struct edge *edge);
-
-/* Finds u, v and their steps on left edges, for GRADIENTS_PLANE or GRADIENTS_POLYGON. No line is
-   wider than `width` pixels. */
-void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
-                     enum gradients gradients, enum start start, int32 width);
+/* Moves u and v of left edges on the plane back to where these cross the lines: START_TRUNCATED. */
+void texturing_crossings(const struct texturing *t, struct edge *edges, int32 count);
 
 #endif

@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "nearest.i"
 
 ; edge_rounded - an edge in 16.16, from any of its lines on
 ;
@@ -11,15 +11,6 @@
 ; cost:    about 340 cycles
 
 ; The slope cannot overflow: two lines or more are more than one pixel high.
-
-; \2 = \1:\2 / d4, to the nearest, halves up. d6 = 0, d7 = H / 2.
-nearest macro
-        add.l   d7,\2
-        addx.l  d6,\1
-        divs.l  d4,\1:\2                ; towards zero
-        tst.l   \1
-        minus   <subq.l #1,\2>
-        endm
 
         routine edge_rounded
         move.l  vertex_y(a1),d5

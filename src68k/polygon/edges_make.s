@@ -1,6 +1,6 @@
         include "routine.i"
 
-        xref    edge_exact,edge_rounded
+        xref    edge_exact,edge_rounded,edges_three
 
 ; edges_make - the edges of a polygon's sides, from its top line to its bottom one
 ;
@@ -27,7 +27,15 @@ bottom  equ     12
         tst.l   d1
         beq.s   .chosen
         lea     edge_exact,a5
-.chosen move.l  rectangle_bottom(a2),-(sp)
+.chosen moveq   #2*vertex_sizeof,d0
+        add.l   sides_first(a1),d0
+        cmp.l   sides_last(a1),d0
+        bne.s   .many
+        movea.l a2,a4
+        movea.l a0,a2
+        jsr     edges_three
+        return_all
+.many   move.l  rectangle_bottom(a2),-(sp)
         move.l  rectangle_top(a2),-(sp)
         move.l  a0,-(sp)
         movea.l a1,a4

@@ -147,7 +147,8 @@ chain           equ     box+4
 ;          d0  rectangle*  the pixels that it may cover
 ;          d1  int32       enum chain
 ; reads:   u_cut, v_cut; *sides, top, bottom and middle vertex, the rectangle
-; writes:  *texturing except v_cut; u_cut if the chain needs a bit
+; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES neither v nor
+;          its steps
 ; formats: with vectors from the top vertex to the bottom (1) and the middle (2), D =
 ;          x1 y2 - x2 y1 = +-area:
 ;            dsdx = (s1 y2 - s2 y1) / D     dsdy = (x1 s2 - x2 s1) / D
@@ -189,6 +190,9 @@ chain           equ     box+4
         suba.l  a0,a0
         suba.l  a1,a1
 
+        move.l  chain(sp),d0
+        subq.l  #CHAIN_SHADES,d0
+        beq     .shades
         axis    v,t
 
         movea.l a6,a0
@@ -198,8 +202,11 @@ chain           equ     box+4
         suba.l  a0,a0
         suba.l  a1,a1
 
-        axis    u,s
+.u      axis    u,s
         move.l  texturing_wrap_bit(a6),d0
         or.l    d0,texturing_u(a6)
         lea     chain+4(sp),sp
         return_all
+.shades clr.l   texturing_wraps(a6)
+        clr.l   texturing_wrap_bit(a6)
+        bra     .u

@@ -345,7 +345,7 @@ def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
     t = polygon.texturing
     if polygon.triangle:
         return None
-    steep = t is None or model.is_steep(settings, t.dudx, t.dvdx)
+    steep = t is None or model.is_steep(settings, t.dudx, t.dvdx, len(polygon.lines))
     ranges = model.held_range(vertices, settings, size, t, steep)
     if not ranges:
         return None

@@ -23,7 +23,8 @@ CORNERS_MAX = 64
 FAR = 16384 << 16
 INSET = ONE // 16  # see c/drawing/material.c
 ON_PLANE = 3 * INSET // 4
-STEEP_4 = 4 << 16
+STEEP_4, STEEP_256 = 4 << 16, 256 << 16
+EDGES_32 = 4096  # texels a pixel times lines
 
 
 @dataclass
@@ -74,10 +75,16 @@ class Polygon:
         return sum(max(0, line.right - line.left) for line in self.lines)
 
 
-def is_steep(settings: Settings, dudx: int, dvdx: int) -> bool:
-    """Returns true if an edge's error may move values out of the vertices' range by over INSET."""
-    return settings.gradients != "plane" or not all(
-        -STEEP_4 < signed(step) < STEEP_4 for step in (dudx, dvdx))
+def is_steep(settings: Settings, dudx: int, dvdx: int, lines: int) -> bool:
+    """Returns true if the error of edges or gradients may move values out of the vertices' range by
+    over INSET."""
+    steep = max(abs(signed(step)) for step in (dudx, dvdx))
+    if settings.gradients != "plane" or steep >= STEEP_256:
+        return True
+    if settings.has_exact_edges:
+        return False
+    return steep >= STEEP_4 if settings.clip == "vertices" \
+        else ((steep >> 16) + 1) * (lines + 1) > EDGES_32
 
 
 def plane_range(vertices, t: Texturing) -> tuple[list[int], list[int]]:
@@ -197,8 +204,9 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
     if settings.gradients == "scanline":
         scanline_lines(polygon.left_edges, polygon.right_edges, polygon.lines, settings)
     else:
-        find = plane if settings.gradients == "plane" else longest
-        polygon.texturing = find(vertices, outline.corners, outline.box, settings)
+        corners, box = outline.corners, outline.box
+        polygon.texturing = plane(vertices, corners, box, settings, True) \
+            if settings.gradients == "plane" else longest(vertices, corners, box, settings)
         if polygon.texturing is None:
             return False
         columns = [edge.column(y) for edge in polygon.left_edges for y in range(edge.top, edge.end)]
@@ -206,7 +214,7 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
         groups = [polygon.lines]  # all with the same steps
     for lines in groups:
         ranges = held_range(vertices, settings, size, polygon.texturing,
-                            is_steep(settings, lines[0].dudx, lines[0].dvdx))
+                            is_steep(settings, lines[0].dudx, lines[0].dvdx, len(polygon.lines)))
         if ranges:
             clamp(lines, ranges)
     return True

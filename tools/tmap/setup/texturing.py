@@ -11,6 +11,8 @@ from tmap.setup.edges import Edge
 CHAINED = ("affine", "lit")
 #: Texels per pixel from which on the shortfall of a step without a plane is not compensated.
 STEEP_256 = 256
+#: Bits of the fraction of gentle gradients.
+GENTLE = 27
 #: Low bits of u and v that a mapper's spans drop; "levels": those of levels of light.
 CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 
@@ -76,6 +78,7 @@ class Texturing:
     i: int = 0
     j: int = 0
     box: tuple[int, int, int, int] = (0, 0, 0, 0)  # the box of pixels around (i, j)
+    gentle: bool = False  # the plane is one of ``gentle_gradients``
 
     @property
     def cuts(self) -> tuple[int, int]:
@@ -132,9 +135,32 @@ def gradients(corners, key: int) -> tuple[int, int] | None:
             quotient(a[0] * b[key] - b[0] * a[key], d))
 
 
-def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
+def gentle_gradients(corners, key: int) -> tuple[int, int] | None:
+    """Returns ``gradients`` in 5.27, as ``texturing_gentle`` finds them; None if it does not."""
+    a, b = ([p - q for p, q in zip(corner, corners[0])] for corner in corners[1:])
+    d = a[0] * b[1] - b[0] * a[1]
+    if d < 0:
+        a, b, d = b, a, -d
+    numerators = a[key] * b[1] - b[key] * a[1], a[0] * b[key] - b[0] * a[key]
+    if not 1 << 31 <= d < 1 << 52 or any((n ^ n >> 63) >> 32 >= d >> 29 for n in numerators):
+        return None
+    cut = d.bit_length() - 31
+    return tuple(cut_quotient(n << GENTLE - cut, d >> cut) for n in numerators)
+
+
+def gentle_axis(corner: int, both: tuple[int, int], away, ways, way: int, cut: int) -> tuple[int, int, int]:
+    """Returns steps and raised value of a coordinate with gradients in 5.27; ``corner``: its value
+    at the first corner. The gradients are off by 2 in 2^27, the two products by a unit together."""
+    low = GENTLE - 16
+    steps = [g + (1 << low + cut - 1) >> low + cut << cut for g in both]
+    off = sum(abs((s << low) - g) * w for g, s, w in zip(both, steps, ways)) + 2 * way
+    at = corner + sum(g * (a << 5) + (1 << 31) >> 32 for g, a in zip(both, away)) + (off >> low) + 2
+    return *(s & M32 for s in steps), raised(at, cut)
+
+
+def plane(vertices, corners, box, settings: Settings, for_spans: bool = False) -> Texturing | None:
     """Returns the texture plane through three corners (indices), relative to the box's middle; None
-    if the corners have no area."""
+    if the corners have no area. ``for_spans``: gentle gradients may be found in fewer bits."""
     three = [vertices[k] for k in corners]
     found = [gradients(three, key) for key in (2, 3)]
     if None in found:
@@ -144,8 +170,12 @@ def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
     away = [signed((at << 16) - first) for at, first in zip((i, j), three[0])]
     ways = i - left, j - top
     way = sum(abs(a) >> 16 for a in away) + sum(ways) + 2
+    gentle = [gentle_gradients(three, key) for key in (2, 3)]
+    is_gentle = for_spans and None not in gentle and all(-1 << 26 <= a < 1 << 26 for a in away)
 
     def coordinate(key: int, cut: int) -> tuple[int, int, int]:
+        if is_gentle:
+            return gentle_axis(three[0][2 + key], gentle[key], away, ways, way, cut)
         both = found[key]
         steps = [step(g, cut) for g in both]
         at = three[0][2 + key] + sum(wide_mul(g, a) for g, a in zip(both, away))
@@ -159,8 +189,7 @@ def plane(vertices, corners, box, settings: Settings) -> Texturing | None:
     has_wrap_bit, wrap_bit, wraps = wrap_bits(dvdx, right - left, chained and not inside)
     dudx, dudy, u = coordinate(0, u_cut or has_wrap_bit)
     return Texturing(dudx, dvdx, u_cut or has_wrap_bit, wrap_bit, wraps, v_cut, dudy, dvdy,
-                     u | wrap_bit, v, i, j,
-                     box)
+                     u | wrap_bit, v, i, j, box, is_gentle)
 
 
 def saturated_step(part: int, whole: int) -> int:
