@@ -75,7 +75,8 @@ const struct vertex *material_made(struct vertex *to, const struct vertex *from,
    allows. */
 static int32 is_steep(const struct setup *s)
 {
-    const uint32 u = fix_magnitude(s->span.dudx), v = fix_magnitude(s->span.dvdx);
+    const uint32 u = fix_magnitude(s->span.dudx);
+    const uint32 v = s->material->mapper == MAPPER_GOURAUD ? 0 : fix_magnitude(s->span.dvdx);
     const uint32 steep = u > v ? u : v;
 
     if (s->material->gradients != GRADIENTS_PLANE || steep >= STEEP_256)
