@@ -22,7 +22,7 @@ batch_source    rs.l    1               ; the map, or the colour
 batch_reciprocals rs.l  1
 batch_pitch     rs.l    1
 batch_pixels    rs.l    1               ; tables of lines: the frame's row 0, as spans take it
-batch_room      rs.l    1               ; of a triangle that is not small: below 0 if it is wide
+batch_room      rs.l    1               ; of a triangle that is not small: below 0 if wide or tall
 batch_sizeof    rs.l    0
 
 ; Begins a routine that draws the batch a0. \1: the plan's field of what it draws, if any.
@@ -228,11 +228,15 @@ pack_step macro
 
 ; The value at \1 in a vertex, at the first pixel: \3 (an address register), and d7 = its step a line
 ; from first pixel to first pixel, or one pixel less. d7 is its step a line along the long edge, \2 its
-; step a pixel; d3, d5 and d6 as the long edge leaves them. Uses d0/d2.
+; step a pixel; d3, d5 and d6 as the long edge leaves them. \4: a register that is added to the start, in
+; 1/2^20, if any. Uses d0/d2.
 value_first macro
         move.l  d3,d2
         muls.l  d7,d2
         add.l   \1(a1),d2
+        ifnb    \4
+        add.l   \4,d2
+        endc
         asr.l   #4,d2
         movea.l d2,\3
         move.l  \2,d0

@@ -27,65 +27,63 @@ wide_count_2    rs.l    1               ; of the second part, until it is taken
 wide_list       rs.l    1
 wide_sizeof     rs.l    0
 
-BELOW           equ     102400
+BELOW           equ     64              ; 2^-21 pixel
+BELOW_FINER     equ     8               ; from FINER_HEIGHT on
 
-; \1:\2 = the slope dx:dy of \3, whole pixels and a fraction, 0.32. \4: dy's reciprocal. d5 = 15.
+; \1:\2 = the slope dx:dy of \3, whole pixels and a fraction, 0.32. d3 = the slope as 15.17, d7 = how
+; far below x + 1 the edge begins. \4: dy's reciprocal. d5 = 15.
 slope_wide macro
         move.l  \3,\2
         clr.w   \2
         cmp.w   #FINER_HEIGHT,\3
         bcs.s   .coarse\@
         asr.l   #7,\2                   ; 2^9 dx
+        moveq   #BELOW_FINER,d7
         bra.s   .scaled\@
 .coarse\@
         add.l   \2,\2                   ; 2^17 dx
+        moveq   #BELOW,d7
 .scaled\@
         muls.l  \4,\1:\2                ; 16.48
+        move.l  \2,d3
+        add.l   d3,d3
+        move.l  \1,d3
+        addx.l  d3,d3
         move.w  \1,\2
         swap    \2
         swap    \1
         ext.l   \1
         endm
 
-; From the slope d6:d4 and the vertex x:y \1: d6 = x of the first line's first pixel, d4 its error.
-; d5 = 15. Uses d3/d7.
+; From the vertex x:y \1, d3 and d7: d6 = x of the first line's first pixel, d4 its error. d5 = 15.
 place_wide macro
-        move.l  \1,d3
-        not.w   d3
-        and.w   d5,d3                   ; prestep
-        ext.l   d3
-        muls.l  d3,d6
-        mulu.l  d3,d7:d4
-        add.l   d7,d6                   ; d6:d4 = 1/16 pixels
-        move.l  \1,d3
-        clr.w   d3
-        swap    d3
-        add.l   d3,d6
-        move.l  d6,d3
-        and.l   d5,d3
-        asr.l   #4,d6
-        ror.l   #4,d3
-        lsr.l   #4,d4
-        or.l    d3,d4
-        sub.l   #BELOW,d4
-        bcc.s   .placed\@
-        subq.l  #1,d6
-.placed\@
+        move.l  \1,d6
+        move.l  d6,d4
+        not.w   d4
+        and.l   d5,d4                   ; prestep
+        muls.l  d4,d3
+        clr.w   d6
+        add.l   d6,d6
+        add.l   d3,d6                   ; 11.21
+        sub.l   d7,d6
+        move.l  d6,d4
+        lsl.l   #8,d4
+        lsl.l   #3,d4
+        bfextu  d6{0:11},d6
         endm
 
 ; An edge from the vertex x:y \2 over dx:dy \1: pushes step and part; d6 x, d4 its error. Uses
 ; d3/d7.
 edge_wide macro
         slope_wide d6,d4,\1,(a4,\1.w*4)
-        move.l  d6,d3
-        add.l   batch_pitch(a5),d3
-        move.l  d3,-(sp)
+        add.l   batch_pitch(a5),d6
+        move.l  d6,-(sp)
         move.l  d4,-(sp)
         place_wide \2
         endm
 
 ; The long edge, whose dx:dy is d2: a0 = its first pixel, pushes step, part and error; d1 = its
-; reciprocal, d3 = the prestep in 1/16 line, d4 = the shift for value_start_wide, d5 = the slope's
+; reciprocal, d3 = the prestep in 1/16 line, d4 = what value_start_wide shifts by and adds, d5 = the slope's
 ; fraction, 0.31, d6 = the distance from the edge to the first pixel, 0.16, both away from the edge.
 ; d5 is 15 before. \1: left or right. Uses d0/d7.
 long_wide macro
@@ -93,9 +91,8 @@ long_wide macro
         move.l  (a5,d2.w*4),d1
         lea     wide_sizeof-wide_r_error(sp),a5
         slope_wide d6,d4,d2,d1
-        move.l  d6,d3
-        add.l   batch_pitch(a5),d3
-        move.l  d3,-(sp)
+        add.l   batch_pitch(a5),d6
+        move.l  d6,-(sp)
         move.l  d4,-(sp)
         move.l  d4,d0
         place_wide (a1)
@@ -115,11 +112,11 @@ long_wide macro
         neg.l   d5
         addq.l  #1,d6
         endc
-        moveq   #0,d4
-        cmp.w   #FINER_HEIGHT,d2
-        bcs.s   .coarse\@
-        moveq   #8,d4
-.coarse\@
+        move.l  d7,d4
+        cmp.w   #SNAPPED_TALL*16,d2
+        blt.s   .low\@
+        add.w   #TALL_RAISED*16,d4
+.low\@
         endm
 
 ; The same for the value at \1 in a vertex, whose difference along the edge is \2 and whose step a
@@ -131,15 +128,15 @@ value_start_wide macro
         add.l   d2,d2
         addx.l  d7,d7
         asr.l   d4,d7
-        value_first \1,\3,\4
+        value_first \1,\3,\4,d4
         endm
 
 ; Sets up a triangle that is not small: long edge on the side \1, left or right, values of the
 ; mapper \2, whose macro \2_wide finds them and goes to its lines.
 wide_set_up macro
-        cmp.w   #SNAPPED_LINES*16,d2
-        bge     triangle_handed
-        triangle_lines triangle_next
+        cmp.w   #SNAPPED_TALL*16,d2
+        bge     .tall\@
+.low\@  triangle_lines triangle_next
         move.l  a0,-(sp)
         movea.l d6,a6                   ; the area
         movea.l batch_reciprocals(a5),a4
@@ -157,10 +154,10 @@ wide_set_up macro
         move.l  d4,-(sp)
         move.l  d6,-(sp)
         move.l  d7,-(sp)
-        move.l  d2,d7
-        sub.l   d1,d7
+        move.l  d2,d3
+        sub.l   d1,d3
         add.l   d0,d1
-        edge_wide d7,d1
+        edge_wide d3,d1
         sub.l   d0,d1
         add.l   d6,wide_r_2-wide_r_part_2(sp)
         move.l  d4,-(sp)
@@ -183,12 +180,16 @@ wide_set_up macro
         subq.l  #4,sp
         move.l  d4,-(sp)
         lea     -12(sp),sp
-        move.l  d2,d7
-        sub.l   d1,d7
+        move.l  d2,d3
+        sub.l   d1,d3
         add.l   d0,d1
-        edge_wide d7,d1
+        edge_wide d3,d1
         sub.l   d0,d1
         bra     .edges\@
+.tall\@ cmp.w   #SNAPPED_LINES*16,d2
+        bge     triangle_handed
+        st      batch_room(a5)
+        bra     .low\@
         endm
 
 ; batch_room = below 0 if a line of the triangle may have more than \1 * 16 pixels: 1 or 4. Uses d7.
@@ -229,20 +230,30 @@ triangles_set_up macro
 ; Begins the lines, long edge on the side \1.
 wide_begin macro
         tst.l   wide_sizeof+batch_room(sp)
-        bpl     narrow_first_\1
-        bra     wide_first_\1
+        bpl     narrow_begin_\1
+        movea.l wide_count_1(sp),a1
+        adda.l  wide_count_2(sp),a1
+        cmpa.w  #SNAPPED_TALL,a1
+        blt     wide_begin_\1
+        bra     tall_first_\1
         endm
 
-; The lines of triangles that are not small with values of the mapper \2, long edge on the side \1, \3 wide or
-; narrow. a0 the long edge's pixel, \6 the short one's, d5 and d6 their errors, \4 and \5 part and step
-; of the long edge, \7 as \3 of small_lines. Macros as there; \2_short steps the short edge,
-; \2_second makes it the second one. \2_narrow_\1 are the pixels of any line, which \2_enter goes
-; to; \2_wide_\1 are a round of them, with a test for the next, which \2_enter_wide goes to.
+; The lines of triangles that are not small with values of the mapper \2, long edge on the side \1; \3: narrow,
+; wide or tall. a0 the long edge's pixel, \6 the short one's, d5 and d6 their errors, \4 and \5 part
+; and step of the long edge, \7 as \3 of small_lines. Macros as there; \2_short steps the short
+; edge, \2_second makes it the second one, \2_counted makes the part's lowest byte 1. \2_block is a
+; line's pixels, with a test for more of them unless the triangle is narrow, \2_go goes there.
+;
+; But for tall triangles d5's lowest byte counts the lines up to 0: the edge's fractions have 24 bits.
 wide_lines macro
         cnop    0,4
-        \2_\3_\1
+        \2_block \1,\3
 \3_next_\1
+        ifc     '\3','tall'
         subq.l  #1,(sp)
+        else
+        tst.b   d5
+        endc
         beq.s   \3_part_\1
         \2_short
 \3_stepped_\1
@@ -255,20 +266,38 @@ wide_lines macro
         \2_keep
         line_pixels \1,\7,a0,\6
         movea.l a0,a1
-        \2_enter_\3 \1
+        \2_go \1,\3
 \3_more_\1
         addq.l  #1,a0
         \2_more_\1
+        ifnc    '\3','narrow'
+        bra.s   \3_first_\1            ; the cache has no room for it twice
+        else
         \2_keep
         line_pixels \1,\7,a0,\6
         movea.l a0,a1
-        \2_enter_\3 \1
+        \2_go \1,\3
+        endc
 \3_part_\1
+        ifc     '\3','tall'
         move.l  wide_count_2(sp),(sp)
         beq     wide_end
+        else
+        move.b  wide_count_2+3(sp),d5
+        beq     wide_end
+        neg.b   d5
+        endc
         clr.l   wide_count_2(sp)
         \2_second
         bra     \3_stepped_\1
+        ifnc    '\3','tall'
+\3_begin_\1
+        move.b  wide_count_1+3(sp),d5
+        neg.b   d5
+        addq.b  #1,d5
+        \2_counted
+        bra     \3_first_\1
+        endc
         endm
 
 ; Ends a wide triangle.

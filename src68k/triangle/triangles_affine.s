@@ -68,49 +68,31 @@ affine_enter macro
         jmp     (a2,d4.w*8)
         endm
 
-affine_pixels macro
+affine_block macro
+affine_\2_\1
         rept    16
         affine_pixel_\1
         endr
-        endm
-
-affine_narrow_left macro
-        affine_pixels left
-affine_narrow_end_left
-        endm
-
-affine_narrow_right macro
-        affine_pixels right
-affine_narrow_end_right
-        endm
-
-affine_enter_narrow macro
-        affine_enter affine_narrow_end_\1
-        endm
-
-affine_wide_left macro
-affine_round_left
-        affine_pixels left
-affine_round_end_left
+affine_\2_end_\1
+        ifnc    '\2','narrow'
         cmpa.l  a6,a1
-        bne     affine_round_left
+        bne     affine_\2_\1
+        endc
         endm
 
-affine_wide_right macro
-affine_round_right
-        affine_pixels right
-affine_round_end_right
-        cmpa.l  a6,a1
-        bne     affine_round_right
-        endm
-
-; The last pixels of the line are a whole round where 16 are left: so many less 1 are counted.
-affine_enter_wide macro
+; A line's last round has 16 pixels, not none: it is counted from 1 less.
+affine_go macro
+        ifc     '\2','narrow'
+        affine_enter affine_\2_end_\1
+        else
         subq.w  #1,d4
         or.w    #-16,d4
-        lea     affine_round_end_\1+12(pc,d4.w*4),a2
-        add.l   d3,d1
-        jmp     (a2,d4.w*8)
+        affine_enter affine_\2_end_\1+12
+        endc
+        endm
+
+affine_counted macro
+        move.b  #1,wide_l_part+3(sp)
         endm
 
 affine_short macro
@@ -194,3 +176,5 @@ texel_quotient
         wide_lines right,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4
         wide_lines left,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4
         wide_lines right,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4
+        wide_lines left,affine,tall,wide_l_part(sp),wide_l_step(sp),a6,d4
+        wide_lines right,affine,tall,wide_l_part(sp),wide_l_step(sp),a6,d4

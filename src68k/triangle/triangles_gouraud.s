@@ -70,46 +70,38 @@ gouraud_enter macro
         jmp     \1(pc,\2.w*4)
         endm
 
-gouraud_pixels macro
-        rept    \2
+gouraud_block macro
+gouraud_\2_\1
+        ifc     '\2','narrow'
+        rept    64
         gouraud_pixel_\1
         endr
-        endm
-
-gouraud_narrow_left macro
-        gouraud_pixels left,64
-gouraud_narrow_end_left
-        endm
-
-gouraud_narrow_right macro
-        gouraud_pixels right,64
-gouraud_narrow_end_right
-        endm
-
-gouraud_enter_narrow macro
-        gouraud_enter gouraud_narrow_end_\1,d7
-        endm
-
-gouraud_wide_left macro
-gouraud_round_left
-        gouraud_pixels left,32
-gouraud_round_end_left
+gouraud_\2_end_\1
+        else
+        rept    32
+        gouraud_pixel_\1
+        endr
+gouraud_\2_end_\1
         cmpa.l  d1,a1
-        bne     gouraud_round_left
+        bne     gouraud_\2_\1
+        endc
         endm
 
-gouraud_wide_right macro
-gouraud_round_right
-        gouraud_pixels right,32
-gouraud_round_end_right
-        cmpa.l  d1,a1
-        bne     gouraud_round_right
-        endm
-
-gouraud_enter_wide macro
+; A line's last round has 32 pixels, not none: it is counted from 1 less.
+gouraud_go macro
+        ifc     '\2','narrow'
+        gouraud_enter gouraud_\2_end_\1,d7
+        else
         subq.w  #1,d7
         or.w    #-32,d7
-        gouraud_enter gouraud_round_end_\1+4,d7
+        gouraud_enter gouraud_\2_end_\1+4,d7
+        endc
+        endm
+
+gouraud_counted macro
+        move.l  a2,d7
+        move.b  #1,d7
+        movea.l d7,a2
         endm
 
 gouraud_short macro
@@ -212,3 +204,5 @@ gouraud_quotient
         wide_lines right,gouraud,narrow,a2,a5,d1,d7
         wide_lines left,gouraud,wide,a2,a5,d1,d7
         wide_lines right,gouraud,wide,a2,a5,d1,d7
+        wide_lines left,gouraud,tall,a2,a5,d1,d7
+        wide_lines right,gouraud,tall,a2,a5,d1,d7
