@@ -206,8 +206,8 @@ texel_gradients macro
         movea.l d4,a2
         endm
 
-; Packs u (\1) and v (\2), 16.16, into \1 = B, uuVv, and \2 = A, v--U. Uses \3.
-pack_pair macro
+; Packs u (\1) and v (\2), 16.16, into \1 = B, uuVv, and \3 = A, v--U. Uses \2.
+pack_apart macro
         moveq   #0,\3
         move.b  \2,\3
         ror.l   #8,\3
@@ -215,15 +215,25 @@ pack_pair macro
         move.b  \1,\3
         lsr.l   #8,\2
         move.w  \2,\1
-        move.l  \3,\2
         endm
 
 ; The same for steps: where v falls, every addition of its 24 bits carries into u, so u's step is
 ; one less.
-pack_step macro
+pack_step_apart macro
         tst.l   \2
         minus   <subq.l #1,\1>
-        pack_pair \1,\2,\3
+        pack_apart \1,\2,\3
+        endm
+
+; Both with A in \2. Use \3.
+pack_pair macro
+        pack_apart \1,\2,\3
+        move.l  \3,\2
+        endm
+
+pack_step macro
+        pack_step_apart \1,\2,\3
+        move.l  \3,\2
         endm
 
 ; The value at \1 in a vertex, at the first pixel: \3 (an address register), and d7 = its step a line

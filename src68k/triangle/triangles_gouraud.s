@@ -1,4 +1,4 @@
-        include "triangle_wide.i"
+        include "triangle_lines.i"
 
 ; triangles_gouraud - draws a batch of triangles, shade by shade
 ;
@@ -28,15 +28,15 @@ gouraud_step    equ     wide_r_error    ; the step a line, on the stack
 gouraud_zero macro
         endm
 
-; \1: small or not.
+; \1: a register that is 0, \2: small or not.
 gouraud_line macro
         move.l  a3,d0
-        ifc     '\1','small'
+        ifc     '\2','small'
         add.l   d7,d0
         else
         add.l   gouraud_step(sp),d0
         endc
-        addx.l  d4,d0
+        addx.l  \1,d0
         endm
 
 gouraud_keep macro
@@ -45,12 +45,12 @@ gouraud_keep macro
 
 gouraud_more_left macro
         add.l   d2,d0
-        addx.l  d4,d0
+        addx.l  \1,d0
         endm
 
 gouraud_more_right macro
         sub.l   d2,d0
-        subx.l  d4,d0
+        subx.l  \1,d0
         endm
 
 ; The fraction is a step ahead, so that its carry is ready when the integer is stepped.
@@ -186,9 +186,8 @@ gouraud_wide macro
         movea.l wide_l_part-4(sp),a2
         movea.l wide_r_part-4(sp),a6
         move.l  wide_r_step-4(sp),d3
-        move.l  wide_count_1-4(sp),-(sp)
-        movea.l wide_l_step(sp),a5
-        wide_begin \1
+        movea.l wide_l_step-4(sp),a5
+        wide_begin \1,gouraud
         endm
 
         routine triangles_gouraud,a0
@@ -200,9 +199,9 @@ gouraud_quotient
         triangles_set_up gouraud,2,4
         small_lines left,gouraud,d3,d1,a2
         small_lines right,gouraud,d3,d1,a2
-        wide_lines left,gouraud,narrow,a2,a5,d1,d7
-        wide_lines right,gouraud,narrow,a2,a5,d1,d7
-        wide_lines left,gouraud,wide,a2,a5,d1,d7
-        wide_lines right,gouraud,wide,a2,a5,d1,d7
-        wide_lines left,gouraud,tall,a2,a5,d1,d7
-        wide_lines right,gouraud,tall,a2,a5,d1,d7
+        wide_lines left,gouraud,narrow,a2,a5,d1,d7,d4
+        wide_lines right,gouraud,narrow,a2,a5,d1,d7,d4
+        wide_lines left,gouraud,wide,a2,a5,d1,d7,d4
+        wide_lines right,gouraud,wide,a2,a5,d1,d7,d4
+        wide_lines left,gouraud,tall,a2,a5,d1,d7,d4
+        wide_lines right,gouraud,tall,a2,a5,d1,d7,d4

@@ -8,7 +8,7 @@ that is drawn with, n the number of lines below the first and k that of pixels f
   one such step and is rounded down: 9/4 U.
 * p is rounded towards zero, a whole negative step of shades away from it: U. It is 0 if it does not fit, or is SHADES_STEEP shades or more: g.
 * The first pixel is less than a pixel from the crossing: p's error, and U by rounding the product. The
-  distance itself is off by 4/2^16 pixel: 4 g U.
+  distance itself is off by 4/2^16 pixel (2 by BELOW, 1/2 by a slope as 15.17, 1 by rounding): 4 g U.
 * A line adds the step along the edge and p times the slope's fraction, rounded down: 9/4 U, of which
   5/4 U are on either side. Fractions that are off by 5,120/2^32 pixel add up to 1.4/2^16 pixel in 16
   lines, or 1/256 of that a line from FINER_HEIGHT on: 2 g U. Of the carries as many p were added as the
@@ -18,9 +18,11 @@ that is drawn with, n the number of lines below the first and k that of pixels f
 The sum is (6 + 5/4 n + 6 g) U + (k + 2) times p's error. u also counts how often v wraps: 5 U where v
 stays within 1,024 texels, and (n + k) (1 + v's step / 2^23) U where that is 128 texels or more.
 
-Values are raised by SNAPPED_RAISED = 512 U, so they are never below the exact ones, and at most 1/64
-above, where 11 + 5/4 n + k + 6 g is 512 at most: g up to 3 in SNAPPED_LINES lines of SNAPPED_WIDTH
-pixels.
+Values are raised by SNAPPED_RAISED = 512 U, those of triangles that are not small by 4 U more, from
+FINER_HEIGHT on by 1/2 U: the register with the shift is added. So in fewer than SNAPPED_TALL lines of
+SNAPPED_WIDTH pixels they are never below the exact ones, and at most 1/64 above, where g is up to 3:
+13 + 5/4 n + k + 6 g is below 509 then, and 372 in 16 lines. In SNAPPED_LINES lines it is up to 669;
+there TALL_RAISED = 160 U are added, so that they are never below, and at most 1/48 above.
 """
 
 from tmap.ideal.ideal import UNIT
@@ -40,4 +42,5 @@ def bound(g: float, triangle: snapped.Triangle, which: int, i: int, y: int) -> t
     if which == 0 and len(triangle.values) == 2:
         step = max(abs(triangle.values[1].pixel), abs(triangle.values[1].line))
         units += 5 + (step >= 1 << 23) * (n + abs(k)) * (1 + step / (1 << 23))
-    return max(0.0, units - snapped.RAISED) * UNIT, (units + snapped.RAISED) * UNIT
+    more = snapped.RAISED + triangle.raised / 16
+    return max(0.0, units - more) * UNIT, (units + more) * UNIT

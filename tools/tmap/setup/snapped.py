@@ -75,6 +75,7 @@ class Triangle:
     long: list[int]
     short: list[int]
     values: list[Value]
+    raised: int  # what was added to values, 1/2^20
     by_spans: bool = False  # from a table of lines
 
     @property
@@ -179,7 +180,7 @@ def set_up(vertices, mapper: str, cull: bool = False, pixel_bytes: int = 1) -> T
              for key in range(2, 2 + VALUES[mapper])]
     values = [value_of(top, bottom, key, edge, step, right) for key, step in enumerate(steps, 2)]
     return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values,
-                    (mapper, pixel_bytes) not in SMALL_WIDTH)
+                    raised(edge), (mapper, pixel_bytes) not in SMALL_WIDTH)
 
 
 def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes: int = 1) -> bool:
