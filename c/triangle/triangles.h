@@ -15,12 +15,15 @@ enum snapped_limits {
     /* A triangle is drawn where x is 0 to SNAPPED_WIDTH, it covers less than SNAPPED_LINES lines, and
        u and v of its vertices are -SNAPPED_TEXELS to SNAPPED_TEXELS (excluded). */
     SNAPPED_WIDTH = 320,
-    SNAPPED_LINES = 128,
+    SNAPPED_LINES = 256,
     SNAPPED_TEXELS = 512,
     TRIANGLE_PITCH_MAX = 2048,
 
-    /* Added to u and v of vertices, 1/65536 texel: as much as a pixel's may be too low. */
+    /* Added to u and v of vertices, 1/65536 texel: as much as a pixel's may be too low in a triangle of
+       fewer than SNAPPED_TALL lines. TALL_RAISED is added to others. */
     SNAPPED_RAISED = 512,
+    SNAPPED_TALL = 128,
+    TALL_RAISED = 160,
 
     /* What is not higher, in 1/16 line, may be drawn in 16 bits: as small. */
     SMALL_HEIGHT = 224,
@@ -36,7 +39,7 @@ enum snapped_limits {
     /* Up to these areas, in 1/512 square pixel, the quotient of a gradient may not fit 32 bits. Its
        dividend is below 2 * 2^30 dy, u and v being less than 1,024 texels apart. */
     SLIVER_SMALL = 256,         /* dy up to 224 */
-    SLIVER_WIDE = 2048
+    SLIVER_WIDE = SNAPPED_RECIPROCALS
 };
 
 /* A vertex of a batch. */

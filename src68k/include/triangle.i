@@ -21,7 +21,7 @@ batch_row       rs.l    1               ; row 0 of the frame
 batch_source    rs.l    1               ; the map, or the colour
 batch_reciprocals rs.l  1
 batch_pitch     rs.l    1
-batch_room      rs.l    1               ; of a triangle that is not small: below 0 if it is wide
+batch_room      rs.l    1               ; of a triangle that is not small: below 0 if wide or tall
 ; tables of lines:
 batch_pixels    rs.l    1               ; the frame's row 0, as spans take it
 batch_shade     rs.l    1               ; the shade plan
@@ -210,8 +210,8 @@ texel_gradients macro
         movea.l d4,a2
         endm
 
-; Packs u (\1) and v (\2), 16.16, into \1 = B, uuVv, and \2 = A, v--U. Uses \3.
-pack_pair macro
+; Packs u (\1) and v (\2), 16.16, into \1 = B, uuVv, and \3 = A, v--U. Uses \2.
+pack_apart macro
         moveq   #0,\3
         move.b  \2,\3
         ror.l   #8,\3
@@ -219,24 +219,38 @@ pack_pair macro
         move.b  \1,\3
         lsr.l   #8,\2
         move.w  \2,\1
-        move.l  \3,\2
         endm
 
 ; The same for steps: where v falls, every addition of its 24 bits carries into u, so u's step is
 ; one less.
-pack_step macro
+pack_step_apart macro
         tst.l   \2
         minus   <subq.l #1,\1>
-        pack_pair \1,\2,\3
+        pack_apart \1,\2,\3
+        endm
+
+; Both with A in \2. Use \3.
+pack_pair macro
+        pack_apart \1,\2,\3
+        move.l  \3,\2
+        endm
+
+pack_step macro
+        pack_step_apart \1,\2,\3
+        move.l  \3,\2
         endm
 
 ; The value at \1 in a vertex, at the first pixel: \3 (an address register), and d7 = its step a line
 ; from first pixel to first pixel, or one pixel less. d7 is its step a line along the long edge, \2 its
-; step a pixel; d3, d5 and d6 as the long edge leaves them. Uses d0/d2.
+; step a pixel; d3, d5 and d6 as the long edge leaves them. \4: a register that is added to the start, in
+; 1/2^20, if any. Uses d0/d2.
 value_first macro
         move.l  d3,d2
         muls.l  d7,d2
         add.l   \1(a1),d2
+        ifnb    \4
+        add.l   \4,d2
+        endc
         asr.l   #4,d2
         movea.l d2,\3
         move.l  \2,d0

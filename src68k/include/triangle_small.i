@@ -161,8 +161,8 @@ line_pixels macro
 ; a6 the long edge's step, d5 the long edge, d6 the short one. \3: a register whose lower word
 ; becomes the negative number of pixels. \4: the lines left, \5: the short edge's step: registers, or
 ; their places on the stack. The macro \2_zero clears d4's lower word if it needs to, \2_line steps
-; the values a line, \2_more_\1 a pixel, \2_keep keeps them; \2_enter goes to the pixels of the label \2_end_\1;
-; \2_pixel_\1 is one, at a1.
+; the values a line, \2_more_\1 a pixel, \2_keep keeps them; \2_enter goes to the pixels before the
+; label \2_end_\1; \2_pixel_\1 is one, at a1.
 small_lines macro
         cnop    0,4
         rept    \2_unrolled
@@ -175,7 +175,7 @@ small_lines macro
         add.l   \5,d6
         addx.w  d4,d6
 small_stepped_\1
-        \2_line small
+        \2_line d4,small
         add.l   a6,d5
         bcs.s   small_more_\1
 small_first_\1
@@ -185,7 +185,7 @@ small_first_\1
         \2_enter \2_end_\1,\3
 small_more_\1
         addq.w  #1,d5
-        \2_more_\1
+        \2_more_\1 d4
         \2_keep
         line_pixels \1,\3,d5,d6
         lea     (a0,d5.w),a1

@@ -1,5 +1,5 @@
         include "chain.i"
-        include "triangle_wide.i"
+        include "triangle_lines.i"
 
 ; triangles_affine - draws a batch of triangles from a 256x256 map
 ;
@@ -11,7 +11,8 @@
 ; formats: vertices in 12.4, u and v in 12.20; steps a pixel and a line 16.16; u and v of a
 ;          pixel 8.16, both wrap at 256 any number of times; 8-bit texels
 ; error:   coverage: none for the snapped vertices. u and v: 0 to 1/64 texel above the exact
-;          ones where steps are below 8 texels a pixel; tools/tmap/ideal/bounds_snapped.py
+;          ones where steps are below 3 texels a pixel, 1/48 in SNAPPED_TALL lines or more;
+;          tools/tmap/ideal/bounds_snapped.py
 ; cost:    bench rows polygon_affine
 
 ; A line's pixels step B and A, the chain of span_affine_addx. So do lines: u counts how often v
@@ -24,12 +25,13 @@ affine_zero macro
         clr.w   d4
         endm
 
+; \1: a register whose lowest byte is 0.
 affine_line macro
         move.l  a4,d1
         add.l   a5,d1
         move.l  a3,d0
         addx.l  d7,d0
-        addx.b  d4,d1
+        addx.b  \1,d1
         endm
 
 affine_keep macro
@@ -40,13 +42,13 @@ affine_keep macro
 affine_more_left macro
         add.l   d3,d1
         addx.l  d2,d0
-        addx.b  d4,d1
+        addx.b  \1,d1
         endm
 
 affine_more_right macro
         sub.l   d3,d1
         subx.l  d2,d0
-        subx.b  d4,d1
+        subx.b  \1,d1
         endm
 
 affine_pixel_left macro
@@ -68,49 +70,34 @@ affine_enter macro
         jmp     (a2,d4.w*8)
         endm
 
-affine_pixels macro
+affine_block macro
+affine_\2_\1
         rept    16
         affine_pixel_\1
         endr
-        endm
-
-affine_narrow_left macro
-        affine_pixels left
-affine_narrow_end_left
-        endm
-
-affine_narrow_right macro
-        affine_pixels right
-affine_narrow_end_right
-        endm
-
-affine_enter_narrow macro
-        affine_enter affine_narrow_end_\1
-        endm
-
-affine_wide_left macro
-affine_round_left
-        affine_pixels left
-affine_round_end_left
+affine_\2_end_\1
+        ifnc    '\2','narrow'
         cmpa.l  a6,a1
-        bne     affine_round_left
+        bne     affine_\2_\1
+        endc
         endm
 
-affine_wide_right macro
-affine_round_right
-        affine_pixels right
-affine_round_end_right
-        cmpa.l  a6,a1
-        bne     affine_round_right
-        endm
-
-; The last pixels of the line are a whole round where 16 are left: so many less 1 are counted.
-affine_enter_wide macro
+; A line's last round has 16 pixels, not none: it is counted from 1 less.
+affine_go macro
+        ifc     '\2','narrow'
+        affine_enter affine_\2_end_\1
+        else
         subq.w  #1,d4
         or.w    #-16,d4
-        lea     affine_round_end_\1+12(pc,d4.w*4),a2
-        add.l   d3,d1
-        jmp     (a2,d4.w*8)
+        affine_enter affine_\2_end_\1+12
+        endc
+        endm
+
+; The short edges' fractions have 24 bits as well: d6's lowest byte stays 0.
+affine_counted macro
+        move.b  #1,wide_l_part+3(sp)
+        clr.b   wide_r_part+3(sp)
+        clr.b   wide_r_part_2+3(sp)
         endm
 
 affine_short macro
@@ -132,20 +119,19 @@ affine_second macro
 affine_pack macro
         move.l  a6,d0
         move.l  a3,d3
-        pack_pair d0,d3,d1
+        pack_apart d0,d3,d1
         move.l  a4,d2
         move.l  a2,d4
-        pack_step d2,d4,d1
-        move.l  d3,d1
-        sub.b   d4,d1                   ; the first pixel's addition adds it again
+        pack_step_apart d2,d4,d3
+        sub.b   d3,d1                   ; the first pixel's addition adds it again
         ifc     '\1','right'
         bset    #23,d1                  ; what is subtracted from U does not reach v
         endc
-        move.l  d4,d3
         move.l  (sp)+,d5
-        pack_step d5,d7,d4
-        move.l  batch_source(a5),d4
-        movea.l d7,a5
+        pack_step_apart d5,d7,d4
+        move.l  batch_source(a5),d7
+        movea.l d4,a5
+        move.l  d7,d4
         move.l  d5,d7
         endm
 
@@ -177,8 +163,7 @@ affine_wide macro
         move.l  (sp)+,d5
         move.l  wide_r_error-4(sp),d6
         movea.l wide_r-4(sp),a6
-        move.l  wide_count_1-4(sp),-(sp)
-        wide_begin \1
+        wide_begin \1,affine
         endm
 
         routine triangles_affine,a0
@@ -190,7 +175,9 @@ texel_quotient
         triangles_set_up affine,1,1
         small_lines left,affine,d4,(sp),small_step(sp)
         small_lines right,affine,d4,(sp),small_step(sp)
-        wide_lines left,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4
-        wide_lines right,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4
-        wide_lines left,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4
-        wide_lines right,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4
+        wide_lines left,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
+        wide_lines right,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
+        wide_lines left,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
+        wide_lines right,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
+        wide_lines left,affine,tall,wide_l_part(sp),wide_l_step(sp),a6,d4,d4
+        wide_lines right,affine,tall,wide_l_part(sp),wide_l_step(sp),a6,d4,d4

@@ -1,4 +1,4 @@
-        include "triangle_wide.i"
+        include "triangle_lines.i"
 
 ; triangles_flat - draws a batch of triangles in one colour
 ;

@@ -1,4 +1,4 @@
-        include "triangle_wide.i"
+        include "triangle_lines.i"
 
 ; triangles_gouraud - draws a batch of triangles, shade by shade
 ;
@@ -28,15 +28,15 @@ gouraud_step    equ     wide_r_error    ; the step a line, on the stack
 gouraud_zero macro
         endm
 
-; \1: small or not.
+; \1: a register that is 0, \2: small or not.
 gouraud_line macro
         move.l  a3,d0
-        ifc     '\1','small'
+        ifc     '\2','small'
         add.l   d7,d0
         else
         add.l   gouraud_step(sp),d0
         endc
-        addx.l  d4,d0
+        addx.l  \1,d0
         endm
 
 gouraud_keep macro
@@ -45,12 +45,12 @@ gouraud_keep macro
 
 gouraud_more_left macro
         add.l   d2,d0
-        addx.l  d4,d0
+        addx.l  \1,d0
         endm
 
 gouraud_more_right macro
         sub.l   d2,d0
-        subx.l  d4,d0
+        subx.l  \1,d0
         endm
 
 ; The fraction is a step ahead, so that its carry is ready when the integer is stepped.
@@ -70,46 +70,38 @@ gouraud_enter macro
         jmp     \1(pc,\2.w*4)
         endm
 
-gouraud_pixels macro
-        rept    \2
+gouraud_block macro
+gouraud_\2_\1
+        ifc     '\2','narrow'
+        rept    64
         gouraud_pixel_\1
         endr
-        endm
-
-gouraud_narrow_left macro
-        gouraud_pixels left,64
-gouraud_narrow_end_left
-        endm
-
-gouraud_narrow_right macro
-        gouraud_pixels right,64
-gouraud_narrow_end_right
-        endm
-
-gouraud_enter_narrow macro
-        gouraud_enter gouraud_narrow_end_\1,d7
-        endm
-
-gouraud_wide_left macro
-gouraud_round_left
-        gouraud_pixels left,32
-gouraud_round_end_left
+gouraud_\2_end_\1
+        else
+        rept    32
+        gouraud_pixel_\1
+        endr
+gouraud_\2_end_\1
         cmpa.l  d1,a1
-        bne     gouraud_round_left
+        bne     gouraud_\2_\1
+        endc
         endm
 
-gouraud_wide_right macro
-gouraud_round_right
-        gouraud_pixels right,32
-gouraud_round_end_right
-        cmpa.l  d1,a1
-        bne     gouraud_round_right
-        endm
-
-gouraud_enter_wide macro
+; A line's last round has 32 pixels, not none: it is counted from 1 less.
+gouraud_go macro
+        ifc     '\2','narrow'
+        gouraud_enter gouraud_\2_end_\1,d7
+        else
         subq.w  #1,d7
         or.w    #-32,d7
-        gouraud_enter gouraud_round_end_\1+4,d7
+        gouraud_enter gouraud_\2_end_\1+4,d7
+        endc
+        endm
+
+gouraud_counted macro
+        move.l  a2,d7
+        move.b  #1,d7
+        movea.l d7,a2
         endm
 
 gouraud_short macro
@@ -194,9 +186,8 @@ gouraud_wide macro
         movea.l wide_l_part-4(sp),a2
         movea.l wide_r_part-4(sp),a6
         move.l  wide_r_step-4(sp),d3
-        move.l  wide_count_1-4(sp),-(sp)
-        movea.l wide_l_step(sp),a5
-        wide_begin \1
+        movea.l wide_l_step-4(sp),a5
+        wide_begin \1,gouraud
         endm
 
         routine triangles_gouraud,a0
@@ -208,7 +199,9 @@ gouraud_quotient
         triangles_set_up gouraud,2,4
         small_lines left,gouraud,d3,d1,a2
         small_lines right,gouraud,d3,d1,a2
-        wide_lines left,gouraud,narrow,a2,a5,d1,d7
-        wide_lines right,gouraud,narrow,a2,a5,d1,d7
-        wide_lines left,gouraud,wide,a2,a5,d1,d7
-        wide_lines right,gouraud,wide,a2,a5,d1,d7
+        wide_lines left,gouraud,narrow,a2,a5,d1,d7,d4
+        wide_lines right,gouraud,narrow,a2,a5,d1,d7,d4
+        wide_lines left,gouraud,wide,a2,a5,d1,d7,d4
+        wide_lines right,gouraud,wide,a2,a5,d1,d7,d4
+        wide_lines left,gouraud,tall,a2,a5,d1,d7,d4
+        wide_lines right,gouraud,tall,a2,a5,d1,d7,d4

@@ -1,6 +1,7 @@
 """Triangles with snapped vertices: neighbours cover each pixel once, whichever set-up draws them, and
 values keep their bounds."""
 
+import math
 import random
 
 import numpy as np
@@ -48,7 +49,7 @@ def covered(triangles, settings_of) -> tuple[np.ndarray, int]:
 
 def test_neighbours_cover_each_pixel_once_by_either_set_up():
     rng, handed = random.Random("snapped neighbours"), 0
-    for across in (3, 8, 40, 90):
+    for across in (2, 3, 8, 40, 90):
         triangles = mesh(rng, across)
         count, drawn = covered(triangles, lambda _: SNAPPED)
         handed += len(triangles) - drawn
@@ -65,12 +66,37 @@ def test_unrounded_vertices_beside_rounded_ones_are_noticed():
     assert (count != 1).any()
 
 
+def edges(rng: random.Random):
+    """Edges (x, y, dx, dy), many of them nearly at a pixel on their last lines."""
+    for _ in range(1500):
+        dy = rng.choice((rng.randrange(1, 256), rng.randrange(240, 272), rng.randrange(256, 2048),
+                         rng.randrange(2000, 2048), rng.randrange(2048, 4096), rng.randrange(4000, 4096)))
+        y, dx = rng.randrange(0, 16), rng.randrange(-5120, 5121)
+        line = (y + dy - rng.randrange(1, 40) & -16) - y
+        if line > 0 and math.gcd(line, dy) == 1 and rng.random() < 0.7:  # x a 1/dy beside a sixteenth
+            dx = (pow(line, -1, dy) * rng.choice((1, -1, 2, -2)) + dy * rng.randrange(-2, 3)) % (2 * dy) - dy
+            dx = max(-5120, min(5120, dx))
+        yield rng.randrange(max(0, -dx), min(5120, 5120 - dx) + 1), y, dx, dy
+
+
+def test_edges_are_exact_with_the_fractions_of_each_loop():
+    for x, y, dx, dy in edges(random.Random("snapped edges")):
+        first, end = y + 15 >> 4, y + dy + 15 >> 4
+        exact = [-((-x * dy - (16 * line - y) * dx) // (16 * dy)) for line in range(first, end)]
+        edge = snapped.Edge(x, y, dx, dy, False)
+        assert edge.columns(end - first) == exact, (x, y, dx, dy)
+        if dy < snapped.TALL:  # narrow and wide triangles have 24 bits
+            assert [(edge.at >> 8) + n * (edge.step >> 8) >> 24 for n in range(end - first)] == exact
+        if dy <= snapped.SMALL_HEIGHT:
+            assert snapped.Edge(x, y, dx, dy, True).columns(end - first) == exact
+
+
 def test_values_keep_their_bounds_and_nearly_reach_them():
     rng, worst = random.Random("snapped bounds"), 0.0
     for _ in range(300):
-        reach = rng.choice((4, 30, 127))
-        x, y = rng.uniform(reach, WIDTH - reach), rng.uniform(reach / 2, HEIGHT - reach / 2)
-        vertices = [(fix(x + rng.uniform(-reach, reach)), fix(y + rng.uniform(-reach, reach) / 2),
+        reach, high = rng.choice(((4, 2), (30, 15), (127, 64), (127, 127)))
+        x, y = rng.uniform(reach, WIDTH - reach), rng.uniform(high, HEIGHT - high)
+        vertices = [(fix(x + rng.uniform(-reach, reach)), fix(y + rng.uniform(-high, high)),
                      *(fix(rng.uniform(-reach, reach)) for _ in range(2)), 0, ONE) for _ in range(3)]
         verdict = bounds.judge(vertices, SNAPPED, WIDTH, HEIGHT)
         assert not verdict.complaint, (vertices, verdict.complaint)

@@ -8,27 +8,31 @@ import numpy as np
 from tests.helpers.kernel_checker import Memory
 from tmap.bench.triangles import HEIGHT, LINERS, ROUTINES, WIDTH, batch_trial, lines_trial
 from tmap.bench.trial import Trial
+from tmap.setup import snapped
 
+TALL = 300  # lines of a frame for triangles of up to so many
 MOST = 256 << 20
 
 
-def vertex(rng, around: tuple[int, int], reach: int, size: int, whole: bool) -> tuple[int, ...]:
+def vertex(rng, around: tuple[int, int], reach: int, size: int, whole: bool,
+           height: int) -> tuple[int, ...]:
     """A vertex near a place in the frame: u, which Gouraud draws, is a shade; then v and a level."""
     x, y = (int(np.clip(c + rng.integers(-reach, reach + 1), 0, 16 * side - 1))
-            for c, side in zip(around, (WIDTH, HEIGHT)))
+            for c, side in zip(around, (WIDTH, height)))
     u = int(rng.integers(1 << 17, min(size, MOST) - (1 << 17)))
     v = int(rng.integers(-size, size))
     level = int(rng.integers(1 << 16, 64 << 20))
     return (x & -16, y & -16, u, v, level) if whole else (x, y, u, v, level)
 
 
-def triangles(rng, count: int) -> list[list[tuple]]:
+def triangles(rng, count: int, height: int = HEIGHT) -> list[list[tuple]]:
     """Triangles of all sizes, some with level edges or without area."""
     made = []
     for _ in range(count):
-        around = tuple(int(rng.integers(0, 16 * side)) for side in (WIDTH, HEIGHT))
-        reach, size = int(rng.choice((3, 20, 100, 400, 2040))), int(rng.choice((1 << 20, 1 << 26, 1 << 29)))
-        three = [vertex(rng, around, reach, size, bool(rng.integers(4) == 0)) for _ in range(3)]
+        around = tuple(int(rng.integers(0, 16 * side)) for side in (WIDTH, height))
+        reach, size = int(rng.choice((3, 20, 100, 400, 2040) if height == HEIGHT else (1500, 4000))), int(rng.choice((1 << 20, 1 << 26, 1 << 29)))
+        three = [vertex(rng, around, reach, size, bool(rng.integers(4) == 0), height)
+                 for _ in range(3)]
         if rng.integers(8) == 0:
             three[1] = (three[1][0], three[0][1], *three[1][2:])
         if rng.integers(16) == 0:
@@ -50,6 +54,15 @@ def whole_steps(rng, count: int) -> list[list[tuple]]:
     return made
 
 
+def tall(rng, count: int) -> list[list[tuple]]:
+    """Triangles of many lines, some of them narrow; about one in four has too many."""
+    made = triangles(rng, count, TALL)
+    for three in made[::3]:
+        x, width = int(rng.integers(0, 16 * WIDTH - 400)), int(rng.choice((20, 250, 400)))
+        three[:] = [(x + int(rng.integers(0, width)), *v[1:]) for v in three]
+    return made
+
+
 def trials() -> Iterator[Trial]:
     """Single triangles, batches, culled ones, and lists that end early."""
     for mapper, name in ROUTINES.items():
@@ -66,8 +79,11 @@ def trials() -> Iterator[Trial]:
             wrong = [v if k != corner else None for k, v in enumerate(some[3])]
             yield batch_trial(Memory(), mapper, [*some[:3], wrong, *some[4:]],
                               f"{name}: vertex {corner} of the fourth is out of range")
-        high = [(x, y, MOST // 2, 0, 0) for x, y in ((0, 0), (16 * 20, 16 * HEIGHT), (0, 16 * 30))]
-        yield batch_trial(Memory(), mapper, [some[0], high, some[1]], f"{name}: the second is too high")
+        for number, each in enumerate(tall(rng, 60)):
+            yield batch_trial(Memory(), mapper, [each], f"{name}: tall {number}, {each}", height=TALL)
+        high = [(x, y, MOST // 2, 0, 0) for x, y in ((0, 0), (16 * 20, 16 * snapped.LINES), (0, 16 * 30))]
+        yield batch_trial(Memory(), mapper, [some[0], high, some[1]], f"{name}: the second is too high",
+                          height=TALL)
     for name in LINERS:
         yield from table_trials(name)
 
@@ -77,6 +93,8 @@ def table_trials(name: str) -> Iterator[Trial]:
     rng = np.random.default_rng(len(name))
     for number, each in enumerate(triangles(rng, 300)):
         yield lines_trial(Memory(), name, [each], f"{name}: triangle {number}, {each}")
+    for number, each in enumerate(tall(rng, 40)):
+        yield lines_trial(Memory(), name, [each], f"{name}: tall {number}, {each}", height=TALL)
     some = triangles(rng, 6)
     flat = [(v[0], some[0][0][1], *v[2:]) for v in some[0]]
     turned = [some[1][k] for k in (0, 2, 1)]

@@ -65,16 +65,21 @@ def add_list(arena: Arena, triangles: list) -> tuple[int, int]:
 
 
 def is_handed(triangle) -> bool:
-    """Returns true if a routine stops at a triangle: it has a vertex None, or is too high."""
-    return None in triangle or max(v[1] for v in triangle) - min(v[1] for v in triangle) \
-        >= 16 * snapped.LINES
+    """Returns true if a routine stops at a triangle: it has a vertex None, or is too high and has area."""
+    if None in triangle:
+        return True
+    ys = [v[1] for v in triangle]
+    (x0, y0), (x1, y1), (x2, y2) = (v[:2] for v in triangle)
+    return (max(ys) - min(ys) >= 16 * snapped.LINES
+            and (x1 - x0) * (y2 - y0) != (x2 - x0) * (y1 - y0))
 
 
-def lines_trial(arena: Arena, routine: str, triangles: list, title: str = "", cull: int = 0) -> Trial:
-    """The table of lines of the first triangle of a batch that has some."""
+def lines_trial(arena: Arena, routine: str, triangles: list, title: str = "", cull: int = 0,
+                height: int = HEIGHT) -> Trial:
+    """The table of lines of the first triangle of a batch that has some, in a frame of so many lines."""
     mapper, form, pixel_bytes = LINERS[routine]
     listed, table = add_list(arena, triangles)
-    room = arena.room("scanline", HEIGHT, "lines")
+    room = arena.room("scanline", height, "lines")
     span = add_span_plan(arena, {"lines": room}, {}, pitch=WIDTH)
     shade = arena.struct("shade_plan", {}, **dict.fromkeys(layout.load().struct("shade_plan").fields, 0))
     plan = arena.struct("triangle_plan", {"list": listed, "end": listed + 12 * len(triangles),
@@ -105,16 +110,18 @@ def lines_trial(arena: Arena, routine: str, triangles: list, title: str = "", cu
                  + table_writes(room, entries, form))
 
 
-def batch_trial(arena: Arena, mapper: str, triangles: list, title: str = "", cull: int = 0) -> Trial:
-    """A batch. The routine must stop at the first triangle with a vertex None, or too high."""
+def batch_trial(arena: Arena, mapper: str, triangles: list, title: str = "", cull: int = 0,
+                height: int = HEIGHT) -> Trial:
+    """A batch in a frame of so many lines. The routine must stop at the first triangle with a vertex
+    None, or too high."""
     far, texture = Arena(), page()
     listed, table = add_list(arena, triangles)
     map_at = far.add(texture.tobytes(), align=1 << 16, name="map")
-    row = far.blank(WIDTH * HEIGHT, name="frame")
+    row = far.blank(WIDTH * height, name="frame")
     plan = arena.struct("triangle_plan", {"list": listed, "end": listed + 12 * len(triangles),
                                           "reciprocals": table}, {"row": row, "map": map_at},
                         pitch=WIDTH, colour=COLOUR * 0x01010101, cull=cull, **UNUSED)
-    frame, drawn = np.zeros((HEIGHT, WIDTH), np.uint8), 0
+    frame, drawn = np.zeros((height, WIDTH), np.uint8), 0
     for vertices_ in triangles:
         if is_handed(vertices_):
             break

@@ -8,7 +8,7 @@ that is drawn with, n the number of lines below the first and k that of pixels f
   one such step and is rounded down: 9/4 U.
 * p is rounded towards zero, a whole negative step of shades away from it: U. It is 0 if it does not fit, or is SHADES_STEEP shades or more: g.
 * The first pixel is less than a pixel from the crossing: p's error, and U by rounding the product. The
-  distance itself is off by 4/2^16 pixel: 4 g U.
+  distance itself is off by 4/2^16 pixel (2 by BELOW, 1/2 by a slope as 15.17, 1 by rounding): 4 g U.
 * A line adds the step along the edge and p times the slope's fraction, rounded down: 9/4 U, of which
   5/4 U are on either side. Fractions that are off by 5,120/2^32 pixel add up to 1.4/2^16 pixel in 16
   lines, or 1/256 of that a line from FINER_HEIGHT on: 2 g U. Of the carries as many p were added as the
@@ -18,14 +18,17 @@ that is drawn with, n the number of lines below the first and k that of pixels f
 The sum is (6 + 5/4 n + 6 g) U + (k + 2) times p's error. u also counts how often v wraps: 5 U where v
 stays within 1,024 texels, and (n + k) (1 + v's step / 2^23) U where that is 128 texels or more.
 
-Values are raised by SNAPPED_RAISED = 512 U, so they are never below the exact ones, and at most 1/64
-above, where 11 + 5/4 n + k + 6 g is 512 at most: g up to 3 in SNAPPED_LINES lines of SNAPPED_WIDTH
-pixels.
+Values are raised by SNAPPED_RAISED = 512 U, those of triangles that are not small by 4 U more, from
+FINER_HEIGHT on by 1/2 U: the register with the shift is added. So in fewer than SNAPPED_TALL lines of
+SNAPPED_WIDTH pixels they are never below the exact ones, and at most 1/64 above, where g is up to 3:
+13 + 5/4 n + k + 6 g is below 509 then, and 372 in 16 lines. In SNAPPED_LINES lines it is up to 669;
+there TALL_RAISED = 160 U are added, so that they are never below, and at most 1/48 above.
 
-Levels of light (lit Gouraud) are kept 1/16 inside their vertex's whole one instead. Steps a pixel and
-a line, and the start, are cut to multiples of 4 units: p's error is 5 U at most and a line adds 4 U
-more. Below LEVELS_STEEP levels a pixel, in SNAPPED_LINES lines of SNAPPED_WIDTH pixels, that is 10 + 21/4 n + 6 g + 5 (k + 2)
-units, 2,671 at most and less than 1/16: so no pixel's level leaves those of the vertices. Steeper lines
+Levels of light (lit Gouraud) are kept 1/16 inside their vertex's whole one instead, but for what
+triangles that are not small add. Steps a pixel and a line, and the start, are cut to multiples of 4
+units: p's error is 5 U at most and a line adds 4 U more. Below LEVELS_STEEP levels a pixel, in
+SNAPPED_LINES lines of SNAPPED_WIDTH pixels, that is 10 + 21/4 n + 6 g + 5 (k + 2) units and TALL_RAISED,
+3,504 at most and less than 1/16: so no pixel's level leaves those of the vertices. Steeper lines
 have one pixel, whose level is the long edge's.
 """
 
@@ -42,7 +45,7 @@ def level_bound(g: float, triangle: snapped.Triangle, i: int, y: int) -> float:
     exact gradient."""
     n, _, k = triangle.steps(y - triangle.top, i)
     off = 5.0 if g < snapped.STEEP_LEVELS - 1 else g / UNIT
-    return (10 + 5.25 * n + 6 * g + (abs(k) + 2) * off + snapped.INSET) * UNIT
+    return (10 + 5.25 * n + 6 * g + (abs(k) + 2) * off + triangle.raised / 16 + snapped.INSET) * UNIT
 
 
 def bound(g: float, triangle: snapped.Triangle, which: int, i: int, y: int) -> tuple[float, float]:
@@ -55,4 +58,5 @@ def bound(g: float, triangle: snapped.Triangle, which: int, i: int, y: int) -> t
     if which == 0 and len(triangle.values) == 2:
         step = max(abs(triangle.values[1].pixel), abs(triangle.values[1].line))
         units += 5 + (step >= 1 << 23) * (n + abs(k)) * (1 + step / (1 << 23))
-    return max(0.0, units - snapped.RAISED) * UNIT, (units + snapped.RAISED) * UNIT
+    more = snapped.RAISED + triangle.raised / 16
+    return max(0.0, units - more) * UNIT, (units + more) * UNIT

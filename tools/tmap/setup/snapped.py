@@ -12,8 +12,9 @@ from tmap.build import layout
 from tmap.setup.texturing import Line, Settings
 
 M24 = (1 << 24) - 1
-#: How far the wide triangles' edges begin below x + 1, 2^-32 pixel: BELOW of triangle_wide.i.
-BELOW = 102400
+#: How far other triangles' edges begin below x + 1, 2^-21 pixel, and those that are FINER high: BELOW of
+#: triangle_wide.i.
+BELOW, BELOW_FINER = 64, 8
 #: Widths of small triangles, pixels, by mapper and bytes a pixel; where tables of lines are made, none is.
 SMALL_WIDTH = {("flat", 1): 32, ("gouraud", 1): 32, ("affine", 1): 16}
 #: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
@@ -28,6 +29,7 @@ WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
     "SNAPPED_WIDTH", "SNAPPED_LINES", "SNAPPED_TEXELS", "SNAPPED_RAISED", "FINER_HEIGHT"))
 #: Heights of small triangles, 1/16 line.
 SMALL_HEIGHT = LIMITS["SMALL_HEIGHT"]
+TALL, TALL_RAISED = 16 * LIMITS["SNAPPED_TALL"], 16 * LIMITS["TALL_RAISED"]
 STEEP, STEEP_LEVELS = LIMITS["SHADES_STEEP"], LIMITS["LEVELS_STEEP"]
 INSET = ONE // 16  # how far a level is kept inside its whole one
 
@@ -40,6 +42,11 @@ def snap(coordinate: int) -> int:
 def reciprocal(dy: int) -> int:
     """Returns the table's reciprocal of a height in sixteenths of a line."""
     return min((1 << (39 if dy >= FINER else 31)) * 2 // dy + 1 >> 1, (1 << 31) - 1) if dy else 0
+
+
+def below_of(dy: int) -> int:
+    """Returns BELOW or BELOW_FINER. Starts of values are raised by as many units of 1/2^20."""
+    return BELOW_FINER if dy >= FINER else BELOW
 
 
 def towards_zero(part: int, whole: int) -> int:
@@ -69,6 +76,7 @@ class Triangle:
     long: list[int]
     short: list[int]
     values: list[Value]
+    raised: int  # what was added to values, 1/2^20
     by_spans: bool = False  # from a table of lines
     level: Value | None = None  # lit Gouraud
 
@@ -107,7 +115,7 @@ class Edge:
             self.at = ((x + 16 << 16) + prestep * self.step >> 4) - 2
         else:
             self.bits, self.step = 32, slope
-            self.at = ((x + 16 << 32) + prestep * slope >> 4) - BELOW
+            self.at = (x + 16 << 17) + prestep * (slope >> 15) - below_of(dy) << 11  # the slope as 15.17
 
     @staticmethod
     def slope_of(dx: int, dy: int) -> int:
@@ -135,13 +143,18 @@ def gradient(top, middle, bottom, key: int, area: int, small: bool, most: int,
     return found - (never_whole and found < 0 and not found & 0xFFFF)
 
 
+def raised(edge: Edge) -> int:
+    """Returns what is added to values at the start of a long edge, in 1/2^20."""
+    return 0 if edge.bits == 16 else below_of(edge.dy) + TALL_RAISED * (edge.dy >= TALL)
+
+
 def value_of(top, bottom, key: int, edge: Edge, pixel: int, right: bool) -> Value:
     """Returns a value along the long edge. ``pixel``: its gradient."""
     along = 2 * (bottom[key] - top[key]) * reciprocal(edge.dy) >> (40 if edge.dy >= FINER else 32)
     fraction = (edge.slope & M32) >> 1
     place = edge.at >> edge.bits - 16 & 0xFFFF
     away = place + 1 if right else 0xFFFF - place
-    at = signed(top[key] + (-edge.y & 15) * along) >> 4
+    at = signed(top[key] + (-edge.y & 15) * along + raised(edge)) >> 4
     return Value(at + (away * pixel >> 16), pixel,
                  along - ((-fraction if right else fraction) * pixel >> 31))
 
@@ -180,7 +193,7 @@ def set_up(vertices, mapper: str, cull: bool = False, pixel_bytes: int = 1) -> T
         step = gradient(top, middle, bottom, 4, area, small, STEEP_LEVELS << 16) & ~3
         level = value_of(top, bottom, 4, edge, step, right)
     return Triangle(first, right, edge.step >> edge.bits, edge.columns(end - first), short, values,
-                    (mapper, pixel_bytes) not in SMALL_WIDTH, level)
+                    raised(edge), (mapper, pixel_bytes) not in SMALL_WIDTH, level)
 
 
 def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes: int = 1) -> bool:
