@@ -6,6 +6,8 @@
 enum map_memory {
     PAGE_BYTES = MAP_PAGE_SIDE * MAP_PAGE_SIDE,
     HALF_PAGE = PAGE_BYTES / 2,
+    ORDER_MARGINS = 2,
+    ORDER_ANYWHERE = 4,
     BYTES_MAX = 0x40000000      /* far more than any machine has; sums stay inside 32 bits */
 };
 
@@ -83,14 +85,24 @@ static void make_map(struct map *map, const struct scene_texture *t, const uint8
         judge_light(map);
 }
 
-/* All maps are in one block, ordered by layout: first those of whole pages, from a multiple of
-   65,536 on; then those with margins, which begin half a page after such a multiple; then light
-   tables, so that each is inside a page; then the others. */
-int32 scene_make_maps(struct scene *scene, int32 kind)
+/* Returns a texture's place in the order of maps. Pages and what is like them begin at multiples of
+   65,536; maps with margins half a page after such a multiple; then come light tables, each of which
+   is inside a page, and the others. */
+static uint32 order_of(const struct scene_texture *t)
 {
     static const uint8 order[MAP_LAYOUTS] = {
-        MAP_PAGE, MAP_TILED, MAP_MARGINS, MAP_LIGHT, MAP_LINEAR, MAP_COLUMNS
+        [MAP_PAGE] = 0, [MAP_TILED] = 1, [MAP_MARGINS] = ORDER_MARGINS, [MAP_LIGHT] = 3,
+        [MAP_LINEAR] = 4, [MAP_COLUMNS] = 5
     };
+
+    if (t->layout == MAP_LINEAR && t->width == MAP_PAGE_SIDE && t->height == MAP_PAGE_SIDE)
+        return 0;
+    return order[t->layout];
+}
+
+/* All maps are in one block. */
+int32 scene_make_maps(struct scene *scene, int32 kind)
+{
     uint32 count = scene->header->textures, bytes = 0, align = 4, gap = 0;
     uint8 *at;
 
@@ -101,7 +113,7 @@ int32 scene_make_maps(struct scene *scene, int32 kind)
     for (uint32 i = 0; i < count; i++) {
         const struct scene_texture *t = &scene->textures[i];
 
-        if (t->texel_bytes == 1 && t->layout != MAP_LINEAR && t->layout != MAP_COLUMNS)
+        if (t->texel_bytes == 1 && order_of(t) < ORDER_ANYWHERE)
             align = PAGE_BYTES;
         if (t->layout == MAP_MARGINS)
             gap = HALF_PAGE;
@@ -113,12 +125,12 @@ int32 scene_make_maps(struct scene *scene, int32 kind)
         return 0;
     at += (0 - (uint32)at) & (align - 1);
     for (uint32 k = 0; k < MAP_LAYOUTS; k++) {
-        if (order[k] == MAP_MARGINS)
+        if (k == ORDER_MARGINS)
             at += gap;
         for (uint32 i = 0; i < count; i++) {
             const struct scene_texture *t = &scene->textures[i];
 
-            if (t->layout != order[k])
+            if (order_of(t) != k)
                 continue;
             make_map(&scene->maps[i], t, (const uint8 *)scene->header + t->at, at);
             at += map_bytes(t);

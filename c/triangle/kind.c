@@ -10,6 +10,13 @@ static int32 triangle_has_maps(const struct material *material, int32 pixel_byte
         && (material->mapper == MAPPER_AFFINE || (light && light->layout == MAP_LIGHT));
 }
 
+/* Returns non-zero if a map that does not repeat is stored as a page. */
+static int32 triangle_map_is_page(const struct map *map)
+{
+    return map && map->layout == MAP_LINEAR && map->texel_bytes == 1 && map->width == MAP_PAGE_SIDE
+        && map->height == MAP_PAGE_SIDE && !((uint32)map->texels & 0xffff);
+}
+
 enum span_kind triangle_kind(const struct frame *frame, const struct material *material)
 {
     const int32 bytes = frame->pixel_bytes;
@@ -27,6 +34,8 @@ enum span_kind triangle_kind(const struct frame *frame, const struct material *m
         return SPAN_KINDS;
     if (material->mapper == MAPPER_GOURAUD)
         return SPAN_TRIANGLES_GOURAUD;
+    if (material->mapper == MAPPER_ARBITRARY && triangle_map_is_page(material->map))
+        return SPAN_TRIANGLES_AFFINE;
     if ((material->mapper != MAPPER_LIT && material->mapper != MAPPER_LIT_GOURAUD)
         || !triangle_has_maps(material, 1))
         return SPAN_KINDS;

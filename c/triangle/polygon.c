@@ -240,6 +240,23 @@ static enum span_kind triangle_by_vertices(enum span_kind kind, uint32 *colour,
     return kind;
 }
 
+/* MAPPER_ARBITRARY: returns non-zero if no pixel of a triangle leaves the map. */
+static int32 triangle_stays_in_map(const struct snapped_vertex *v, const struct map *map)
+{
+    const int32 dx1 = v[1].x - v->x, dy1 = v[1].y - v->y, dx2 = v[2].x - v->x, dy2 = v[2].y - v->y;
+    const int32 area = dx1 * dy2 - dx2 * dy1;
+    const int32 low = (SNAPPED_RAISED + BELOW_MAP) << 4, over = (SNAPPED_RAISED - ABOVE_MAP) * 16;
+    const int32 u_high = (map->width << 20) + over, v_high = (map->height << 20) + over;
+    int32 most = dy1 > dy2 ? dy1 : dy2, least = dy1 < dy2 ? dy1 : dy2;
+
+    most = most < 0 ? 0 : most;
+    least = least > 0 ? 0 : least;
+    for (int32 i = 0; i < 3; i++, v++)
+        if (v->u < low || v->u > u_high || v->v < low || v->v > v_high)
+            return 0;
+    return (area < 0 ? -area : area) >= SLIVER_MAP * (most - least);
+}
+
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
                                 const struct material *material)
 {
@@ -257,7 +274,10 @@ enum span_kind triangle_polygon(const struct renderer *renderer, const struct po
         || !triangle_vertices(vertices, polygon->vertices, count, renderer->frame, material)
         || !triangle_is_low(vertices, count))
         return SPAN_KINDS;
-    if (material->mapper != MAPPER_FLAT && material->mapper != MAPPER_AFFINE)
+    if (material->mapper == MAPPER_ARBITRARY
+        && (count > 3 || !triangle_stays_in_map(vertices, material->map)))
+        return SPAN_KINDS;
+    if (material->mapper != MAPPER_FLAT && kind != SPAN_TRIANGLES_AFFINE)
         kind = triangle_by_vertices(kind, &colour, renderer, polygon, material);
     else if (kind == SPAN_TRIANGLES_AFFINE && triangle_may_be_still(vertices, count))
         kind = SPAN_AFFINE_ADDX;

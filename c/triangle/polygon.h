@@ -19,7 +19,8 @@ enum span_kind triangle_kind(const struct frame *frame, const struct material *m
 static inline enum span_kind triangle_batch_kind(const struct renderer *renderer,
                                                  const struct material *material)
 {
-    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts)
+    if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts
+        || material->mapper == MAPPER_ARBITRARY)        /* each triangle is tested */
         return SPAN_KINDS;
     return triangle_kind(renderer->frame, material);
 }

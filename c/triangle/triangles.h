@@ -36,6 +36,13 @@ enum snapped_limits {
                                    triangle has two pixels */
     LEVELS_STEEP = 64,          /* the same for levels of light */
 
+    /* MAPPER_ARBITRARY: u and v of vertices are so far inside the map, 1/65536 texel, that no pixel of
+       a triangle with an area of SLIVER_MAP dy or more leaves it: its gradients are below 86 texels
+       a pixel, its values up to 483 units below the exact ones and 1,835 above. */
+    BELOW_MAP = 512,
+    ABOVE_MAP = 2048,
+    SLIVER_MAP = 48,            /* twice the area in 1/256 square pixel, dy in 1/16 line */
+
     /* Up to these areas, in 1/512 square pixel, the quotient of a gradient may not fit 32 bits. Its
        dividend is below 2 * 2^30 dy, u and v being less than 1,024 texels apart. */
     SLIVER_SMALL = 256,         /* dy up to 224 */

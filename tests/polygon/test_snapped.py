@@ -131,3 +131,24 @@ def test_levels_keep_their_bound_and_the_vertices_levels():
             whole = [v[4] >> 18 for v in vertices]
             assert not levels or min(whole) <= min(levels) and max(levels) <= max(whole), vertices
     assert worst > 0.8
+
+
+def test_no_pixel_leaves_a_map_that_does_not_repeat():
+    """Texels of the map's corners, and triangles as narrow as is allowed."""
+    rng, drawn = random.Random("snapped maps"), 0
+    settings = Settings("snapped", mapper="arbitrary")
+    ends = [snapped.BELOW_MAP, (256 << 16) - snapped.ABOVE_MAP]
+    for _ in range(400):
+        reach, x = rng.choice((1, 4, 40, 250)), rng.randint(4, WIDTH - 4)
+        vertices = [(fix(min(max(x + rng.uniform(-1, 1) * rng.choice((1, reach)), 0), WIDTH)),
+                     fix(min(max(100 + rng.uniform(-reach, reach), 0), HEIGHT)),
+                     rng.choice(ends), rng.choice(ends), 0, ONE) for _ in range(3)]
+        polygon = model.set_up(model.adapt(vertices, settings, 256), WIDTH, HEIGHT, True, settings, (256, 256))
+        if polygon and polygon.triangle:
+            drawn += 1
+            for y, line in enumerate(polygon.lines, polygon.top):
+                u, v = polygon.coordinates(line, y)
+                assert ((u >= 0) & (u < 256 << 16) & (v >= 0) & (v < 256 << 16)).all(), vertices
+        verdict = bounds.judge(vertices, settings, WIDTH, HEIGHT)
+        assert not verdict.complaint, (vertices, verdict.complaint)
+    assert drawn > 100

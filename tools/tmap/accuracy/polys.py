@@ -34,7 +34,7 @@ def scene(row: str, count: int) -> Scene:
     """Returns a scene with an empty frame, then a frame with ``count`` triangles of a row."""
     mapper, _ = ROWS[row]
     layout = MAPPER_LAYOUT[mapper]
-    material = Material(mapper, texture=0 if layout else -1, colour=200)
+    material = Material(mapper, "subpixel" if row == "tiled" else "snapped", texture=0 if layout else -1, colour=200)
     objects, vertices = [], []
     for triangle in polygon_sets.random_triangles(count):
         objects.append(Object(0, len(vertices), 3, 0, 1, 1))
@@ -85,7 +85,7 @@ def measure_all(machine: str | None = None) -> dict:
     rows = [row for m in ([machine] if machine else MEASURED) for row in measure(m)]
     cached = [] if machine else measure(M68030) + measure(M68030, cache=True)
     return provenance.record() | {
-        "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, sub-pixel edges, "
+        "conditions": f"{TRIANGLES} random triangles, x 0 to 320, y 0 to 200, edges snapped to 1/16 pixel (tiled: sub-pixel), "
                       "plane gradients, sub-texel starts; DMA and interrupts off",
         "rows_68030": cached, "rows": rows}
 

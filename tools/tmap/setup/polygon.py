@@ -253,7 +253,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return None
     if textured and settings.gradients == "polygon" and n != 3:
         return None
-    by_routine = snapped.may_draw(vertices, settings, width, height, pixel_bytes)
+    by_routine = snapped.may_draw(vertices, settings, width, height, pixel_bytes, size)
     if settings.mapper == "generated" and not may_be_written(vertices, settings):
         settings = replace(settings, mapper="affine")
     outline = outline_of(vertices, width, height, settings)

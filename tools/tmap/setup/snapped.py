@@ -16,9 +16,9 @@ M24 = (1 << 24) - 1
 #: triangle_wide.i.
 BELOW, BELOW_FINER = 64, 8
 #: Widths of small triangles, pixels, by mapper and bytes a pixel; where tables of lines are made, none is.
-SMALL_WIDTH = {("flat", 1): 32, ("gouraud", 1): 32, ("affine", 1): 16}
+SMALL_WIDTH = {("flat", 1): 32, ("gouraud", 1): 32, ("affine", 1): 16, ("arbitrary", 1): 16}
 #: Numbers of a vertex that mappers interpolate; other mappers have no routine for triangles.
-VALUES = {"flat": 0, "gouraud": 1, "affine": 2, "lit": 2, "lit_gouraud": 2}
+VALUES = {"flat": 0, "gouraud": 1, "affine": 2, "lit": 2, "lit_gouraud": 2, "arbitrary": 2}
 #: Those with pixels of two and four bytes.
 WIDE_PIXELS = ("flat", "affine")
 #: The most corners of a polygon that is drawn as triangles.
@@ -31,6 +31,7 @@ WIDTH, LINES, TEXELS, RAISED, FINER = (LIMITS[name] for name in (
 SMALL_HEIGHT = LIMITS["SMALL_HEIGHT"]
 TALL, TALL_RAISED = 16 * LIMITS["SNAPPED_TALL"], 16 * LIMITS["TALL_RAISED"]
 STEEP, STEEP_LEVELS = LIMITS["SHADES_STEEP"], LIMITS["LEVELS_STEEP"]
+BELOW_MAP, ABOVE_MAP, SLIVER_MAP = (LIMITS[name] for name in ("BELOW_MAP", "ABOVE_MAP", "SLIVER_MAP"))
 INSET = ONE // 16  # how far a level is kept inside its whole one
 
 
@@ -196,13 +197,26 @@ def set_up(vertices, mapper: str, cull: bool = False, pixel_bytes: int = 1) -> T
                     raised(edge), (mapper, pixel_bytes) not in SMALL_WIDTH, level)
 
 
-def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes: int = 1) -> bool:
+def stays_in_map(vertices, size: tuple[int, int] | None) -> bool:
+    """Returns true if no pixel of a triangle leaves a map that does not repeat, of 256x256 texels.
+    With gradients below 86 texels a pixel values are up to 483 units below the exact ones and 1,835 above."""
+    if len(vertices) != 3 or size != (256, 256):
+        return False
+    (x, y), (x1, y1), (x2, y2) = (map(snap, v[:2]) for v in vertices)
+    area = abs((x1 - x) * (y2 - y) - (x2 - x) * (y1 - y))
+    return all(BELOW_MAP <= c <= (side << 16) - ABOVE_MAP for v in vertices for c, side in zip(v[2:4], size)) \
+        and area >= SLIVER_MAP * (max(y, y1, y2) - min(y, y1, y2))
+
+
+def may_draw(vertices, settings: Settings, width: int, height: int, pixel_bytes: int = 1,
+             size: tuple[int, int] | None = None) -> bool:
     """Returns true if routines for triangles draw a polygon in a frame. ``vertices``: x and y in
-    1/65536 pixel, snapped or not, then u and v in 1/65536 texel."""
+    1/65536 pixel, snapped or not, then u and v in 1/65536 texel; ``size``: the map's."""
     keys = VALUES.get(settings.mapper, -1)
     on_plane = (settings.gradients, settings.start, settings.perspective) == ("plane", "subtexel", "none")
     if settings.edges != "snapped" or keys < 0 or keys and not on_plane or len(vertices) > CORNERS \
-            or pixel_bytes > 1 and settings.mapper not in WIDE_PIXELS:
+            or pixel_bytes > 1 and settings.mapper not in WIDE_PIXELS \
+            or settings.mapper == "arbitrary" and not stays_in_map(vertices, size):
         return False
     xs, ys = ([snap(v[k]) for v in vertices] for k in (0, 1))
     return (0 <= min(xs) and max(xs) <= 16 * min(width, WIDTH) and 0 <= min(ys)
