@@ -3,7 +3,7 @@
 /* Returns non-zero if the plain spans draw a triangle of the material, without perspective. */
 static int32 is_plain(const struct material *material)
 {
-    return material->mapper <= MAPPER_AFFINE && material->edges != EDGES_SNAPPED
+    return material->edges != EDGES_SNAPPED && material->mapper <= MAPPER_AFFINE
         && material->gradients != GRADIENTS_SCANLINE && !material->perspective
         && material->clip == CLIP_SCISSOR;
 }
