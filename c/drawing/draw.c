@@ -110,7 +110,7 @@ static enum chain chain_of(const struct setup *s)
     const struct material *m = s->material;
 
     if (m->mapper == MAPPER_GOURAUD)
-        return CHAIN_SHADES;
+        return m->gradients == GRADIENTS_PLANE ? CHAIN_SHADES : CHAIN_NONE;
     if (m->mapper == MAPPER_LIT_GOURAUD)
         return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
     if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT

@@ -152,8 +152,8 @@ size            equ     outline+4
 ;          d1  int32       enum chain
 ; trashes: d0-d7/a0-a5
 ; reads:   u_cut, v_cut; *sides, top, bottom and middle vertex, the rectangle
-; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES neither v nor
-;          its steps
+; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES v and its
+;          steps are 0
 ; formats: as texturing_plane, but with gradients in 5.27. It does all of texturing_plane's work
 ;          itself if they are below 8 texels a pixel, twice the area is 1/2 to 2^20 square pixels,
 ;          and the top vertex is within 1,024 pixels of the middle of the box, in x and in y.
@@ -238,13 +238,17 @@ size            equ     outline+4
         moveq   #CHAIN_ANYWHERE,d0
         cmp.l   chain(sp),d0
         beq     .wraps
-.shades clr.l   texturing_wraps(a6)
+.whole  clr.l   texturing_wraps(a6)
         clr.l   texturing_wrap_bit(a6)
 .u      axis    u,s
         move.l  texturing_wrap_bit(a6),d0
         or.l    d0,texturing_u(a6)
         lea     size(sp),sp
         rts
+.shades clr.l   texturing_v(a6)
+        clr.l   texturing_dvdx(a6)
+        clr.l   texturing_dvdy(a6)
+        bra     .whole
 .wraps  movea.l a6,a0
         movea.l box(sp),a1
         move.l  chain(sp),d0
