@@ -7,6 +7,7 @@
    side is cut, an edge from far above has not drifted when it reaches the frame, and
    polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
    arithmetic. */
+#include "drawing/clamp.h"
 #include "drawing/fan.h"
 #include "drawing/generated.h"
 #include "drawing/lower.h"
@@ -200,36 +201,11 @@ static void set_ramps(struct setup *s)
     s->span.steps = made->ramps.steps;
 }
 
-/* Returns a step, made two units slower if it falls: the start of a line may be moved one unit
-   below the far border, and u is above the exact value again a pixel on. */
-static fix16 slower(fix16 step)
-{
-    return step >= 0 ? step : step < -2 ? step + 2 : 0;
-}
-
 /* Returns non-zero if the mapper has a range that u and v of every pixel must stay in. */
 static int32 has_range(const struct setup *s)
 {
     return (s->material->mapper == MAPPER_GOURAUD || s->material->mapper == MAPPER_ARBITRARY)
         && !is_flat(s);
-}
-
-/* Keeps u and v of every pixel in the mapper's range. */
-static void clamp_lines(struct setup *s)
-{
-    struct clamp_plan clamp;
-    int32 leaves = material_leaves_range(s);
-
-    if (lower_to_no_clamp(s, leaves))
-        return;
-    material_range(&clamp, s);
-    clamp.lines = (struct scanline *)s->span.lines;
-    clamp.count = s->span.count;
-    clamp.dudx = leaves ? slower(s->span.dudx) : s->span.dudx;
-    clamp.dvdx = leaves ? slower(s->span.dvdx) : s->span.dvdx;
-    edge_clamp(&clamp);
-    s->span.dudx = clamp.dudx;
-    s->span.dvdx = clamp.dvdx;
 }
 
 /* Rounds u, v and the steps of a line up to the bits that its span keeps. */
@@ -380,8 +356,8 @@ static void count_snapped(struct setup *s, enum span_kind kind)
     count_lines(s, s->kind);
 }
 
-enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon *polygon,
-                                 const struct material *material)
+enum polygon_result polygon_draw_any(struct renderer *renderer, const struct polygon *polygon,
+                                     const struct material *material)
 {
     struct setup s;
 

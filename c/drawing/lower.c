@@ -13,7 +13,7 @@
 /* A rule is a line: its name, the kind of span it lowers, the result and the condition. Later lines
    may lower the result further. */
 #define LOWER(rule, from, to, condition) \
-    if (kind == SPAN_##from && RULE_IS_ON(s, rule) && (condition)) { \
+    if (kind == SPAN_##from && (condition) && RULE_IS_ON(s, rule)) { \
         RULE_APPLIES(s, rule); \
         kind = SPAN_##to; \
     }
@@ -130,14 +130,19 @@ void lower_by_steps(struct setup *s)
     enum span_kind kind = s->kind;
 
     if (kind == SPAN_AFFINE_ADDX_WRAP) {
-        LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW, STEP_IS_STILL(span->dvdx) && STEP_IS_SLOW(span->dudx))
-        LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN, STEP_IS_STILL(span->dudx) && STEP_IS_SLOW(span->dvdx))
-        LOWER(NO_WRAP, AFFINE_ADDX_WRAP, AFFINE_ADDX, !s->texturing.wraps)
-        LOWER(SHORT, AFFINE_ADDX, AFFINE_SHORT, width <= SHORT_AFFINE)
-        LOWER(SHORT_WRAP, AFFINE_ADDX_WRAP, AFFINE_SHORT_WRAP, width <= SHORT_AFFINE_WRAP)
-        LOWER(UNIT_STEP, AFFINE_ROW, AFFINE_COPY,
-              STEP_IS_STILL(span->dudx - 65536) && width >= COPY_LEAST)
-        LOWER(SHORT_ROW, AFFINE_ROW, AFFINE_ROW_SHORT, width <= SHORT_AFFINE_ROW)
+        LOWER(STILL_V, AFFINE_ADDX_WRAP, AFFINE_ROW,
+              STEP_IS_STILL(span->dvdx) && STEP_IS_SLOW(span->dudx))
+        LOWER(STILL_U, AFFINE_ADDX_WRAP, AFFINE_COLUMN,
+              STEP_IS_STILL(span->dudx) && STEP_IS_SLOW(span->dvdx))
+        if (kind == SPAN_AFFINE_ADDX_WRAP) {
+            LOWER(NO_WRAP, AFFINE_ADDX_WRAP, AFFINE_ADDX, !s->texturing.wraps)
+            LOWER(SHORT, AFFINE_ADDX, AFFINE_SHORT, width <= SHORT_AFFINE)
+            LOWER(SHORT_WRAP, AFFINE_ADDX_WRAP, AFFINE_SHORT_WRAP, width <= SHORT_AFFINE_WRAP)
+        } else {
+            LOWER(UNIT_STEP, AFFINE_ROW, AFFINE_COPY,
+                  STEP_IS_STILL(span->dudx - 65536) && width >= COPY_LEAST)
+            LOWER(SHORT_ROW, AFFINE_ROW, AFFINE_ROW_SHORT, width <= SHORT_AFFINE_ROW)
+        }
     } else if (kind == SPAN_LIT_WRAP) {
         LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
         LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)

@@ -29,18 +29,14 @@ static void set_places(struct vertex *to, const struct vertex *from, int32 count
     }
 }
 
-/* MAPPER_GOURAUD: makes s of the shades. With snapped vertices each has its own range, because
-   polygons share them. */
-static void set_shades(struct vertex *to, const struct vertex *from, int32 count, enum edges edges)
+/* MAPPER_GOURAUD, EDGES_SNAPPED: makes s of the shades. Each has its own range, because polygons share
+   such vertices. */
+static void set_shades(struct vertex *to, const struct vertex *from, int32 count)
 {
-    fix16 low, high;
-
-    shade_range(from, count, &low, &high);
     for (; count > 0; count--, to++, from++) {
-        if (edges == EDGES_SNAPPED) {
-            low = high = from->shade;
-            shade_limits(&low, &high);
-        }
+        fix16 low = from->shade, high = low;
+
+        shade_limits(&low, &high);
         to->s = shade_limited(from->shade, low, high);
         to->t = 0;
     }
@@ -65,7 +61,7 @@ const struct vertex *material_made(struct vertex *to, const struct vertex *from,
 {
     set_places(to, from, count, (enum edges)material->edges);
     if (material->mapper == MAPPER_GOURAUD)
-        set_shades(to, from, count, (enum edges)material->edges);
+        set_shades(to, from, count);
     else
         set_texels(to, from, count, material->map ? material->map->scale : 65536);
     return to;

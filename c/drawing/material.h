@@ -3,6 +3,7 @@
 #define MATERIAL_H
 
 #include "polygon/setup.h"
+#include "polygon/shading.h"
 
 /* Makes the vertices for the set-up and returns `to`: x and y in whole pixels with EDGES_INTEGER, in
    1/16 pixel with EDGES_SNAPPED; s and t in texels, to the nearest 1/65536, or with MAPPER_GOURAUD
@@ -20,6 +21,10 @@ static inline const struct vertex *material_vertices(struct vertex *to, const st
         && material->mapper != MAPPER_GOURAUD
         && (!material->map || material->map->scale == 65536))
         return from;
+    if (material->mapper == MAPPER_GOURAUD && material->edges != EDGES_SNAPPED) {
+        shade_vertices(to, from, count, material->edges == EDGES_INTEGER ? ~0xffff : ~0);
+        return to;
+    }
     return material_made(to, from, count, material);
 }
 

@@ -12,13 +12,6 @@
 #define INSET (65536 / 16)
 #define STEEP_1 65536
 
-void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high)
-{
-    *high = vertex_range(&vertices->shade, count, low);
-    *high += *low;
-    shade_limits(low, high);
-}
-
 int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade)
 {
     if (!material->light || material->light->layout != MAP_LIGHT)

@@ -14,11 +14,11 @@ enum {
 /* The level of a shade, 16.16: a quarter of it. */
 #define SHADE_LEVEL(shade) ((shade) >> (LEVEL_BITS - 16))
 
-/* Finds the limits of the vertices' shades that keep every pixel in the vertices' range, and applies
-   them. */
-void shade_range(const struct vertex *vertices, int32 count, fix16 *low, fix16 *high);
+/* src68k/polygon: contract there. */
+void shade_vertices(struct vertex *to, const struct vertex *from, int32 count, int32 mask);
 
-/* Makes the limits from the vertices' least and greatest shade. */
+/* Makes the limits of shades that keep every pixel in the vertices' range, from the vertices' least and
+   greatest shade. */
 static inline void shade_limits(fix16 *low, fix16 *high)
 {
     *low = (*low & ~0xffff) + SHADE_INSET;

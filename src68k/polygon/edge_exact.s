@@ -46,8 +46,7 @@
         ble.s   .ceil
         addq.l  #1,d3
         sub.l   d4,d2
-.ceil   neg.l   d2                      ; ceil * H - A
-        not.l   d2
+.ceil   subq.l  #1,d2                   ; not (ceil * H - A)
         move.l  d2,edge_error(a0)
         swap    d7
         ext.l   d7

@@ -23,19 +23,20 @@ bottom  equ     12
         routine edges_make,a0,a1,d0,d1
         save_all
         movea.l d0,a2
-        lea     edge_rounded,a5
-        tst.l   d1
-        beq.s   .chosen
-        lea     edge_exact,a5
-.chosen moveq   #2*vertex_sizeof,d0
+        moveq   #2*vertex_sizeof,d0
         add.l   sides_first(a1),d0
         cmp.l   sides_last(a1),d0
         bne.s   .many
         movea.l a2,a4
         movea.l a0,a2
+        move.l  d1,d0
         jsr     edges_three
         return_all
-.many   move.l  rectangle_bottom(a2),-(sp)
+.many   lea     edge_rounded,a5
+        tst.l   d1
+        beq.s   .chosen
+        lea     edge_exact,a5
+.chosen move.l  rectangle_bottom(a2),-(sp)
         move.l  rectangle_top(a2),-(sp)
         move.l  a0,-(sp)
         movea.l a1,a4

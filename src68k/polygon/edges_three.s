@@ -1,21 +1,28 @@
         include "routine.i"
 
+        xref    edge_exact,edge_rounded
+
 ; edges_three - what edges_make makes, for three vertices
 ;
 ; in:      a1  sides*      as sides_find fills them
 ;          a2  edge_plan*  left, right: where to write edges; the others are not read
 ;          a4  rectangle*  the lines that the triangle covers, one at least
-;          a5  routine*    edge_exact or edge_rounded
-; trashes: d0-d7/a0-a3/a6
+;          d0  int32       1: exact edges, 0: rounded ones
+; trashes: d0-d7/a0-a3/a5-a6
 ; reads:   *sides, its vertices, top and bottom of the rectangle
 ; writes:  as edges_make
-; formats: as the routine
-; error:   the routine's
-; cost:    about 100 cycles, and the routine's for two or three edges
+; formats: as edge_exact, edge_rounded
+; error:   theirs
+; cost:    about 1,100 cycles with a cold cache
 
 ; One side is the edge from top to bottom, the other goes by the middle. Of its two edges one may
 ; cover no line.
         routine edges_three
+        lea     edge_rounded,a5
+        tst.l   d0
+        beq.s   .chosen
+        lea     edge_exact,a5
+.chosen
         movea.l a1,a6
         movea.l a2,a3
         movea.l edge_plan_left(a3),a0

@@ -1,6 +1,6 @@
         include "routine.i"
 
-        xref    sides_find,sides_three,edges_make,edges_three,edge_exact,edge_rounded
+        xref    sides_find,sides_three,edges_make,edges_three
         xref    texturing_gentle,texturing_starts
 
 ; Rounds \1 up to a whole number.
@@ -27,12 +27,8 @@ upwards macro
 ; One routine, as calls from C would save and restore all registers four times.
         routine polygon_find,a0,d0,d1
         save_all
-        move.l  d1,-(sp)
-        lea     edge_rounded,a5
-        move.l  d0,-(sp)
-        beq.s   .chosen
-        lea     edge_exact,a5
-.chosen movea.l a0,a6
+        movem.l d0-d1,-(sp)
+        movea.l a0,a6
         lea     setup_sides(a6),a0
         move.l  a0,setup_outline_sides(a6)
         movea.l setup_vertices(a6),a1
@@ -82,6 +78,7 @@ upwards macro
         moveq   #3,d0
         cmp.l   setup_count(a6),d0
         bne.s   .edges
+        move.l  (sp),d0
         jsr     edges_three
 .made   addq.l  #4,sp
         move.l  (sp)+,d1

@@ -115,6 +115,22 @@ axis    macro
         move.l  d0,texturing_\1(a6)
         endm
 
+; \4 = travel of v by step \1 over half the box a0, from the middle \2 to \3, 8.8, rounded up; goes
+; to .wraps if it is 256 texels or more. Uses d1.
+travel  macro
+        move.l  texturing_\1(a6),\4
+        minus   <neg.l \4>
+        lsr.l   #8,\4
+        addq.w  #1,\4
+        move.l  rectangle_\3(a0),d1
+        sub.l   texturing_\2(a6),d1
+        mulu.w  d1,\4
+        swap    \4
+        tst.w   \4
+        bne     .wraps
+        swap    \4
+        endm
+
 ; On the stack:
 ways_all        equ     0               ; twice the pixels from the first vertex to the
                                         ; farthest pixel, x and y added
@@ -136,8 +152,8 @@ size            equ     outline+4
 ;          d1  int32       enum chain
 ; trashes: d0-d7/a0-a5
 ; reads:   u_cut, v_cut; *sides, top, bottom and middle vertex, the rectangle
-; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES neither v nor
-;          its steps
+; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES v and its
+;          steps are 0
 ; formats: as texturing_plane, but with gradients in 5.27. It does all of texturing_plane's work
 ;          itself if they are below 8 texels a pixel, twice the area is 1/2 to 2^20 square pixels,
 ;          and the top vertex is within 1,024 pixels of the middle of the box, in x and in y.
@@ -204,17 +220,39 @@ size            equ     outline+4
         subq.l  #CHAIN_SHADES,d0
         beq     .shades
         axis    v,t
-        movea.l a6,a0
-        movea.l box(sp),a1
-        move.l  chain(sp),d0
-        jsr     texturing_wrap
+
+        ; texturing_wrap's first test, with steps below 8 texels
+        movea.l box(sp),a0
+        travel  dvdx,i,right,d2
+        travel  dvdy,j,bottom,d0
+        add.w   d2,d0                   ; below 2^16: v's range in the box, 8.8
+        bcs     .wraps
+        addq.w  #1,d0
+        bcs     .wraps
+        move.l  texturing_v(a6),d1
+        lsr.l   #8,d1
+        cmp.w   d0,d1
+        blo     .wraps
+        add.w   d0,d1
+        bcs     .wraps
+        moveq   #CHAIN_ANYWHERE,d0
+        cmp.l   chain(sp),d0
+        beq     .wraps
+.whole  clr.l   texturing_wraps(a6)
+        clr.l   texturing_wrap_bit(a6)
 .u      axis    u,s
         move.l  texturing_wrap_bit(a6),d0
         or.l    d0,texturing_u(a6)
         lea     size(sp),sp
         rts
-.shades clr.l   texturing_wraps(a6)
-        clr.l   texturing_wrap_bit(a6)
+.shades clr.l   texturing_v(a6)
+        clr.l   texturing_dvdx(a6)
+        clr.l   texturing_dvdy(a6)
+        bra     .whole
+.wraps  movea.l a6,a0
+        movea.l box(sp),a1
+        move.l  chain(sp),d0
+        jsr     texturing_wrap
         bra     .u
 
 .steep  lea     chain-ways_all(sp),sp

@@ -147,8 +147,8 @@ chain           equ     box+4
 ;          d0  rectangle*  the pixels that it may cover
 ;          d1  int32       enum chain
 ; reads:   u_cut, v_cut; *sides, top, bottom and middle vertex, the rectangle
-; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES neither v nor
-;          its steps
+; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES v and its
+;          steps are 0
 ; formats: with vectors from the top vertex to the bottom (1) and the middle (2), D =
 ;          x1 y2 - x2 y1 = +-area:
 ;            dsdx = (s1 y2 - s2 y1) / D     dsdy = (x1 s2 - x2 s1) / D
@@ -207,6 +207,9 @@ chain           equ     box+4
         or.l    d0,texturing_u(a6)
         lea     chain+4(sp),sp
         return_all
-.shades clr.l   texturing_wraps(a6)
+.shades clr.l   texturing_v(a6)
+        clr.l   texturing_dvdx(a6)
+        clr.l   texturing_dvdy(a6)
+        clr.l   texturing_wraps(a6)
         clr.l   texturing_wrap_bit(a6)
         bra     .u

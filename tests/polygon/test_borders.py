@@ -240,6 +240,7 @@ def test_a_plane_that_is_not_raised_is_caught(monkeypatch) -> None:
     shows it."""
     figure = Figure(16, 16, 192, 192, (0, 0), Fraction(1, 3), (False, False, False))
     check("affine", figure, [figure.vertices(256)], Settings())
-    monkeypatch.setattr(texturing, "shortfall", lambda *_: 0)
+    for name in ("shortfall", "gentle_shortfall"):
+        monkeypatch.setattr(texturing, name, lambda *_: 0)
     with pytest.raises(pytest.fail.Exception, match="expected texel"):
         check("affine", figure, [figure.vertices(256)], Settings())

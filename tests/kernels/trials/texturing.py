@@ -26,12 +26,15 @@ SETTINGS = (("CHAIN_NONE", model.Settings(mapper="generated")),
             ("CHAIN_PLANE", model.Settings()))
 
 
-def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Trial | None:
-    """The plane of a polygon; None where nothing of it is in the frame."""
+def texturing_plane_trial(vertices, chain: str, settings: model.Settings,
+                          kernel: str = "texturing_plane") -> Trial | None:
+    """The plane of a polygon by texturing_plane or texturing_gentle; None where nothing of it is in the
+    frame."""
     wanted, sides = wanted_sides(vertices), model_edges.measure(vertices, WIDTH, HEIGHT)
     if sides is None:
         return None
-    t = texturing.plane(vertices, sides.corners, sides.box, settings)
+    is_gentle = kernel == "texturing_gentle"
+    t = texturing.plane(vertices, sides.corners, sides.box, settings, is_gentle)
     memory = Memory()
     at = vertex_block(memory, vertices)
     sides_at = sides_block(memory, at, vertices, wanted)
@@ -54,14 +57,15 @@ def texturing_plane_trial(vertices, chain: str, settings: model.Settings) -> Tri
             error = int.from_bytes(result.memory[place:place + 4], "big") - gradient * ONE
             error -= round(error / (1 << 32)) * (1 << 32)
             half = Fraction(1 << t.cuts["uv".index(name[1])], 2)
-            allowed = half + (abs(gradient) / 2**31 + Fraction(3, 2**32)) * ONE
+            cut = Fraction(2, 2**27) if t.gentle else abs(gradient) / 2**31 + Fraction(3, 2**32)
+            allowed = half + cut * ONE
             if abs(error) > allowed:
                 return (f"{name}: exact is {float(gradient):.9f} modulo 2^16: off by "
                         f"{float(error):.3f}/2^16, the block allows {float(allowed):.3f}/2^16")
         return None
 
-    return Trial(Case("texturing_plane", memory, {"d1": layout.load().constants[chain]},
-                      {"a0": out, "a1": sides_at, "d0": box}),
+    places = {"a6": out, "a1": sides_at, "a0": box} if is_gentle else {"a0": out, "a1": sides_at, "d0": box}
+    return Trial(Case(kernel, memory, {"d1": layout.load().constants[chain]}, places),
                  f"{chain}, {settings.mapper}, box {sides.box}: {described(vertices)}", writes=writes,
                  also=bound)
 

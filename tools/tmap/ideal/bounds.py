@@ -152,7 +152,9 @@ def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings
     g, h = abs(plane.nx / plane.d), abs(plane.ny / plane.d)
     if settings.gradients == "plane":
         rounding = UNIT / 2 * (1 << cut)
-        return Coordinate("..uv"[key], plane, cut, g, h, rounding + plane.cut(g), rounding + plane.cut(h))
+        gentle = isinstance(t, Texturing) and t.gentle
+        return Coordinate("..uv"[key], plane, cut, g, h,
+                          *(rounding + plane.cut(each, gentle) for each in (g, h)))
     top, bottom, _ = ideal.corners(vertices)
     height = vertices[bottom][1] - vertices[top][1]
     width = abs(plane.d / height) * UNIT if height else 0.0

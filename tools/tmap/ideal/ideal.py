@@ -15,7 +15,8 @@ The bounds are derived in pixels and texels, with 1 unit = 1/2^16:
   steps by a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
 * Plane gradient g: the divisor is cut to 32 bits (|g| / 2^31), the numerator by as many bits
   (1 in a divisor of 2^31 or more: 2/2^32 texels per pixel), the quotient is cut to
-  1/2^32: e(g) = |g| / 2^31 + 3/2^32.
+  1/2^32: e(g) = |g| / 2^31 + 3/2^32. Gentle gradients, below 8 texels per pixel, have 27 bits of
+  fraction in spans: the divisor is cut to 31 bits (8 / 2^30), the quotient to 1/2^27: e(g) = 2/2^27.
 * Step: the gradient rounded to a multiple of 1/2^16 texel, or of more units if the spans drop low
   bits: 2 for u if its lowest bit is free for a wrap of v, 2 for v of tiles, 8 for columns, 4
   for levels of light. The error is d(g) = |g - the nearest one| + 2 e(g) per pixel: by e(g) or
@@ -26,8 +27,8 @@ The bounds are derived in pixels and texels, with 1 unit = 1/2^16:
   |j - j_ref| steps in y.
 * u is raised by the largest such error anywhere in the box. With w and h the ways from the
   reference to the box's sides and a = |x| + |y| + w + h + 2, that is w d(gx) + h d(gy) + 3/2^16 +
-  (|gx| + |gy| + 5) a 2/2^32 at most. Then u is raised to a multiple: by less than that multiple,
-  and by 1/2^16 if the free bit is set.
+  (|gx| + |gy| + 5) a 2/2^32 at most; with gentle gradients w d(gx) + h d(gy) + 2/2^16 + 2 a/2^27.
+  Then u is raised to a multiple: by less than that multiple, and by 1/2^16 if the free bit is set.
 
 So a drawn value is never below the exact one, and above it by the sum of the last two points at
 most. If a gradient is 2^30 texels per pixel or more it may be below as well.
@@ -199,16 +200,17 @@ class Plane:
         return (error + 32768) % 65536 - 32768
 
     @staticmethod
-    def cut(gradient: float) -> float:
+    def cut(gradient: float, gentle: bool = False) -> float:
         """Returns e(g), a gradient's largest error before it is rounded to a step."""
-        return abs(gradient) / 2**31 + 3 / 2**32
+        return 2 / 2**27 if gentle else abs(gradient) / 2**31 + 3 / 2**32
 
-    def rounding(self, cut: int) -> list[float]:
+    def rounding(self, cut: int, gentle: bool) -> list[float]:
         """The largest errors of steps per pixel and per line, texels; ``cut``: low bits of 0."""
         whole, found = abs(self.d) << cut, []
         for n in (self.nx, self.ny):
             rest = (n << 16) % whole
-            found.append(min(rest, whole - rest) / abs(self.d) * UNIT + 2 * self.cut(n / self.d))
+            found.append(min(rest, whole - rest) / abs(self.d) * UNIT
+                         + 2 * self.cut(n / self.d, gentle))
         return found
 
     def raised(self, t: model.Texturing, cut: int) -> float:
@@ -216,14 +218,15 @@ class Plane:
         ways = t.i - t.box[0], t.j - t.box[1]
         away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + sum(ways) + 2
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
-        steps = sum(way * off for way, off in zip(ways, self.rounding(cut)))
-        return steps + UNIT * (3 + (1 << cut)) + steep * away * 2 / 2**32
+        steps = sum(way * off for way, off in zip(ways, self.rounding(cut, t.gentle)))
+        return steps + UNIT * (2 + (1 << cut)) + away * 2 / 2**27 if t.gentle \
+            else steps + UNIT * (3 + (1 << cut)) + steep * away * 2 / 2**32
 
     def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
         """Returns how far set-up's value may be above the exact one at pixel (i, j), in texels."""
-        ex, ey = self.cut(self.nx / self.d), self.cut(self.ny / self.d)
+        ex, ey = (self.cut(n / self.d, t.gentle) for n in (self.nx, self.ny))
         away = abs(t.i - self.x0 * UNIT) * ex + abs(t.j - self.y0 * UNIT) * ey
-        right, down = self.rounding(cut)
+        right, down = self.rounding(cut, t.gentle)
         return self.raised(t, cut) + UNIT + away + abs(i - t.i) * right + abs(j - t.j) * down
 
     def below(self) -> bool:

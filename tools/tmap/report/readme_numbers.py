@@ -157,7 +157,8 @@ def pixels(x: float) -> str:
 def seen(size: tuple[int, int]) -> model.Texturing:
     """Returns a texturing whose plane is given at the middle of a polygon as large as a frame."""
     width, height = size
-    return model.Texturing(0, 0, 0, 0, False, i=width // 2, j=height // 2, box=(0, 0, width, height))
+    return model.Texturing(0, 0, 0, 0, False, i=width // 2, j=height // 2, box=(0, 0, width, height),
+                           gentle=True)
 
 
 def bounds_table() -> str:
@@ -172,7 +173,8 @@ def bounds_table() -> str:
         ("... 256 lines below", edge_off(257), "ideal.bounds.edge_bound"),
         ("... 1,022 lines below, the most", edge_off(1023), "ideal.bounds.edge_bound"),
         ("an exact edge: the rational result", None, "ideal.bounds.check_coverage"),
-        ("a gradient of 1 texel a pixel before it is rounded", ideal.Plane.cut(1), "ideal.ideal.Plane.cut"),
+        ("a gradient of 1 texel a pixel before it is rounded", ideal.Plane.cut(1, True),
+         "ideal.ideal.Plane.cut"),
         ("... of 256", ideal.Plane.cut(256), "ideal.ideal.Plane.cut"),
         ("u in the corner of a polygon of 320x256 pixels", corner[0], "ideal.ideal.Plane.bound"),
         ("... where u's lowest bit is kept free", corner[1], "ideal.ideal.Plane.bound"),

@@ -148,13 +148,22 @@ def gentle_gradients(corners, key: int) -> tuple[int, int] | None:
     return tuple(cut_quotient(n << GENTLE - cut, d >> cut) for n in numerators)
 
 
+def gentle_shortfall(found: tuple[int, int], steps: tuple[int, int], ways: tuple[int, int],
+                     way: int) -> int:
+    """Returns ``shortfall`` for gradients in 5.27: they are off by 2 in 2^27, the value in the middle
+    by a unit."""
+    low = GENTLE - 16
+    off = sum(abs((s << low) - g) * w for g, s, w in zip(found, steps, ways)) + 2 * way
+    return (off >> low) + 2
+
+
 def gentle_axis(corner: int, both: tuple[int, int], away, ways, way: int, cut: int) -> tuple[int, int, int]:
     """Returns steps and raised value of a coordinate with gradients in 5.27; ``corner``: its value
-    at the first corner. The gradients are off by 2 in 2^27, the two products by a unit together."""
-    low = GENTLE - 16
-    steps = [g + (1 << low + cut - 1) >> low + cut << cut for g in both]
-    off = sum(abs((s << low) - g) * w for g, s, w in zip(both, steps, ways)) + 2 * way
-    at = corner + sum(g * (a << 5) + (1 << 31) >> 32 for g, a in zip(both, away)) + (off >> low) + 2
+    at the first corner."""
+    low = GENTLE - 16 + cut
+    steps = [g + (1 << low - 1) >> low << cut for g in both]
+    at = corner + sum(g * (a << 5) + (1 << 31) >> 32 for g, a in zip(both, away))
+    at += gentle_shortfall(both, steps, ways, way)
     return *(s & M32 for s in steps), raised(at, cut)
 
 

@@ -1,0 +1,15 @@
+/* The two ways of polygon_draw. */
+#ifndef THREE_H
+#define THREE_H
+
+#include "polygon/polygon.h"
+
+/* Triangles by flat, Gouraud's or affine spans without perspective; not EDGES_SNAPPED, CLIP_VERTICES or
+   GRADIENTS_SCANLINE. The rules that such triangles do not need would take a quarter of a small one's
+   time. */
+polygon_routine polygon_draw_three;
+
+/* All others; draws those too. */
+polygon_routine polygon_draw_any;
+
+#endif
