@@ -8,7 +8,8 @@
 struct snap_plan {
     uint32 right, bottom;       /* largest x and y, 1/16 pixel */
     int32 count;                /* 1 or more */
-    struct mesh_point *points;
+    const struct mesh_point *points;
+    struct mesh_place *to;
 };
 
 enum gather_values {
@@ -18,7 +19,8 @@ enum gather_values {
 struct gather_plan {
     const struct mesh_face *from, *end;
     struct snapped_vertex *vertices;
-    struct triangle *list;              /* set to the place behind the last triangle */
+    struct triangle *list;
+    struct triangle *last;              /* set to the place behind the last triangle */
     const struct triangle *full;        /* behind this place of the list no face is taken */
     const struct material *material;    /* of all the faces */
     uint32 flags;                       /* of their instances; GATHER_SHADES: with MESH_LIT */

@@ -20,8 +20,20 @@ struct mesh_point {
     fix16 x, y, w;              /* w: z, the depth */
     fix16 screen_x, screen_y;   /* written where outside is 0 */
     uint32 outside;             /* enum mesh_outside, ored */
-    int32 place;                /* mesh_snap's, if it is called */
-    uint32 spare;               /* 32 bytes: an index is a shift */
+    uint32 spare[2];            /* 32 bytes: an index is a shift */
+};
+
+/* A mesh's point in 16 bits: coordinates of scene_point * MESH_UNIT16 / the largest of the mesh,
+   rounded to the nearest. */
+struct mesh_point16 {
+    int32 product;              /* x * y */
+    int16 x, y, spare, z;
+};
+
+/* A point as triangles' routines take it. */
+struct mesh_place {
+    int32 place;                /* x and y of struct snapped_vertex; negative: out of range */
+    int32 depth;                /* mesh_transform's, in the unit of its view */
 };
 
 /* Values from a normal: s and t of an environment, shade of a light. */
@@ -31,6 +43,14 @@ struct mesh_attributes {
 };
 
 struct transform_plan {
+    const struct mesh_point16 *from;
+    int32 count;                /* 1 or more */
+    const struct scene_view16 *view;
+    struct mesh_place *to;
+    uint32 right, bottom;       /* largest x and y, 1/16 pixel */
+};
+
+struct wide_plan {
     const struct scene_point *from;
     int32 count;                /* 1 or more */
     const struct scene_view *view;
@@ -54,7 +74,9 @@ struct mesh_placed {
     const struct scene_mesh *mesh;
     const struct scene_corner *corners;         /* the mesh's first */
     const struct material *material;
-    const struct mesh_point *points;
+    const struct mesh_point *points;            /* 0: it has places and a view16 */
+    const struct mesh_place *places;            /* if routines for triangles may draw it */
+    const struct scene_view16 *view16;
     const struct mesh_attributes *attributes;
     uint32 flags;
 };
@@ -70,7 +92,7 @@ struct faces_plan {
     const struct scene_face *from;
     int32 count;                /* 1 or more */
     const struct mesh_placed *placed;
-    const struct scene_view *view;
+    const struct scene_view *view;      /* mesh_faces takes the placed one's view16 */
     struct mesh_face *to;
 };
 
@@ -86,15 +108,21 @@ struct cut_plan {
 struct mesh_work {
     struct mesh_placed *placed;
     struct mesh_point *points;
+    struct mesh_place *places;
     struct mesh_attributes *attributes;
     struct mesh_face *faces, *sorted;
 };
 
 /* src68k/mesh: contracts there. */
-void mesh_transform(const struct transform_plan *plan);
+int32 mesh_transform(const struct transform_plan *plan);
+void mesh_transform_wide(const struct wide_plan *plan);
 void mesh_attributes(const struct attribute_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
+int32 mesh_faces_wide(const struct faces_plan *plan);
 void mesh_cut(const struct cut_plan *plan);
+
+/* Converts a mesh's points to 16 bits. */
+void mesh_points16(struct mesh_point16 *to, const struct scene_point *from, int32 count);
 
 enum { MESH_SORT_BUCKETS = 256 };
 

@@ -1,4 +1,5 @@
-/* Turns instances into polygons. Every point is transformed to the camera and projected once.
+/* Turns instances into polygons. Every point is transformed to the camera and projected once, with
+   16-bit operands where the file has factors for them and all points are on the screen.
    Faces seen from the back or wholly outside one border are dropped; the others are drawn from
    the farthest to the nearest, clipped if they cross a border. */
 #include "scene/draw_meshes.h"
@@ -52,6 +53,26 @@ static enum polygon_result draw_cut(struct renderer *renderer, const struct scen
     return draw_polygon(renderer, vertices, count, placed->material);
 }
 
+/* Sets a vertex's x, y and w; returns the borders that it is outside of. */
+static uint32 set_place(struct vertex *v, const struct mesh_placed *placed, uint32 point)
+{
+    const struct mesh_place *place;
+
+    if (placed->points) {
+        const struct mesh_point *p = &placed->points[point];
+
+        v->x = p->screen_x;
+        v->y = p->screen_y;
+        v->w = p->w;
+        return p->outside;
+    }
+    place = &placed->places[point];
+    v->x = ((place->place >> 16) - SNAPPED_ONE) << (16 - SNAPPED_BITS);
+    v->y = ((int16)place->place - (SNAPPED_ONE - 1)) << (16 - SNAPPED_BITS);
+    v->w = place->depth << placed->view16->depth_shift;
+    return 0;
+}
+
 static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
                                      const struct mesh_face *face)
 {
@@ -63,13 +84,9 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
     uint32 outside = 0;
 
     for (int32 i = count; i > 0; i--, corner++, v++) {
-        const struct mesh_point *p = &placed->points[corner->point];
         const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
 
-        outside |= p->outside;
-        v->x = p->screen_x;
-        v->y = p->screen_y;
-        v->w = p->w;
+        outside |= set_place(v, placed, corner->point);
         v->s = corner->s;
         v->t = corner->t;
         v->shade = 0;
@@ -101,9 +118,9 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
     if (!routine || (is_shaded && !(face->placed->flags & MESH_LIT)))
         return face;
     triangle_plan_set(&plan, &span, renderer, material);
-    plan.list = batch->list;
     gather.end = end;
     gather.vertices = batch->vertices;
+    gather.list = batch->list;
     gather.full = &batch->list[BATCH_TRIANGLES - (TRIANGLE_CORNERS_MAX - 2)];
     gather.material = material;
     gather.flags = face->placed->flags;
@@ -112,11 +129,11 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
     gather.scale = material->map && material->map->scale != 65536 ? material->map->scale : 0;
     do {
         gather.from = face;
-        gather.list = batch->list;
         face = mesh_gather(&gather);
-        plan.end = gather.list;
+        plan.list = gather.list;
+        plan.end = gather.last;
         routine(&plan);
-    } while (gather.list > gather.full && face < end);
+    } while (gather.last > gather.full && face < end);
     return face;
 }
 
@@ -149,61 +166,91 @@ static void make_attributes(struct mesh_attributes *to, const struct scene_norma
     }
 }
 
-/* Snaps an instance's points for routines for triangles. */
-static void snap(const struct renderer *renderer, struct mesh_point *points, int32 count)
+/* Transforms the points of an instance with 16-bit operands; returns 0 if the frame has no factors
+   for them, or a point is not on the screen. */
+static int32 place_points16(const struct renderer *renderer, const struct scene *scene,
+                            struct mesh_placed *placed, struct mesh_place *to)
 {
+    struct transform_plan plan;
     struct triangle_range range;
-    struct snap_plan plan;
 
+    if (!placed->view16 || !placed->view16->is_used || placed->material->edges != EDGES_SNAPPED
+        || placed->material->perspective)
+        return 0;
     triangle_range_set(&range, renderer->frame);
+    plan.from = &scene->points16[placed->mesh->point];
+    plan.count = (int32)placed->mesh->points;
+    plan.view = placed->view16;
+    plan.to = to;
     plan.right = range.right;
     plan.bottom = range.bottom;
-    plan.points = points;
-    plan.count = count;
-    mesh_snap(&plan);
+    placed->points = 0;
+    return mesh_transform(&plan);
+}
+
+/* Transforms the points of an instance, and snaps them for routines for triangles. */
+static void place_points(const struct renderer *renderer, const struct scene *scene,
+                         struct mesh_placed *placed, const struct scene_view *view,
+                         const struct mesh_work *at)
+{
+    const struct scene_header *header = scene->header;
+    struct wide_plan plan;
+    struct snap_plan snap;
+    struct triangle_range range;
+
+    placed->points = at->points;
+    plan.from = &scene->points[placed->mesh->point];
+    plan.count = snap.count = (int32)placed->mesh->points;
+    plan.view = view;
+    plan.to = at->points;
+    plan.near_plane = header->near_plane;
+    plan.guard = header->guard;
+    plan.middle_x = header->width << 15;
+    plan.middle_y = header->height << 15;
+    mesh_transform_wide(&plan);
+    if (!triangle_drawer_of(renderer, placed->material))
+        return;
+    triangle_range_set(&range, renderer->frame);
+    snap.right = range.right;
+    snap.bottom = range.bottom;
+    snap.points = at->points;
+    snap.to = at->places;
+    mesh_snap(&snap);
 }
 
 /* Transforms the points and normals of an instance and collects the faces that may be visible;
-   returns their number. */
+   returns their number. age: frames since its first one. */
 static int32 place(const struct renderer *renderer, const struct scene *scene,
-                   const struct scene_instance *instance, const struct scene_view *view,
-                   struct mesh_work *at)
+                   const struct scene_instance *instance, uint32 age, struct mesh_work *at)
 {
-    const struct scene_header *header = scene->header;
     const struct scene_mesh *mesh = &scene->meshes[instance->mesh];
+    const struct scene_view *view = &scene->views[instance->view + age];
     struct mesh_placed *placed = at->placed;
-    struct transform_plan transform;
     struct faces_plan faces;
 
     placed->mesh = mesh;
     placed->corners = &scene->corners[mesh->corner];
     placed->material = &scene->drawn[instance->material];
-    placed->points = at->points;
+    placed->places = at->places;
+    placed->view16 = instance->view16 == NO_VIEW16
+                   ? 0 : &scene->views16[(uint32)instance->view16 + age];
     placed->attributes = at->attributes;
     placed->flags = instance->flags;
-    transform.from = &scene->points[mesh->point];
-    transform.count = (int32)mesh->points;
-    transform.view = view;
-    transform.to = at->points;
-    transform.near_plane = header->near_plane;
-    transform.guard = header->guard;
-    transform.middle_x = header->width << 15;
-    transform.middle_y = header->height << 15;
-    mesh_transform(&transform);
-    if (triangle_drawer_of(renderer, placed->material))
-        snap(renderer, at->points, transform.count);
+    if (!place_points16(renderer, scene, placed, at->places))
+        place_points(renderer, scene, placed, view, at);
     if (instance->flags)
         make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
                         instance, view);
     at->placed++;
     at->points += mesh->points;
+    at->places += mesh->points;
     at->attributes += mesh->normals;
     faces.from = &scene->faces[mesh->face];
     faces.count = (int32)mesh->faces;
     faces.placed = placed;
     faces.view = view;
     faces.to = at->faces;
-    return mesh_faces(&faces);
+    return placed->points ? mesh_faces_wide(&faces) : mesh_faces(&faces);
 }
 
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
@@ -219,7 +266,7 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
         uint32 age = (uint32)number - instance->first_frame;
 
         if (age < instance->views) {
-            int32 more = place(renderer, scene, instance, &scene->views[instance->view + age], &at);
+            const int32 more = place(renderer, scene, instance, age, &at);
 
             count += more;
             at.faces += more;

@@ -24,6 +24,8 @@ struct scene {
 #undef TABLE
 #undef BLOCK
     struct mesh_work work;
+    struct mesh_point16 *points16;      /* one a point, if there are views16; of meshes that share points
+                                   the last one's */
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */

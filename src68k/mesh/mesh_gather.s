@@ -4,9 +4,9 @@
 ;
 ; in:      a0  struct gather_plan*  its placed and corners are set here
 ; out:     d0  const struct mesh_face*  the first face that was not taken
-; reads:   the plan, faces, their corners, places of points, attributes of normals
-; writes:  vertices; triangles; the plan's list, behind the last triangle
-; formats: places as mesh_snap makes them; s, t and shades 16.16; u, v and shades of vertices 12.20
+; reads:   the plan, faces, their corners, places, attributes of normals
+; writes:  vertices; triangles; the plan's last, behind the last triangle
+; formats: places as in struct mesh_place; s, t and shades 16.16; u, v and shades of vertices 12.20
 ; error:   u and v half of 1/65536 texel if the map's scale is not 1, else none
 ; cost:    bench rows mesh_gather_flat, mesh_gather_gouraud, mesh_gather_affine
 ;
@@ -14,7 +14,7 @@
 ; other flags, with more than TRIANGLE_CORNERS_MAX corners, of SNAPPED_LINES lines or more, or with
 ; a point, u or v that is out of range.
 
-; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the points, a6 the
+; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the places, a6 the
 ; attributes; d3 the face's first vertex, d4 corners left, d5 and d7 least and greatest y, d6 the
 ; map's scale, 0 for 1; in mirror_values SNAPPED_RAISED.
 
@@ -110,10 +110,8 @@ gather  macro
         move.w  #$7fff,d5
         moveq   #0,d7
 .corner\@
-        moveq   #0,d0
-        move.w  (a2)+,d0                ; scene_corner_point
-        lsl.l   #5,d0                   ; mesh_point_sizeof
-        move.l  mesh_point_place(a5,d0.l),d0
+        move.w  (a2)+,d0                ; scene_corner_point, below MESH_COUNT_MAX
+        move.l  (a5,d0.w*8),d0          ; mesh_place_sizeof
         bmi     gather_done
         move.l  d0,(a3)+
         moveq   #0,d1
@@ -157,7 +155,7 @@ gather  macro
         bne     gather_done
         move.l  d0,gather_plan_placed(a0)
         move.l  mesh_placed_corners(a2),gather_plan_corners(a0)
-        movea.l mesh_placed_points(a2),a5
+        movea.l mesh_placed_places(a2),a5
         movea.l mesh_placed_attributes(a2),a6
         bra     .same\@
         endm
@@ -188,7 +186,7 @@ gather  macro
 .gouraud
         gather  gouraud_values
 gather_done
-        move.l  a4,gather_plan_list(a0)
+        move.l  a4,gather_plan_last(a0)
         move.l  a1,d0
         movea.l d0,a0                   ; where GCC expects a pointer
         return_all

@@ -5,10 +5,11 @@ from types import SimpleNamespace
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.mesh import (Gathered, attributes_trial, cut_trial, faces_trial, gather_trial, outside,
-                             snap_trial, transform_trial)
+from tmap.bench.mesh import (Gathered, attributes_trial, cut_trial, faces_trial, faces_wide_trial,
+                             gather_trial, outside, snap_trial, transform_trial, wide_trial)
 from tmap.bench.trial import Trial
-from tmap.model import mesh
+from tmap.compiler import views16
+from tmap.model import mesh, mesh16
 from tmap.scene_file.meshes import ENVIRONMENT, LIT
 
 ONE, UNIT = 1 << 16, 1 << 30
@@ -50,10 +51,41 @@ def points_of(rng, count: int) -> list[tuple[int, ...]]:
 
 
 def mesh_transform_trials(rng) -> list[Trial]:
+    """Any factors, which mostly leave the screen, and those of views in which most points are on it."""
+    trials, shown = [], 0
+    for count in (1, 2, 3, 40) * 30:
+        frame = [4 * int(n) for n in rng.integers(1, 100, 2)]
+        if rng.integers(6) == 0:
+            row = row16_of(rng)
+            points = np.array([[number(rng, 16383) for _ in range(3)] for _ in range(count)])
+        else:
+            about = SimpleNamespace(guard=int(rng.integers(6, 10)), width=frame[0], height=frame[1])
+            most = int(rng.integers(2, 2 * ONE))
+            whole = rng.integers(-most, most + 1, (count, 3))
+            row = views16.row_of(about, [*rotation(rng), *(int(n) for n in rng.integers(-ONE, ONE, 2)),
+                                         int(rng.integers(2 * ONE, 40 * ONE)), *([0] * 13)],
+                                 mesh16.reach(whole))
+            points = mesh16.points_of(whole)
+        shown += mesh16.transform(points, row, frame) is not None
+        trials.append(transform_trial(Memory(), frame, points, row, f"{count} points"))
+    assert 30 < shown < 110
+    return trials
+
+
+def row16_of(rng) -> list[int]:
+    """A row of the views16 with any numbers that the file may hold."""
+    row = [number(rng, 16384) for _ in range(18)]
+    for at in (mesh16.W, mesh16.X, mesh16.Y):
+        row[at] = number(rng, (1 << 31) - 1)
+        row[at + 4] = int(rng.integers(0, 32))
+    return [*row, 1]
+
+
+def mesh_transform_wide_trials(rng) -> list[Trial]:
     trials = []
     for count in (1, 2, 3, 40) * 12:
         about, row, points = scene(rng), view(rng), points_of(rng, count)
-        trials.append(transform_trial(Memory(), about, points, row, f"{count} points"))
+        trials.append(wide_trial(Memory(), about, points, row, f"{count} points"))
     return trials
 
 
@@ -97,6 +129,19 @@ def face(rng, first: int, corners: int) -> list[int]:
 def mesh_faces_trials(rng) -> list[Trial]:
     trials = []
     for count in (1, 2, 30) * 10:
+        row, depths = row16_of(rng), [int(n) for n in rng.integers(1, 1 << 30, 12)]
+        row[mesh16.EYE:mesh16.EYE + 3] = [number(rng, 32767) for _ in range(3)]
+        sizes = rng.choice((3, 3, 4, 5, 32), count).tolist()
+        corners = [int(rng.integers(0, 12)) for _ in range(sum(sizes))]
+        firsts = (np.cumsum(sizes) - sizes).tolist()
+        faces = [face(rng, first, size) for first, size in zip(firsts, sizes)]
+        trials.append(faces_trial(Memory(), depths, corners, faces, row, f"{count} faces"))
+    return trials
+
+
+def mesh_faces_wide_trials(rng) -> list[Trial]:
+    trials = []
+    for count in (1, 2, 30) * 10:
         about, row, points = scene(rng), view(rng), points_of(rng, 12)
         points = [(p.x, p.y, p.w, outside(p, about.near_plane))
                   for p in mesh.transform(about, points, row)]
@@ -104,7 +149,7 @@ def mesh_faces_trials(rng) -> list[Trial]:
         corners = [int(rng.integers(0, 12)) for _ in range(sum(sizes))]
         firsts = (np.cumsum(sizes) - sizes).tolist()
         faces = [face(rng, first, size) for first, size in zip(firsts, sizes)]
-        trials.append(faces_trial(Memory(), points, corners, faces, row, f"{count} faces"))
+        trials.append(faces_wide_trial(Memory(), points, corners, faces, row, f"{count} faces"))
     return trials
 
 
@@ -148,7 +193,7 @@ def mesh_gather_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_trials, mesh_attributes_trials,
-              mesh_cut_trials, mesh_faces_trials)
+    makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_wide_trials, mesh_attributes_trials,
+              mesh_cut_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

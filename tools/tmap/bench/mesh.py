@@ -10,7 +10,8 @@ from tmap.bench.examples.example import longs
 from tmap.bench.trial import Trial, Write, anything, fields, long_write
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
-from tmap.model import mesh, model
+from tmap.compiler import views16
+from tmap.model import mesh, mesh16, model
 from tmap.scene_file.meshes import ENVIRONMENT, LIT
 from tmap.scene_file.scene_file import records
 from tmap.setup import snapped
@@ -41,10 +42,10 @@ def outside(point, near: int) -> int:
     return sum(1 << k for k, depth in enumerate(depths) if depth < 0)
 
 
-def transform_trial(arena: Arena, about, points, row, title: str = "") -> Trial:
+def wide_trial(arena: Arena, about, points, row, title: str = "") -> Trial:
     """A mesh's points in a view. ``about``: the scene's near plane, guard, width and height."""
     to, size = arena.room("mesh_point", len(points)), layout.load().struct("mesh_point").size
-    plan_at = arena.struct("transform_plan", {
+    plan_at = arena.struct("wide_plan", {
         "from": table(arena, "scene_point", points), "view": table(arena, "scene_view", [row]),
         "to": to}, count=len(points), near_plane=about.near_plane, guard=about.guard,
         middle_x=about.width << 15, middle_y=about.height << 15)
@@ -52,15 +53,45 @@ def transform_trial(arena: Arena, about, points, row, title: str = "") -> Trial:
     for at, p in zip(range(to, to + size * len(points), size), mesh.transform(about, points, row)):
         writes += [Write(at, longs((p.x, p.y, p.w, *(p.screen or ())))),
                    long_write(at + 20, outside(p, about.near_plane))]
-    return Trial(Case("mesh_transform", arena, pointers={"a0": plan_at}), title, writes=writes)
+    return Trial(Case("mesh_transform_wide", arena, pointers={"a0": plan_at}), title, writes=writes)
 
 
-def transform_case(is_inside: bool):
+def wide_case(is_inside: bool):
     """COUNT points, all inside the borders or all outside."""
     rng, row = np.random.default_rng(1), view(9 << 16 if is_inside else -9 << 16)
     points = rng.integers(-1 << 17, 1 << 17, (COUNT, 3)).tolist()
     assert all(bool(p.screen) == is_inside for p in mesh.transform(ABOUT, points, row))
-    return transform_trial(Arena(), ABOUT, points, row).row(COUNT)
+    return wide_trial(Arena(), ABOUT, points, row).row(COUNT)
+
+
+def row16(about, row, points) -> list[int]:
+    """The view's factors for 16-bit operands."""
+    made = views16.row_of(about, row, mesh16.reach(np.array(points)))
+    assert made
+    return made
+
+
+def transform_trial(arena: Arena, frame: tuple[int, int], points, row, title: str = "") -> Trial:
+    """A mesh's points, 16-bit, in a view16. ``frame``: width and height."""
+    points = np.array(points, np.int64)
+    places = mesh16.transform(points, row, frame)
+    to = arena.room("mesh_place", len(points))
+    stored = np.column_stack([points[:, 0] * points[:, 1], points[:, :2], 0 * points[:, 0], points[:, 2]])
+    plan_at = arena.struct("transform_plan", {
+        "from": table(arena, "mesh_point16", stored), "view": table(arena, "scene_view16", [row]),
+        "to": to}, count=len(points), right=16 * min(frame[0], snapped.WIDTH), bottom=16 * frame[1])
+    writes = [anything(to, 8 * len(points))] if places is None else [
+        Write(to + 8 * k, longs((x + 16 << 16 | y + 15, w))) for k, (x, y, w) in
+        enumerate(zip(places.x.tolist(), places.y.tolist(), places.depth.tolist()))]
+    return Trial(Case("mesh_transform", arena, pointers={"a0": plan_at}), title,
+                 {"d0": int(places is not None)}, writes=writes)
+
+
+def transform_case():
+    """COUNT points, all on the screen."""
+    points = np.random.default_rng(1).integers(-1 << 17, 1 << 17, (COUNT, 3))
+    row = row16(ABOUT, view(9 << 16), points)
+    return transform_trial(Arena(), (ABOUT.width, ABOUT.height), mesh16.points_of(points), row).row(COUNT)
 
 
 def attributes_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int,
@@ -84,7 +115,7 @@ def attributes_case():
                             256 << 16).row(COUNT)
 
 
-def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
+def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
     """Faces in a view: those that are seen. ``points``: x, y, w and the borders that each is
     outside of; ``corners``: numbers of points."""
     size, face_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face"))
@@ -93,7 +124,7 @@ def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> T
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
     faces_at = table(arena, "scene_face", faces)
     placed = arena.struct("mesh_placed", {"corners": corners_at, "points": points_at},
-                          mesh=0, material=0, attributes=0, flags=0)
+                          mesh=0, material=0, places=0, view16=0, attributes=0, flags=0)
     to = arena.room("mesh_face", len(faces))
     plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to,
                                           "view": table(arena, "scene_view", [row])}, count=len(faces))
@@ -106,30 +137,64 @@ def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> T
             writes += fields(to + seen * size, "mesh_face", {"order": order},
                              {"face": faces_at + k * face_size, "placed": placed})
             seen += 1
+    return Trial(Case("mesh_faces_wide", arena, pointers={"a0": plan_at}), title, {"d0": seen}, writes=writes)
+
+
+def faces_trial(arena: Arena, depths, corners, faces, row, title: str = "") -> Trial:
+    """Faces in a view16: those that are seen. ``depths``: of points; ``corners``: numbers of points."""
+    size, face_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face"))
+    places_at = arena.add(b"".join(longs((0, depth)) for depth in depths), name="places")
+    corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
+    faces_at = table(arena, "scene_face", faces)
+    placed = arena.struct("mesh_placed", {"corners": corners_at, "places": places_at,
+                                          "view16": table(arena, "scene_view16", [row])},
+                          mesh=0, material=0, points=0, attributes=0, flags=0)
+    to = arena.room("mesh_face", len(faces))
+    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to},
+                           view=0, count=len(faces))
+    writes, seen = [], 0
+    for k, face in enumerate(faces):
+        if mesh16.is_seen(face, row):
+            depth = max(depths[number] for number in corners[face[4]:sum(face[4:])])
+            writes += fields(to + seen * size, "mesh_face",
+                             {"order": ~(depth << row[mesh16.DEPTH_SHIFT]) & 0xFFFFFFFF},
+                             {"face": faces_at + k * face_size, "placed": placed})
+            seen += 1
     return Trial(Case("mesh_faces", arena, pointers={"a0": plan_at}), title, {"d0": seen}, writes=writes)
 
 
-def faces_case(is_seen: bool):
-    """COUNT quadrilaterals, all seen or all from the back."""
+def faces_input(is_seen: bool) -> tuple:
+    """COUNT quadrilaterals, all seen or all from the back; numbers of corners, the view."""
     sign, row = 1 if is_seen else -1, view(0)
     row[12:15] = 3 << 16, 5 << 16, 4 << 16
-    return faces_trial(Arena(), [(0, 0, (k + 1) << 16, 0) for k in range(4)],
-                       [k % 4 for k in range(4 * COUNT)], [[sign << 29, sign << 28, sign << 29, 0, 4 * k, 4]
-                                                           for k in range(COUNT)], row).row(COUNT)
+    return [k % 4 for k in range(4 * COUNT)], [
+        [sign << 29, sign << 28, sign << 29, 0, 4 * k, 4] for k in range(COUNT)], row
+
+
+def faces_wide_case(is_seen: bool):
+    """Quadrilaterals with 32-bit operands."""
+    return faces_wide_trial(Arena(), [(0, 0, (k + 1) << 16, 0) for k in range(4)],
+                            *faces_input(is_seen)).row(COUNT)
+
+
+def faces_case(is_seen: bool):
+    """The same with 16-bit operands."""
+    corners, faces, row = faces_input(is_seen)
+    return faces_trial(Arena(), [(k + 1) << 16 for k in range(4)], corners, faces,
+                       row16(ABOUT, row, [[1 << 18] * 3])).row(COUNT)
 
 
 def snap_trial(arena: Arena, points, right: int, bottom: int, title: str = "") -> Trial:
     """Points on the screen snapped to 1/16 pixel. ``points``: x, y in 16.16, and the borders that each
     is outside of; ``right``, ``bottom``: the largest x and y, 1/16 pixel."""
-    shape = layout.load().struct("mesh_point")
-    to = arena.add(b"".join(longs((0, 0, 0, x, y, borders, 0, 0)) for x, y, borders in points),
-                   name="points", shape=shape)
-    plan_at = arena.struct("snap_plan", {"points": to}, count=len(points), right=right, bottom=bottom)
+    points_at = arena.add(b"".join(longs((0, 0, 0, x, y, borders, 0, 0)) for x, y, borders in points),
+                          name="points")
+    to = arena.room("mesh_place", len(points))
+    plan_at = arena.struct("snap_plan", {"points": points_at, "to": to}, count=len(points), right=right, bottom=bottom)
     places = [place_of(x, y) if not borders and 0 <= snapped.snap(x) <= right
               and 0 <= snapped.snap(y) <= bottom else -1 for x, y, borders in points]
     return Trial(Case("mesh_snap", arena, pointers={"a0": plan_at}), title, writes=[
-        long_write(to + shape.size * k + shape.fields["place"]["offset"], place)
-        for k, place in enumerate(places)])
+        long_write(to + 8 * k, place) for k, place in enumerate(places)])
 
 
 def place_of(x: int, y: int) -> int:
@@ -196,19 +261,18 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
     known = layout.load()
     size, face_size, vertex_size = (known.struct(name).size
                                     for name in ("mesh_face", "scene_face", "snapped_vertex"))
-    stored = [(0, 0, 0, 0, 0, 0, -1 if p is None else p[0] + 16 << 16 | p[1] + 15, 0)
-              for p in these.points]
+    stored = [(-1 if p is None else p[0] + 16 << 16 | p[1] + 15, 0) for p in these.points]
     corners_at = table(arena, "scene_corner", [c for _, corners in these.faces for c in corners])
     sizes = [len(corners) for _, corners in these.faces]
     faces_at = table(arena, "scene_face", [[0, 0, 0, 0, sum(sizes[:k]), count]
                                            for k, count in enumerate(sizes)])
     common = {"corners": corners_at,
-              "points": arena.add(b"".join(map(longs, stored)), name="points"),
+              "places": arena.add(b"".join(map(longs, stored)), name="places"),
               "attributes": arena.add(b"".join(longs((*a, 0)) for a in these.attributes),
                                       name="attributes")}
     materials = [arena.blank(16, name) for name in ("material", "another")]
     placed = [arena.struct("mesh_placed", common | {"material": materials[k in these.others]},
-                           mesh=0, flags=these.flags)
+                           mesh=0, points=0, view16=0, flags=these.flags)
               for k in range(1 + max(instance for instance, _ in these.faces))]
     first = arena.add(b"".join(longs((0, faces_at + k * face_size, placed[instance]))
                                for k, (instance, _) in enumerate(these.faces)), name="faces")
@@ -220,7 +284,7 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
         "from": first, "end": first + size * len(these.faces), "vertices": vertices, "list": listed,
         "full": listed + 12 * (these.room - (snapped.CORNERS - 2)), "material": materials[0]},
         flags=these.flags, values=snapped.VALUES[these.mapper], scale=these.scale,
-        placed=0, corners=0)
+        last=0, placed=0, corners=0)
     writes, at, to = [], vertices, listed
     for places, values in done:
         for k, (place, value) in enumerate(zip(places, values)):
@@ -230,7 +294,7 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
                        for n, which in enumerate((0, k - 1, k))]
             to += 12
         at += vertex_size * len(places)
-    writes += [anything(at, vertex_size * snapped.CORNERS), *fields(plan_at, "gather_plan", {}, {"list": to}),
+    writes += [anything(at, vertex_size * snapped.CORNERS), *fields(plan_at, "gather_plan", {}, {"last": to}),
                anything(plan_at + known.struct("gather_plan").fields["placed"]["offset"], 8)]
     return Trial(Case("mesh_gather", arena, pointers={"a0": plan_at}), title,
                  near_ends={"d0": first + size * len(done)}, writes=writes)
@@ -267,10 +331,13 @@ def cut_case():
 
 
 #: Names of rows and what makes each: units, case and check.
-CASES = {"mesh_transform": lambda: transform_case(True),
-         "mesh_transform_outside": lambda: transform_case(False),
+CASES = {"mesh_transform": transform_case,
+         "mesh_transform_wide": lambda: wide_case(True),
+         "mesh_transform_wide_outside": lambda: wide_case(False),
          "mesh_attributes": attributes_case,
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
+         "mesh_faces_wide": lambda: faces_wide_case(True),
+         "mesh_faces_wide_back": lambda: faces_wide_case(False),
          "mesh_snap": snap_case, "mesh_cut": cut_case} | {
              f"mesh_gather_{mapper}": lambda mapper=mapper: gather_case(mapper)
              for mapper in snapped.VALUES}

@@ -190,13 +190,18 @@ def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[
     mesh, first, count = scene.meshes[instance.mesh], row[4], row[5]
     corners = scene.corners[mesh.corner + first:mesh.corner + first + count].copy()
     points, normals = scene.points[mesh.point + corners[:, 0]], scene.normals[mesh.normal + corners[:, 1]]
-    corners[:, 0] = corners[:, 1] = np.arange(count)
+    corners[:, 1] = np.arange(count)
+    if instance.view16 < 0:
+        corners[:, 0] = np.arange(count)
+    else:  # all points decide whether they are transformed with 16-bit operands
+        points = scene.points[mesh.point:mesh.point + mesh.points]
     alone = replace(scene, points=points, normals=normals, corners=corners,
                     faces=np.array([[*row[:4], 0, count]]),
-                    meshes=[Mesh(0, count, 0, count, 0, count, 0, 1)])
+                    meshes=[Mesh(0, len(points), 0, count, 0, count, 0, 1)])
     found = model_mesh.faces_of(alone, replace(instance, mesh=0), number)
     view = scene.views[instance.view + number - instance.first_frame].tolist()
-    cut = any(p.screen is None for p in model_mesh.transform(scene, points.tolist(), view))
+    places = points[corners[:, 0]].tolist()
+    cut = any(p.screen is None for p in model_mesh.transform(scene, places, view))
     return (found[0][1] if found and len(found[0][1]) >= 3 else []), cut
 
 
