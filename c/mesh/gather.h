@@ -33,6 +33,7 @@ struct gather_plan {
 /* src68k/mesh: contracts there. */
 void mesh_snap(const struct snap_plan *plan);
 const struct mesh_face *mesh_gather(struct gather_plan *plan);
+const struct mesh_face *mesh_link(struct gather_plan *plan);
 
 enum { BATCH_TRIANGLES = 64 };
 

@@ -30,11 +30,17 @@ struct mesh_point16 {
     int16 x, y, spare, z;
 };
 
-/* A point as triangles' routines take it. */
+/* A point as triangles' routines take it, a struct snapped_vertex that is not lit. u and v are set for
+   instances with MESH_LINKED. */
 struct mesh_place {
     int32 place;                /* x and y of struct snapped_vertex; negative: out of range */
+    int32 u, v;
     int32 depth;                /* mesh_transform's, in the unit of its view */
 };
+
+/* In flags of struct mesh_placed: its triangles' vertices are its places. They have no values, or those
+   of the normal of the same number. */
+enum { MESH_LINKED = MESH_FLAGS };
 
 /* Values from a normal: s and t of an environment, shade of a light. */
 struct mesh_attributes {
@@ -67,6 +73,15 @@ struct attribute_plan {
     fix16 *to;                  /* a field of the first mesh_attributes; the others follow */
     const int16 *factors;       /* x, y, z: 9.7 */
     fix16 base, low, high;
+};
+
+/* Values from normals to places. */
+struct values_plan {
+    const struct scene_normal *from;
+    int32 count;                /* 1 or more */
+    struct mesh_place *to;
+    const int16 *factors;       /* mesh_mirror: x, y, z of s, then of t; mesh_shade: of the light */
+    fix16 low, high;            /* of mesh_shade */
 };
 
 /* An instance in a frame. */
@@ -117,6 +132,8 @@ struct mesh_work {
 int32 mesh_transform(const struct transform_plan *plan);
 void mesh_transform_wide(const struct wide_plan *plan);
 void mesh_attributes(const struct attribute_plan *plan);
+void mesh_mirror(const struct values_plan *plan);
+void mesh_shade(const struct values_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
 int32 mesh_faces_wide(const struct faces_plan *plan);
 void mesh_cut(const struct cut_plan *plan);

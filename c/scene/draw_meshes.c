@@ -73,6 +73,30 @@ static uint32 set_place(struct vertex *v, const struct mesh_placed *placed, uint
     return 0;
 }
 
+/* Sets a vertex's s, t and shade. */
+static void set_values(struct vertex *v, const struct mesh_placed *placed,
+                       const struct scene_corner *corner)
+{
+    const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
+
+    v->s = corner->s;
+    v->t = corner->t;
+    v->shade = 0;
+    if (placed->flags & MESH_LINKED) {
+        const struct mesh_place *place = &placed->places[corner->point];
+
+        v->s = v->shade = (place->u >> 4) - SNAPPED_RAISED;
+        v->t = (place->v >> 4) - SNAPPED_RAISED;
+        return;
+    }
+    if (placed->flags & MESH_ENVIRONMENT) {
+        v->s = attributes->s;
+        v->t = attributes->t;
+    }
+    if (placed->flags & MESH_LIT)
+        v->shade = attributes->shade;
+}
+
 static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
                                      const struct mesh_face *face)
 {
@@ -84,18 +108,8 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
     uint32 outside = 0;
 
     for (int32 i = count; i > 0; i--, corner++, v++) {
-        const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
-
         outside |= set_place(v, placed, corner->point);
-        v->s = corner->s;
-        v->t = corner->t;
-        v->shade = 0;
-        if (placed->flags & MESH_ENVIRONMENT) {
-            v->s = attributes->s;
-            v->t = attributes->t;
-        }
-        if (placed->flags & MESH_LIT)
-            v->shade = attributes->shade;
+        set_values(v, placed, corner);
     }
     if (outside)
         return draw_cut(renderer, scene, face, vertices, count);
@@ -111,11 +125,13 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
     const struct material *const material = face->placed->material;
     triangle_drawer *const routine = triangle_drawer_of(renderer, material);
     const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
+    const int32 is_linked = (face->placed->flags & MESH_LINKED) != 0;
     struct triangle_plan plan;
     struct span_plan span;
     struct gather_plan gather;
 
-    if (!routine || (is_shaded && !(face->placed->flags & MESH_LIT)))
+    if (!routine || ((is_shaded || material->mapper == MAPPER_LIT)
+                     && !(face->placed->flags & MESH_LIT)))
         return face;
     triangle_plan_set(&plan, &span, renderer, material);
     gather.end = end;
@@ -129,7 +145,7 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
     gather.scale = material->map && material->map->scale != 65536 ? material->map->scale : 0;
     do {
         gather.from = face;
-        face = mesh_gather(&gather);
+        face = is_linked ? mesh_link(&gather) : mesh_gather(&gather);
         plan.list = gather.list;
         plan.end = gather.last;
         routine(&plan);
@@ -163,6 +179,45 @@ static void make_attributes(struct mesh_attributes *to, const struct scene_norma
         plan.to = &to->shade;
         plan.factors = &view->light_x;
         mesh_attributes(&plan);
+    }
+}
+
+/* Returns MESH_LINKED if an instance's triangles may have its places as vertices, else 0. */
+static uint32 linked(const struct renderer *renderer, const struct scene *scene,
+                     const struct mesh_placed *placed)
+{
+    const struct material *material = placed->material;
+    const uint32 flags = placed->flags;
+
+    if (!triangle_drawer_of(renderer, material))
+        return 0;
+    if (material->mapper == MAPPER_FLAT)
+        return MESH_LINKED;
+    if (!scene->smooth[placed->mesh - scene->meshes])
+        return 0;
+    return (material->mapper == MAPPER_GOURAUD && flags & MESH_LIT)
+        || (material->mapper == MAPPER_AFFINE && flags & MESH_ENVIRONMENT
+            && material->map->scale == 65536) ? MESH_LINKED : 0;
+}
+
+/* Sets u and v of a linked instance's places. */
+static void make_values(struct mesh_place *to, const struct scene_normal *normals, int32 count,
+                        const struct mesh_placed *placed, const struct scene_instance *instance,
+                        const struct scene_view *view)
+{
+    struct values_plan plan;
+
+    plan.from = normals;
+    plan.count = count;
+    plan.to = to;
+    if (placed->material->mapper == MAPPER_AFFINE) {
+        plan.factors = &view->s_x;
+        mesh_mirror(&plan);
+    } else if (placed->material->mapper == MAPPER_GOURAUD) {
+        plan.factors = &view->light_x;
+        plan.low = instance->dark;
+        plan.high = instance->bright;
+        mesh_shade(&plan);
     }
 }
 
@@ -238,7 +293,11 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     placed->flags = instance->flags;
     if (!place_points16(renderer, scene, placed, at->places))
         place_points(renderer, scene, placed, view, at);
-    if (instance->flags)
+    placed->flags |= linked(renderer, scene, placed);
+    if (placed->flags & MESH_LINKED)
+        make_values(at->places, &scene->normals[mesh->normal], (int32)mesh->points, placed,
+                    instance, view);
+    else if (instance->flags)
         make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
                         instance, view);
     at->placed++;

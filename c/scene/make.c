@@ -86,6 +86,25 @@ static int32 make_points16(struct scene *scene)
     return 1;
 }
 
+/* Marks the meshes whose corners all have the normal of their point's number. */
+static int32 make_smooth(struct scene *scene)
+{
+    const uint32 count = scene->header->meshes;
+    const struct scene_mesh *mesh = scene->meshes;
+
+    if (!mem_alloc(&scene->smooth, (int32)count, MEMORY_ANY))
+        return 0;
+    for (uint32 i = 0; i < count; i++, mesh++) {
+        const struct scene_corner *corner = &scene->corners[mesh->corner];
+        uint8 is_smooth = mesh->points == mesh->normals;
+
+        for (uint32 left = mesh->corners; left && is_smooth; left--, corner++)
+            is_smooth = corner->point == corner->normal;
+        scene->smooth[i] = is_smooth;
+    }
+    return 1;
+}
+
 static enum scene_memory make_work(struct scene *scene)
 {
     const struct scene_instance *o = scene->instances;
@@ -118,7 +137,7 @@ static enum scene_memory make_work(struct scene *scene)
                      MEMORY_ANY)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
         && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY)
-        && make_points16(scene)
+        && make_points16(scene) && make_smooth(scene)
         ? SCENE_MADE : SCENE_MESHES;
 }
 

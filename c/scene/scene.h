@@ -26,6 +26,7 @@ struct scene {
     struct mesh_work work;
     struct mesh_point16 *points16;      /* one a point, if there are views16; of meshes that share points
                                    the last one's */
+    uint8 *smooth;              /* one a mesh, 1: all corners have the normal of their point's number */
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */

@@ -24,7 +24,7 @@
         movea.w scene_view16_depth_shift(a1),a2
         movea.l mesh_placed_corners(a4),a5
         movea.l mesh_placed_places(a4),a6
-        addq.l  #mesh_place_depth,a6
+        lea     mesh_place_depth(a6),a6
         movea.l faces_plan_to(a0),a3
         movea.l faces_plan_from(a0),a1
         moveq   #scene_face_sizeof,d0
@@ -49,6 +49,7 @@
         move.l  scene_face_corners(a1),d3
         moveq   #0,d2                   ; the greatest depth so far
 .corner move.w  (a0),d0                 ; scene_corner_point, below MESH_COUNT_MAX
+        add.w   d0,d0
         move.l  (a6,d0.w*8),d1          ; mesh_place_sizeof
         cmp.l   d1,d2
         bge.s   .nearer

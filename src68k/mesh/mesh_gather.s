@@ -42,7 +42,12 @@ texels  macro
 ; The values of a corner, to the vertex. d1: its normal's attributes.
 flat_values macro
         addq.l  #8,a2
-        addq.l  #8,a3
+        lea     12(a3),a3
+        endm
+
+; The shade of a lit triangle. Others have any number there.
+light_value macro
+        move.l  mesh_attributes_shade(a6,d1.l),(a3)+
         endm
 
 ; A shade is kept inside its whole shade's range: two compares of its fraction.
@@ -60,12 +65,13 @@ gouraud_values macro
         add.l   #SNAPPED_RAISED,d2
         lsl.l   #4,d2
         move.l  d2,(a3)+
-        addq.l  #4,a3
+        addq.l  #8,a3
         endm
 
 affine_values macro
         texels  (a2)+
         texels  (a2)+
+        light_value
         endm
 
 ; An environment's s and t are 0 to 256: in range without a test if the scale is 1.
@@ -79,12 +85,14 @@ mirror_values macro
         add.l   d6,d2
         lsl.l   #4,d2
         move.l  d2,(a3)+
+        light_value
         endm
 
 scaled_mirror_values macro
         addq.l  #8,a2
         texels  mesh_attributes_s(a6,d1.l)
         texels  mesh_attributes_t(a6,d1.l)
+        light_value
         endm
 
 ; The faces. \1: the macro for the values of a corner.
@@ -111,6 +119,7 @@ gather  macro
         moveq   #0,d7
 .corner\@
         move.w  (a2)+,d0                ; scene_corner_point, below MESH_COUNT_MAX
+        add.w   d0,d0
         move.l  (a5,d0.w*8),d0          ; mesh_place_sizeof
         bmi     gather_done
         move.l  d0,(a3)+
@@ -126,7 +135,6 @@ gather  macro
         move.w  d0,d7
 .above\@
         \1
-        addq.l  #4,a3
         subq.l  #1,d4
         bne     .corner\@
         sub.w   d5,d7

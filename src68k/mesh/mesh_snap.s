@@ -33,7 +33,7 @@
         move.w  d1,d0
         add.w   #SNAPPED_ONE-1,d0
 .placed move.l  d0,(a1)
-        addq.l  #mesh_place_sizeof,a1
+        lea     mesh_place_sizeof(a1),a1
         lea     mesh_point_sizeof(a0),a0
         subq.l  #1,d3
         bne.s   .point

@@ -6,7 +6,7 @@
 ; out:     d0  int32  1: all points are on the screen and beyond the eye; 0: one is not, and those
 ;                     from it on have no place
 ; reads:   the plan, its view, count points
-; writes:  count entries at to
+; writes:  place and depth of count entries at to
 ; formats: points whole numbers, -MESH_UNIT16 to MESH_UNIT16; factors up to MESH_FACTOR16, so that
 ;          a sum of both fits 16 bits; sums modulo 2^32; place as in struct snapped_vertex
 ; error:   for views that the tools wrote the place is the nearest to a point within 1/32 pixel of
@@ -36,7 +36,8 @@ row     macro
         movea.l transform_plan_right(a0),a2
         movea.l transform_plan_bottom(a0),a3
         move.l  transform_plan_count(a0),d0
-        lea     (a1,d0.l*8),a4          ; mesh_place_sizeof
+        lsl.l   #4,d0                   ; mesh_place_sizeof
+        lea     (a1,d0.l),a4
         movea.l transform_plan_from(a0),a0
         move.w  scene_view16_divisor_shift(a6),d4
 
@@ -59,6 +60,7 @@ row     macro
         move.w  d0,d3
         add.l   #SNAPPED_ONE<<16+SNAPPED_ONE-1,d3
         move.l  d3,(a1)+
+        addq.l  #mesh_place_depth-4,a1
         move.l  d2,(a1)+
         cmpa.l  a4,a1
         blo     .point

@@ -75,14 +75,15 @@ def transform_trial(arena: Arena, frame: tuple[int, int], points, row, title: st
     """A mesh's points, 16-bit, in a view16. ``frame``: width and height."""
     points = np.array(points, np.int64)
     places = mesh16.transform(points, row, frame)
-    to = arena.room("mesh_place", len(points))
+    size, to = layout.load().struct("mesh_place").size, arena.room("mesh_place", len(points))
     stored = np.column_stack([points[:, 0] * points[:, 1], points[:, :2], 0 * points[:, 0], points[:, 2]])
     plan_at = arena.struct("transform_plan", {
         "from": table(arena, "mesh_point16", stored), "view": table(arena, "scene_view16", [row]),
         "to": to}, count=len(points), right=16 * min(frame[0], snapped.WIDTH), bottom=16 * frame[1])
-    writes = [anything(to, 8 * len(points))] if places is None else [
-        Write(to + 8 * k, longs((x + 16 << 16 | y + 15, w))) for k, (x, y, w) in
-        enumerate(zip(places.x.tolist(), places.y.tolist(), places.depth.tolist()))]
+    writes = [anything(to, size * len(points))] if places is None else [
+        long_write(to + size * k + at, value)
+        for k, (x, y, w) in enumerate(zip(places.x.tolist(), places.y.tolist(), places.depth.tolist()))
+        for at, value in ((0, x + 16 << 16 | y + 15), (12, w))]
     return Trial(Case("mesh_transform", arena, pointers={"a0": plan_at}), title,
                  {"d0": int(places is not None)}, writes=writes)
 
@@ -143,7 +144,7 @@ def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "")
 def faces_trial(arena: Arena, depths, corners, faces, row, title: str = "") -> Trial:
     """Faces in a view16: those that are seen. ``depths``: of points; ``corners``: numbers of points."""
     size, face_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face"))
-    places_at = arena.add(b"".join(longs((0, depth)) for depth in depths), name="places")
+    places_at = arena.add(b"".join(longs((0, 0, 0, depth)) for depth in depths), name="places")
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
     faces_at = table(arena, "scene_face", faces)
     placed = arena.struct("mesh_placed", {"corners": corners_at, "places": places_at,
@@ -194,7 +195,7 @@ def snap_trial(arena: Arena, points, right: int, bottom: int, title: str = "") -
     places = [place_of(x, y) if not borders and 0 <= snapped.snap(x) <= right
               and 0 <= snapped.snap(y) <= bottom else -1 for x, y, borders in points]
     return Trial(Case("mesh_snap", arena, pointers={"a0": plan_at}), title, writes=[
-        long_write(to + 8 * k, place) for k, place in enumerate(places)])
+        long_write(to + 16 * k, place) for k, place in enumerate(places)])
 
 
 def place_of(x: int, y: int) -> int:
@@ -233,12 +234,14 @@ class Gathered:
                                Settings("snapped", mapper="gouraud"), 256)
             return [(v[2] + snapped.RAISED << 4,) for v in made]
         pairs = [at[:2] for at in own] if self.flags & ENVIRONMENT else [c[2:] for c in corners]
+        shades = [(at[2],) for at in own]
         pairs = [[value * self.scale + 0x8000 >> 16 if self.scale else value for value in pair]
                  for pair in pairs]
         reach = snapped.TEXELS << 16
         if any(not -reach <= value < reach for pair in pairs for value in pair):
             return None
-        return [tuple(value + snapped.RAISED << 4 for value in pair) for pair in pairs]
+        return [tuple(value + snapped.RAISED << 4 for value in pair) + shade
+                for pair, shade in zip(pairs, shades)]
 
     def taken(self) -> list[tuple[list[int], list[tuple]]]:
         """The places and values of the faces that are taken."""
@@ -261,7 +264,7 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
     known = layout.load()
     size, face_size, vertex_size = (known.struct(name).size
                                     for name in ("mesh_face", "scene_face", "snapped_vertex"))
-    stored = [(-1 if p is None else p[0] + 16 << 16 | p[1] + 15, 0) for p in these.points]
+    stored = [(-1 if p is None else p[0] + 16 << 16 | p[1] + 15, 0, 0, 0) for p in these.points]
     corners_at = table(arena, "scene_corner", [c for _, corners in these.faces for c in corners])
     sizes = [len(corners) for _, corners in these.faces]
     faces_at = table(arena, "scene_face", [[0, 0, 0, 0, sum(sizes[:k]), count]
