@@ -1,12 +1,13 @@
 """Trials of src68k/mesh against tools/tmap/model/mesh.py, which is held to exact numbers elsewhere."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tmap.bench.mesh import (Gathered, attributes_trial, cut_trial, faces_trial, faces_wide_trial,
-                             gather_trial, outside, snap_trial, transform_trial, wide_trial)
+                             gather_trial, outside, snap_trial, transform_trial, values_trial, wide_trial)
 from tmap.bench.trial import Trial
 from tmap.compiler import views16
 from tmap.model import mesh, mesh16
@@ -102,6 +103,25 @@ def mesh_attributes_trials(rng) -> list[Trial]:
     return trials
 
 
+def values_trials(kernel: str, rng) -> list[Trial]:
+    trials = []
+    for count in (1, 2, 33) * 12:
+        most = 1 << 14
+        normals = [(*(number(rng, most) for _ in range(3)), 0) for _ in range(count)]
+        low = int(rng.integers(0, 256 * ONE))
+        trials.append(values_trial(Memory(), kernel, normals, [number(rng, 32767) for _ in range(6)], low,
+                                   int(rng.integers(low, 256 * ONE)), f"{count} normals"))
+    return trials
+
+
+def mesh_mirror_trials(rng) -> list[Trial]:
+    return values_trials("mesh_mirror", rng)
+
+
+def mesh_shade_trials(rng) -> list[Trial]:
+    return values_trials("mesh_shade", rng)
+
+
 def vertex(rng) -> list[int]:
     return [number(rng, (1 << 30) - 1) for _ in range(6)]
 
@@ -187,13 +207,22 @@ def gathered(rng, mapper: str) -> Gathered:
 def mesh_gather_trials(rng) -> list[Trial]:
     trials = []
     for k in range(90):
-        mapper = ("flat", "gouraud", "affine")[k % 3]
+        mapper = ("flat", "gouraud", "affine", "lit")[k % 4]
         trials.append(gather_trial(Memory(), gathered(rng, mapper), f"{mapper}, number {k}"))
+    return trials
+
+
+def mesh_link_trials(rng) -> list[Trial]:
+    trials = []
+    for k in range(60):
+        these = replace(gathered(rng, ("flat", "gouraud", "affine")[k % 3]), is_linked=True)
+        trials.append(gather_trial(Memory(), these, f"number {k}"))
     return trials
 
 
 def trials() -> list[Trial]:
     makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_wide_trials, mesh_attributes_trials,
-              mesh_cut_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials)
+              mesh_cut_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials, mesh_mirror_trials, mesh_shade_trials,
+              mesh_link_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

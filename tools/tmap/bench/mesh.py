@@ -116,6 +116,33 @@ def attributes_case():
                             256 << 16).row(COUNT)
 
 
+def shade_of(value: int) -> int:
+    """Returns a Gouraud shade, 16.16, as it is drawn: kept inside its whole shade's range."""
+    return model.adapt([(0, 0, 0, 0, value)], Settings("snapped", mapper="gouraud"), 256)[0][2]
+
+
+def values_trial(arena: Arena, kernel: str, normals, factors: list[int], low: int, high: int,
+                 title: str = "") -> Trial:
+    """u and v or shades of normals, to places. ``low``, ``high``: of mesh_shade."""
+    size, to = layout.load().struct("mesh_place").size, arena.room("mesh_place", len(normals))
+    plan_at = arena.struct("values_plan", {
+        "from": table(arena, "scene_normal", normals), "to": to,
+        "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")},
+        count=len(normals), low=low, high=high)
+    columns = [mesh.looks(normals, factors[k:k + 3], 128 << 16, 0, 256 << 16) for k in (0, 3)] \
+        if kernel == "mesh_mirror" else [map(shade_of, mesh.looks(normals, factors[:3], low, low, high))]
+    return Trial(Case(kernel, arena, pointers={"a0": plan_at}), title, writes=[
+        long_write(to + size * k + at, value + snapped.RAISED << 4)
+        for at, column in zip((4, 8), columns) for k, value in enumerate(column)])
+
+
+def values_case(kernel: str):
+    """COUNT normals."""
+    normals = [(*n, 0) for n in np.random.default_rng(2).integers(-9000, 9000, (COUNT, 3)).tolist()]
+    return values_trial(Arena(), kernel, normals, [9000, -7000, 11000, 7000, 9000, 100], 20 << 16,
+                        220 << 16).row(COUNT)
+
+
 def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
     """Faces in a view: those that are seen. ``points``: x, y, w and the borders that each is
     outside of; ``corners``: numbers of points."""
@@ -223,16 +250,15 @@ class Gathered:
     scale: int = 0
     room: int = 64  # triangles of the list
     others: tuple[int, ...] = ()
+    is_linked: bool = False  # mesh_link: vertices are places
 
     def values(self, corners) -> list[tuple[int, ...]] | None:
         """What the corners' vertices get besides a place; None if it is out of range."""
         own = [self.attributes[normal] for _, normal, _, _ in corners]
-        if self.mapper == "flat":
+        if self.mapper == "flat" or self.is_linked:
             return [()] * len(corners)
         if self.mapper == "gouraud":
-            made = model.adapt([(0, 0, 0, 0, shade) for _, _, shade in own],
-                               Settings("snapped", mapper="gouraud"), 256)
-            return [(v[2] + snapped.RAISED << 4,) for v in made]
+            return [(shade_of(shade) + snapped.RAISED << 4,) for _, _, shade in own]
         pairs = [at[:2] for at in own] if self.flags & ENVIRONMENT else [c[2:] for c in corners]
         shades = [(at[2],) for at in own]
         pairs = [[value * self.scale + 0x8000 >> 16 if self.scale else value for value in pair]
@@ -262,8 +288,8 @@ class Gathered:
 def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
     """Faces that become triangles of a batch, up to one that cannot."""
     known = layout.load()
-    size, face_size, vertex_size = (known.struct(name).size
-                                    for name in ("mesh_face", "scene_face", "snapped_vertex"))
+    size, face_size, vertex_size, place_size = (
+        known.struct(name).size for name in ("mesh_face", "scene_face", "snapped_vertex", "mesh_place"))
     stored = [(-1 if p is None else p[0] + 16 << 16 | p[1] + 15, 0, 0, 0) for p in these.points]
     corners_at = table(arena, "scene_corner", [c for _, corners in these.faces for c in corners])
     sizes = [len(corners) for _, corners in these.faces]
@@ -289,7 +315,12 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
         flags=these.flags, values=snapped.VALUES[these.mapper], scale=these.scale,
         last=0, placed=0, corners=0)
     writes, at, to = [], vertices, listed
-    for places, values in done:
+    for _, corners in these.faces[:len(done)] if these.is_linked else ():
+        for k in range(2, len(corners)):
+            writes += [Write(to + 4 * n, longs((common["places"] + place_size * corners[which][0],)), pointer=True)
+                       for n, which in enumerate((0, k - 1, k))]
+            to += 12
+    for places, values in () if these.is_linked else done:
         for k, (place, value) in enumerate(zip(places, values)):
             writes.append(Write(at + vertex_size * k, longs((place, *value))))
         for k in range(2, len(places)):
@@ -297,10 +328,21 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
                        for n, which in enumerate((0, k - 1, k))]
             to += 12
         at += vertex_size * len(places)
-    writes += [anything(at, vertex_size * snapped.CORNERS), *fields(plan_at, "gather_plan", {}, {"last": to}),
-               anything(plan_at + known.struct("gather_plan").fields["placed"]["offset"], 8)]
-    return Trial(Case("mesh_gather", arena, pointers={"a0": plan_at}), title,
+    writes += [*fields(plan_at, "gather_plan", {}, {"last": to}),
+               anything(to, 24) if these.is_linked else anything(at, vertex_size * snapped.CORNERS)]
+    if not these.is_linked:
+        writes.append(anything(plan_at + known.struct("gather_plan").fields["placed"]["offset"], 8))
+    return Trial(Case("mesh_link" if these.is_linked else "mesh_gather", arena, pointers={"a0": plan_at}), title,
                  near_ends={"d0": first + size * len(done)}, writes=writes)
+
+
+def link_case(corners: int):
+    """COUNT faces of the same points."""
+    these = Gathered("flat", [(100, 200), (300, 250), (150, 500), (90, 300)], [(0, 0, 0)],
+                     [(0, [(k, 0, 0, 0) for k in range(corners)])] * COUNT, room=2 * COUNT + 2, is_linked=True)
+    trial = gather_trial(Arena(), these)
+    assert len(these.taken()) == COUNT
+    return trial.row(COUNT)
 
 
 def gather_case(mapper: str):
@@ -338,6 +380,8 @@ CASES = {"mesh_transform": transform_case,
          "mesh_transform_wide": lambda: wide_case(True),
          "mesh_transform_wide_outside": lambda: wide_case(False),
          "mesh_attributes": attributes_case,
+         "mesh_mirror": lambda: values_case("mesh_mirror"), "mesh_shade": lambda: values_case("mesh_shade"),
+         "mesh_link": lambda: link_case(3), "mesh_link_quads": lambda: link_case(4),
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
          "mesh_faces_wide": lambda: faces_wide_case(True),
          "mesh_faces_wide_back": lambda: faces_wide_case(False),
