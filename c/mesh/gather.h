@@ -17,7 +17,7 @@ enum gather_values {
 };
 
 struct gather_plan {
-    const struct mesh_face *from, *end;
+    const struct mesh_face *from;       /* of a list */
     struct snapped_vertex *vertices;
     struct triangle *list;
     struct triangle *last;              /* set to the place behind the last triangle */

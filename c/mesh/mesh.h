@@ -99,6 +99,7 @@ struct mesh_placed {
 /* A face to draw. */
 struct mesh_face {
     uint32 order;               /* its greatest depth, inverted: the least order is drawn first */
+    struct mesh_face *next;     /* mesh_sort's */
     const struct scene_face *face;
     const struct mesh_placed *placed;
 };
@@ -125,7 +126,7 @@ struct mesh_work {
     struct mesh_point *points;
     struct mesh_place *places;
     struct mesh_attributes *attributes;
-    struct mesh_face *faces, *sorted;
+    struct mesh_face *faces;
 };
 
 /* src68k/mesh: contracts there. */
@@ -141,12 +142,16 @@ void mesh_cut(const struct cut_plan *plan);
 /* Converts a mesh's points to 16 bits. */
 void mesh_points16(struct mesh_point16 *to, const struct scene_point *from, int32 count);
 
-enum { MESH_SORT_BUCKETS = 256 };
+enum {
+    MESH_SORT_BUCKETS = 256,
+    MESH_SORT_STEPS_LOG = 4     /* of so many steps a face, log2, sorting by buckets is given up */
+};
 
-/* Sorts by order, those of the same order as they came; the result is in one of the two
-   arrays, which is returned. at: scratch memory, MESH_SORT_BUCKETS. */
-struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count,
-                            int32 *at);
+struct mesh_face *mesh_spread(struct mesh_face *faces, int32 count, struct mesh_face **at);
+
+/* Sorts by order, those of the same order as they came; returns the first of a list. at: scratch
+   memory, MESH_SORT_BUCKETS. */
+struct mesh_face *mesh_sort(struct mesh_face *faces, int32 count, struct mesh_face **at);
 
 /* Clips a convex polygon in camera space (x, y, w as in mesh_point) to all borders; sets *count to
    the number of vertices left. room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices

@@ -116,11 +116,11 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
     return draw_polygon(renderer, vertices, count, placed->material);
 }
 
-/* Draws faces in batches, as many as routines for triangles can; returns the first that is left. */
+/* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is
+   left. */
 static const struct mesh_face *draw_batches(struct mesh_batch *batch,
                                             const struct renderer *renderer,
-                                            const struct mesh_face *face,
-                                            const struct mesh_face *end)
+                                            const struct mesh_face *face)
 {
     const struct material *const material = face->placed->material;
     triangle_drawer *const routine = triangle_drawer_of(renderer, material);
@@ -134,7 +134,6 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
                      && !(face->placed->flags & MESH_LIT)))
         return face;
     triangle_plan_set(&plan, &span, renderer, material);
-    gather.end = end;
     gather.vertices = batch->vertices;
     gather.list = batch->list;
     gather.full = &batch->list[BATCH_TRIANGLES - (TRIANGLE_CORNERS_MAX - 2)];
@@ -149,7 +148,7 @@ static const struct mesh_face *draw_batches(struct mesh_batch *batch,
         plan.list = gather.list;
         plan.end = gather.last;
         routine(&plan);
-    } while (gather.last > gather.full && face < end);
+    } while (gather.last > gather.full && face);
     return face;
 }
 
@@ -317,7 +316,7 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
 {
     enum polygon_result refused = POLYGON_DRAWN;
     struct mesh_work at = scene->work;
-    const struct mesh_face *face, *last, *next;
+    const struct mesh_face *face;
     int32 count = 0;
 
     for (; first < end; first++) {
@@ -331,17 +330,19 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
             at.faces += more;
         }
     }
-    face = mesh_sort(scene->work.faces, scene->work.sorted, count, scene->scratch->buckets);
-    for (last = face + count; face < last; face = next) {
+    face = mesh_sort(scene->work.faces, count, scene->scratch->buckets);
+    while (face) {
+        const struct mesh_face *const left = draw_batches(&scene->scratch->batch, renderer, face);
         enum polygon_result result;
 
-        next = draw_batches(&scene->scratch->batch, renderer, face, last);
-        if (next > face)
+        if (left != face) {
+            face = left;
             continue;
-        next = face + 1;
+        }
         result = draw_face(renderer, scene, face);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
+        face = face->next;
     }
     return refused;
 }

@@ -12,7 +12,7 @@
 struct scene_scratch {
     struct vertex placed[POLYGON_VERTICES_MAX];
     struct vertex face[MESH_CORNERS_MAX], cut[2 * POLYGON_VERTICES_MAX];
-    int32 buckets[MESH_SORT_BUCKETS];
+    struct mesh_face *buckets[MESH_SORT_BUCKETS];
     struct mesh_batch batch;
 };
 

@@ -6,7 +6,7 @@
 ; out:     d0  int32  how many
 ; reads:   the plan, its mesh_placed, that one's view16, count faces, corners and places of those
 ;          seen
-; writes:  that many entries at to
+; writes:  that many entries at to, but not next
 ; formats: normals' upper words 2.14, the view16's eye; order: the greatest depth, inverted
 ; error:   of the eye's height above a face: less than 2^-14 of the sum of its three coordinates, for
 ;          the normal, and 3 units of the eye's format
@@ -61,6 +61,7 @@
         lsl.l   d0,d2
         not.l   d2
         move.l  d2,(a3)+
+        addq.l  #mesh_face_face-4,a3
         move.l  a1,(a3)+
         move.l  a4,(a3)+
 .next   lea     scene_face_sizeof(a1),a1
@@ -69,6 +70,5 @@
         addq.l  #4,sp
         move.l  a3,d0
         sub.l   (sp)+,d0
-        divu.w  #mesh_face_sizeof,d0    ; 4,096 at most: fits
-        and.l   #$ffff,d0
+        lsr.l   #4,d0                   ; mesh_face_sizeof
         return_all

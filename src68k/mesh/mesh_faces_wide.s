@@ -5,7 +5,7 @@
 ; in:      a0  const struct faces_plan*  count is 1 at least
 ; out:     d0  int32  how many
 ; reads:   the plan, its mesh_placed, the view's eye, count faces, their corners' points
-; writes:  that many entries at to
+; writes:  that many entries at to, but not next
 ; formats: normals 2.30, eye and distance 16.16; order: the greatest depth, inverted
 ; error:   a face counts as seen if floor(normal * eye) is above its distance
 ; cost:    bench row mesh_faces_wide for four corners, mesh_faces_wide_back for those not seen
@@ -62,6 +62,7 @@
         bne.s   .next
         not.l   d2
         move.l  d2,(a3)+
+        addq.l  #mesh_face_face-4,a3
         move.l  a1,(a3)+
         move.l  a4,(a3)+
 .next   lea     scene_face_sizeof(a1),a1
@@ -70,6 +71,5 @@
         addq.l  #4,sp
         move.l  a3,d0
         sub.l   (sp)+,d0
-        divu.w  #mesh_face_sizeof,d0    ; 4,096 at most: fits
-        and.l   #$ffff,d0
+        lsr.l   #4,d0                   ; mesh_face_sizeof
         return_all

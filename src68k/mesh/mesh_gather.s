@@ -10,7 +10,7 @@
 ; error:   u and v half of 1/65536 texel if the map's scale is not 1, else none
 ; cost:    bench rows mesh_gather_flat, mesh_gather_gouraud, mesh_gather_affine
 ;
-; It stops at the end of the faces or of the list's room, and at a face of another material or with
+; It stops at the end of the list of faces or of the list's room, and at a face of another material or with
 ; other flags, with more than TRIANGLE_CORNERS_MAX corners, of SNAPPED_LINES lines or more, or with
 ; a point, u or v that is out of range.
 
@@ -97,7 +97,7 @@ scaled_mirror_values macro
 
 ; The faces. \1: the macro for the values of a corner.
 gather  macro
-.face\@ cmpa.l  gather_plan_end(a0),a1
+.face\@ move.l  a1,d0
         beq     gather_done
         cmpa.l  gather_plan_full(a0),a4
         bhi     gather_done
@@ -151,7 +151,7 @@ gather  macro
         add.l   d1,d2
         cmp.l   a3,d2
         blo.s   .fan\@
-        lea     mesh_face_sizeof(a1),a1
+        movea.l mesh_face_next(a1),a1
         bra     .face\@
 .other\@
         movea.l d0,a2

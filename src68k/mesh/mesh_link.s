@@ -12,8 +12,7 @@
 ;
 ; It stops where mesh_gather does.
 
-; a1 the face, a2 its corner, a3 the instance's corners, a4 the triangle, a5 the places, a6 the end of
-; the faces; d1 and d2 least and greatest y, d3 the first vertex, d5 the face's first triangle, d6 full,
+; a6 the plan, a1 the face, a2 its corner, a3 the instance's corners, a4 the triangle; a5 the places; d1 and d2 least and greatest y, d3 the first vertex, d5 the face's first triangle, d6 full,
 ; d7 the instance.
 
 ; a0 = the vertex of corner \1, which is added to the list. Uses d0.
@@ -42,11 +41,10 @@ widen   macro
         save_all
         movea.l gather_plan_from(a0),a1
         movea.l gather_plan_list(a0),a4
-        movea.l gather_plan_end(a0),a6
         move.l  gather_plan_full(a0),d6
         moveq   #0,d7
-        move.l  a0,-(sp)
-.face   cmpa.l  a6,a1
+        movea.l a0,a6
+.face   move.l  a1,d0
         beq     .done
         cmp.l   a4,d6
         blo     .done
@@ -72,7 +70,7 @@ widen   macro
 .check  sub.w   d1,d2
         cmp.w   #SNAPPED_LINES*SNAPPED_ONE,d2
         bhs.s   .refuse
-        lea     mesh_face_sizeof(a1),a1
+        movea.l mesh_face_next(a1),a1
         bra     .face
 
 .more   subq.l  #1,d4                   ; TRIANGLE_CORNERS_MAX is 4
@@ -85,12 +83,11 @@ widen   macro
 
 .other  move.l  mesh_face_placed(a1),d0
         movea.l d0,a2
-        movea.l (sp),a0
         move.l  mesh_placed_material(a2),d1
-        cmp.l   gather_plan_material(a0),d1
+        cmp.l   gather_plan_material(a6),d1
         bne.s   .done
         move.l  mesh_placed_flags(a2),d1
-        cmp.l   gather_plan_flags(a0),d1
+        cmp.l   gather_plan_flags(a6),d1
         bne.s   .done
         move.l  d0,d7
         movea.l mesh_placed_corners(a2),a3
@@ -98,8 +95,7 @@ widen   macro
         bra     .same
 
 .refuse movea.l d5,a4
-.done   movea.l (sp)+,a0
-        move.l  a4,gather_plan_last(a0)
+.done   move.l  a4,gather_plan_last(a6)
         move.l  a1,d0
         movea.l d0,a0                   ; where GCC expects a pointer
         return_all

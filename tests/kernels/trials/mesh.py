@@ -7,7 +7,8 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tmap.bench.mesh import (Gathered, attributes_trial, cut_trial, faces_trial, faces_wide_trial,
-                             gather_trial, outside, snap_trial, transform_trial, values_trial, wide_trial)
+                             gather_trial, outside, snap_trial, spread_trial, transform_trial,
+                             values_trial, wide_trial)
 from tmap.bench.trial import Trial
 from tmap.compiler import views16
 from tmap.model import mesh, mesh16
@@ -220,9 +221,23 @@ def mesh_link_trials(rng) -> list[Trial]:
     return trials
 
 
+def mesh_spread_trials(rng) -> list[Trial]:
+    """Many of one order, orders of any size, and crowds beside one that is far away."""
+    trials = []
+    for k, count in enumerate((1, 2, 3, 40, 200) * 8):
+        most = int(rng.choice((1, 30, 256, 257, 1 << 20, (1 << 32) - 1)))
+        least = int(rng.integers(0, (1 << 32) - most))
+        trials.append(spread_trial(Memory(), rng.integers(least, least + most + 1, count).tolist(),
+                                   f"{count} orders, number {k}"))
+    falling = [1 << 30, *range(120, 0, -1)]
+    trials.append(spread_trial(Memory(), falling[:1] + falling[:0:-1], "few steps"))
+    trials.append(spread_trial(Memory(), falling, "crowded", True))
+    return trials
+
+
 def trials() -> list[Trial]:
     makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_wide_trials, mesh_attributes_trials,
               mesh_cut_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials, mesh_mirror_trials, mesh_shade_trials,
-              mesh_link_trials)
+              mesh_link_trials, mesh_spread_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

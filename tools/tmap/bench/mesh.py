@@ -303,14 +303,17 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
     placed = [arena.struct("mesh_placed", common | {"material": materials[k in these.others]},
                            mesh=0, points=0, view16=0, flags=these.flags)
               for k in range(1 + max(instance for instance, _ in these.faces))]
-    first = arena.add(b"".join(longs((0, faces_at + k * face_size, placed[instance]))
+    first = arena.add(b"".join(longs((0, 0, faces_at + k * face_size, placed[instance]))
                                for k, (instance, _) in enumerate(these.faces)), name="faces")
-    arena.pointers += [first + size * k + at for k in range(len(these.faces)) for at in (4, 8)]
+    for k in range(1, len(these.faces)):
+        arena.data[first + size * k - 12:first + size * k - 8] = longs((first + size * k,))
+        arena.pointers.append(first + size * k - 12)
+    arena.pointers += [first + size * k + at for k in range(len(these.faces)) for at in (8, 12)]
     done, rooms = these.taken(), these.room + 2
     vertices = arena.room("snapped_vertex", 3 * rooms + 4)
     listed = arena.room("triangle", rooms)
     plan_at = arena.struct("gather_plan", {
-        "from": first, "end": first + size * len(these.faces), "vertices": vertices, "list": listed,
+        "from": first, "vertices": vertices, "list": listed,
         "full": listed + 12 * (these.room - (snapped.CORNERS - 2)), "material": materials[0]},
         flags=these.flags, values=snapped.VALUES[these.mapper], scale=these.scale,
         last=0, placed=0, corners=0)
@@ -332,8 +335,10 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
                anything(to, 24) if these.is_linked else anything(at, vertex_size * snapped.CORNERS)]
     if not these.is_linked:
         writes.append(anything(plan_at + known.struct("gather_plan").fields["placed"]["offset"], 8))
+    is_all = len(done) == len(these.faces)
     return Trial(Case("mesh_link" if these.is_linked else "mesh_gather", arena, pointers={"a0": plan_at}), title,
-                 near_ends={"d0": first + size * len(done)}, writes=writes)
+                 {"d0": 0} if is_all else {},
+                 near_ends={} if is_all else {"d0": first + size * len(done)}, writes=writes)
 
 
 def link_case(corners: int):
@@ -354,6 +359,29 @@ def gather_case(mapper: str):
     trial = gather_trial(Arena(), these)
     assert len(these.taken()) == COUNT
     return trial.row(COUNT)
+
+
+def spread_trial(arena: Arena, orders: list[int], title: str = "", is_crowded: bool = False) -> Trial:
+    """Faces sorted by their orders."""
+    size = layout.load().struct("mesh_face").size
+    faces = arena.add(b"".join(longs((order, 0, 0, 0)) for order in orders), name="faces")
+    buckets = layout.load().constants["MESH_SORT_BUCKETS"]
+    at = arena.blank(4 * buckets, "buckets")
+    case = Case("mesh_spread", arena, {"d0": len(orders)}, pointers={"a0": faces, "a1": at})
+    nexts = [faces + size * k + 4 for k in range(len(orders))]
+    if is_crowded:
+        return Trial(case, title, {"d0": 0}, writes=[anything(at, 4 * buckets),
+                                                     *(anything(place, 4) for place in nexts)])
+    ways = sorted(range(len(orders)), key=lambda k: orders[k])
+    writes = [Write(nexts[a], longs((faces + size * b,)), pointer=True) for a, b in zip(ways, ways[1:])]
+    return Trial(case, title, near_ends={"d0": faces + size * ways[0]}, writes=[
+        *writes, long_write(nexts[ways[-1]], 0), anything(at, 4 * buckets)])
+
+
+def spread_case():
+    """Four times COUNT faces of any depth in a range."""
+    orders = np.random.default_rng(5).integers(1 << 31, (1 << 31) + (1 << 18), 4 * COUNT).tolist()
+    return spread_trial(Arena(), orders).row(4 * COUNT)
 
 
 def cut_trial(arena: Arena, inside: list[int], beyond: list[int], part: int, whole: int,
@@ -385,6 +413,6 @@ CASES = {"mesh_transform": transform_case,
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
          "mesh_faces_wide": lambda: faces_wide_case(True),
          "mesh_faces_wide_back": lambda: faces_wide_case(False),
-         "mesh_snap": snap_case, "mesh_cut": cut_case} | {
+         "mesh_spread": spread_case, "mesh_snap": snap_case, "mesh_cut": cut_case} | {
              f"mesh_gather_{mapper}": lambda mapper=mapper: gather_case(mapper)
              for mapper in snapped.VALUES}
