@@ -13,6 +13,17 @@
 ; cost:    bench row mesh_faces for four corners, mesh_faces_back for those not seen
 
 ; d5-d7 the eye, d4 seen_shift, a2 depth_shift, a3 to, a4 the mesh_placed, a5 its corners, a6 depths
+; d2 = the greater of it and the depth of the corner \1 behind a0. Uses d0/d1.
+corner  macro
+        move.w  \1*scene_corner_sizeof(a0),d0   ; scene_corner_point, below MESH_COUNT_MAX
+        add.w   d0,d0
+        move.l  (a6,d0.w*8),d1          ; mesh_place_sizeof
+        cmp.l   d1,d2
+        bge.s   .nearer\@
+        move.l  d1,d2
+.nearer\@
+        endm
+
         routine mesh_faces,a0
         save_all
         movea.l faces_plan_placed(a0),a4
@@ -46,18 +57,18 @@
         move.l  scene_face_corner(a1),d0
         lea     (a5,d0.l*8),a0
         lea     (a0,d0.l*4),a0          ; scene_corner_sizeof
-        move.l  scene_face_corners(a1),d3
+        moveq   #-3,d3
+        add.l   scene_face_corners(a1),d3
         moveq   #0,d2                   ; the greatest depth so far
-.corner move.w  (a0),d0                 ; scene_corner_point, below MESH_COUNT_MAX
-        add.w   d0,d0
-        move.l  (a6,d0.w*8),d1          ; mesh_place_sizeof
-        cmp.l   d1,d2
-        bge.s   .nearer
-        move.l  d1,d2
-.nearer lea     scene_corner_sizeof(a0),a0
-        subq.l  #1,d3
-        bne.s   .corner
-        move.l  a2,d0
+        corner  0
+        corner  1
+        corner  2
+.more   subq.l  #1,d3
+        bmi.s   .found
+        corner  3
+        lea     scene_corner_sizeof(a0),a0
+        bra.s   .more
+.found  move.l  a2,d0
         lsl.l   d0,d2
         not.l   d2
         move.l  d2,(a3)+
@@ -66,7 +77,7 @@
         move.l  a4,(a3)+
 .next   lea     scene_face_sizeof(a1),a1
         cmpa.l  (sp),a1
-        bne.s   .face
+        bne     .face
         addq.l  #4,sp
         move.l  a3,d0
         sub.l   (sp)+,d0
