@@ -89,9 +89,11 @@ struct mesh_placed {
     const struct scene_mesh *mesh;
     const struct scene_corner *corners;         /* the mesh's first */
     const struct material *material;
-    const struct mesh_point *points;            /* 0: it has places and a view16 */
-    const struct mesh_place *places;            /* if routines for triangles may draw it */
-    const struct scene_view16 *view16;
+    const struct scene_view *view;
+    const struct scene_view16 *view16;          /* 0: transformed with 32-bit operands */
+    struct mesh_point *points;                  /* with a view16 only those that are off the screen */
+    const struct mesh_place *places;            /* with a view16, or if routines for triangles may
+                                                   draw it */
     const struct mesh_attributes *attributes;
     uint32 flags;
 };
@@ -108,7 +110,6 @@ struct faces_plan {
     const struct scene_face *from;
     int32 count;                /* 1 or more */
     const struct mesh_placed *placed;
-    const struct scene_view *view;      /* mesh_faces takes the placed one's view16 */
     struct mesh_face *to;
 };
 

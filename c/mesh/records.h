@@ -70,8 +70,8 @@ struct scene_view {
    and a move, modulo 2^32. The depth is w's sum >> divisor_shift; it is one of 16.16 once shifted
    left by depth_shift. The sums of x and y divided by it are 1/16 pixel, the floor is the nearest. A
    move holds what a sum is rounded by, less the product of its row's first two factors
-   (mesh_transform). The tools write it where every point is then within 1/32 pixel of its exact
-   place, on the screen and beyond the near plane: tools/tmap/compiler/views16.py. */
+   (mesh_transform). The tools write it where every point is beyond the near plane and those on the
+   screen are then within 1/32 pixel of their exact places: tools/tmap/compiler/views16.py. */
 struct scene_view16 {
     int32 w_move;
     int16 wx, wy, wz, divisor_shift;

@@ -33,6 +33,24 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
     }
 }
 
+/* Transforms points of an instance with 32-bit operands, from the first given on. */
+static void transform_wide(const struct scene *scene, const struct mesh_placed *placed,
+                           uint32 first, int32 count)
+{
+    const struct scene_header *header = scene->header;
+    struct wide_plan plan;
+
+    plan.from = &scene->points[placed->mesh->point + first];
+    plan.count = count;
+    plan.view = placed->view;
+    plan.to = &placed->points[first];
+    plan.near_plane = header->near_plane;
+    plan.guard = header->guard;
+    plan.middle_x = header->width << 15;
+    plan.middle_y = header->height << 15;
+    mesh_transform_wide(&plan);
+}
+
 static enum polygon_result draw_cut(struct renderer *renderer, const struct scene *scene,
                                     const struct mesh_face *face, struct vertex *vertices,
                                     int32 count)
@@ -43,8 +61,11 @@ static enum polygon_result draw_cut(struct renderer *renderer, const struct scen
     for (int32 i = 0; i < count; i++, corner++) {
         const struct mesh_point *p = &placed->points[corner->point];
 
+        if (placed->view16)
+            transform_wide(scene, placed, corner->point, 1);
         vertices[i].x = p->x;
         vertices[i].y = p->y;
+        vertices[i].w = p->w;
     }
     vertices = mesh_clip(scene->scratch->cut, vertices, &count, scene->header->near_plane);
     if (count < 3)
@@ -56,9 +77,9 @@ static enum polygon_result draw_cut(struct renderer *renderer, const struct scen
 /* Sets a vertex's x, y and w; returns the borders that it is outside of. */
 static uint32 set_place(struct vertex *v, const struct mesh_placed *placed, uint32 point)
 {
-    const struct mesh_place *place;
+    const struct mesh_place *place = &placed->places[point];
 
-    if (placed->points) {
+    if (!placed->view16 || place->place < 0) {
         const struct mesh_point *p = &placed->points[point];
 
         v->x = p->screen_x;
@@ -66,7 +87,6 @@ static uint32 set_place(struct vertex *v, const struct mesh_placed *placed, uint
         v->w = p->w;
         return p->outside;
     }
-    place = &placed->places[point];
     v->x = ((place->place >> 16) - SNAPPED_ONE) << (16 - SNAPPED_BITS);
     v->y = ((int16)place->place - (SNAPPED_ONE - 1)) << (16 - SNAPPED_BITS);
     v->w = place->depth << placed->view16->depth_shift;
@@ -220,55 +240,49 @@ static void make_values(struct mesh_place *to, const struct scene_normal *normal
     }
 }
 
-/* Transforms the points of an instance with 16-bit operands; returns 0 if the frame has no factors
-   for them, or a point is not on the screen. */
+/* Transforms the points of an instance with 16-bit operands, those off the screen with 32-bit ones
+   too; returns 0 if the frame has no factors for them, or a point is behind the eye. */
 static int32 place_points16(const struct renderer *renderer, const struct scene *scene,
-                            struct mesh_placed *placed, struct mesh_place *to)
+                            const struct mesh_placed *placed, struct mesh_place *to)
 {
+    const int32 count = (int32)placed->mesh->points;
     struct transform_plan plan;
     struct triangle_range range;
+    int32 off;
 
     if (!placed->view16 || !placed->view16->is_used || placed->material->edges != EDGES_SNAPPED
         || placed->material->perspective)
         return 0;
     triangle_range_set(&range, renderer->frame);
     plan.from = &scene->points16[placed->mesh->point];
-    plan.count = (int32)placed->mesh->points;
+    plan.count = count;
     plan.view = placed->view16;
     plan.to = to;
     plan.right = range.right;
     plan.bottom = range.bottom;
-    placed->points = 0;
-    return mesh_transform(&plan);
+    off = mesh_transform(&plan);
+    for (int32 i = 0; off > 0 && i < count; i++)
+        if (to[i].place < 0)
+            transform_wide(scene, placed, (uint32)i, 1);
+    return off >= 0;
 }
 
 /* Transforms the points of an instance, and snaps them for routines for triangles. */
 static void place_points(const struct renderer *renderer, const struct scene *scene,
-                         struct mesh_placed *placed, const struct scene_view *view,
-                         const struct mesh_work *at)
+                         const struct mesh_placed *placed, struct mesh_place *to)
 {
-    const struct scene_header *header = scene->header;
-    struct wide_plan plan;
     struct snap_plan snap;
     struct triangle_range range;
 
-    placed->points = at->points;
-    plan.from = &scene->points[placed->mesh->point];
-    plan.count = snap.count = (int32)placed->mesh->points;
-    plan.view = view;
-    plan.to = at->points;
-    plan.near_plane = header->near_plane;
-    plan.guard = header->guard;
-    plan.middle_x = header->width << 15;
-    plan.middle_y = header->height << 15;
-    mesh_transform_wide(&plan);
+    snap.count = (int32)placed->mesh->points;
+    transform_wide(scene, placed, 0, snap.count);
     if (!triangle_drawer_of(renderer, placed->material))
         return;
     triangle_range_set(&range, renderer->frame);
     snap.right = range.right;
     snap.bottom = range.bottom;
-    snap.points = at->points;
-    snap.to = at->places;
+    snap.points = placed->points;
+    snap.to = to;
     mesh_snap(&snap);
 }
 
@@ -285,13 +299,17 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     placed->mesh = mesh;
     placed->corners = &scene->corners[mesh->corner];
     placed->material = &scene->drawn[instance->material];
+    placed->points = at->points;
     placed->places = at->places;
+    placed->view = view;
     placed->view16 = instance->view16 == NO_VIEW16
                    ? 0 : &scene->views16[(uint32)instance->view16 + age];
     placed->attributes = at->attributes;
     placed->flags = instance->flags;
-    if (!place_points16(renderer, scene, placed, at->places))
-        place_points(renderer, scene, placed, view, at);
+    if (!place_points16(renderer, scene, placed, at->places)) {
+        placed->view16 = 0;
+        place_points(renderer, scene, placed, at->places);
+    }
     placed->flags |= linked(renderer, scene, placed);
     if (placed->flags & MESH_LINKED)
         make_values(at->places, &scene->normals[mesh->normal], (int32)mesh->points, placed,
@@ -306,9 +324,8 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     faces.from = &scene->faces[mesh->face];
     faces.count = (int32)mesh->faces;
     faces.placed = placed;
-    faces.view = view;
     faces.to = at->faces;
-    return placed->points ? mesh_faces_wide(&faces) : mesh_faces(&faces);
+    return placed->view16 ? mesh_faces(&faces) : mesh_faces_wide(&faces);
 }
 
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,

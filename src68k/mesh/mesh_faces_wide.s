@@ -4,16 +4,16 @@
 ;
 ; in:      a0  const struct faces_plan*  count is 1 at least
 ; out:     d0  int32  how many
-; reads:   the plan, its mesh_placed, the view's eye, count faces, their corners' points
+; reads:   the plan, its mesh_placed, that one's view, count faces, their corners' points
 ; writes:  that many entries at to, but not next
 ; formats: normals 2.30, eye and distance 16.16; order: the greatest depth, inverted
 ; error:   a face counts as seen if floor(normal * eye) is above its distance
 ; cost:    bench row mesh_faces_wide for four corners, mesh_faces_wide_back for those not seen
         routine mesh_faces_wide,a0
         save_all
-        movea.l faces_plan_view(a0),a1
-        movem.l scene_view_eye_x(a1),d5-d7
         movea.l faces_plan_placed(a0),a4
+        movea.l mesh_placed_view(a4),a1
+        movem.l scene_view_eye_x(a1),d5-d7
         movea.l mesh_placed_corners(a4),a5
         movea.l mesh_placed_points(a4),a6
         movea.l faces_plan_to(a0),a3

@@ -3,8 +3,8 @@
 ; mesh_transform - places on the screen and depths of a mesh's points, with 16-bit operands
 ;
 ; in:      a0  const struct transform_plan*  count is 1 at least
-; out:     d0  int32  1: all points are on the screen and beyond the eye; 0: one is not, and those
-;                     from it on have no place
+; out:     d0  int32  how many points are off the screen; -1: one is behind the eye, and those from it
+;                     on have no place
 ; reads:   the plan, its view, count points
 ; writes:  place and depth of count entries at to
 ; formats: points whole numbers, -MESH_UNIT16 to MESH_UNIT16; factors up to MESH_FACTOR16, so that
@@ -40,6 +40,7 @@ row     macro
         lea     (a1,d0.l),a4
         movea.l transform_plan_from(a0),a0
         move.w  scene_view16_divisor_shift(a6),d4
+        clr.l   -(sp)
 
 .point  movea.l (a0)+,a5
         move.w  (a0)+,d5
@@ -47,24 +48,28 @@ row     macro
         move.l  (a0)+,d7
         row     w,d2
         asr.l   d4,d2
-        ble.s   .out                    ; behind the eye, or it would divide by 0
+        ble.s   .behind                 ; or it would divide by 0
         row     x,d3
         divu.l  d2,d3
         cmp.l   a2,d3                   ; a negative sum has too large a quotient too
-        bhi.s   .out
+        bhi.s   .off
         row     y,d0
         divu.l  d2,d0
         cmp.l   a3,d0
-        bhi.s   .out
+        bhi.s   .off
         swap    d3
         move.w  d0,d3
         add.l   #SNAPPED_ONE<<16+SNAPPED_ONE-1,d3
-        move.l  d3,(a1)+
+.placed move.l  d3,(a1)+
         addq.l  #mesh_place_depth-4,a1
         move.l  d2,(a1)+
         cmpa.l  a4,a1
         blo     .point
-        moveq   #1,d0
+        move.l  (sp)+,d0
         return_all
-.out    moveq   #0,d0
+.off    moveq   #-1,d3
+        addq.l  #1,(sp)
+        bra.s   .placed
+.behind addq.l  #4,sp
+        moveq   #-1,d0
         return_all

@@ -83,9 +83,9 @@ def transform_trial(arena: Arena, frame: tuple[int, int], points, row, title: st
     writes = [anything(to, size * len(points))] if places is None else [
         long_write(to + size * k + at, value)
         for k, (x, y, w) in enumerate(zip(places.x.tolist(), places.y.tolist(), places.depth.tolist()))
-        for at, value in ((0, x + 16 << 16 | y + 15), (12, w))]
+        for at, value in ((0, (x + 16 << 16 | y + 15) if places.shown[k] else -1), (12, w))]
     return Trial(Case("mesh_transform", arena, pointers={"a0": plan_at}), title,
-                 {"d0": int(places is not None)}, writes=writes)
+                 {"d0": -1 if places is None else int((~places.shown).sum())}, writes=writes)
 
 
 def transform_case():
@@ -151,11 +151,11 @@ def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "")
     points_at = arena.add(b"".join(map(longs, stored)), name="points")
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
     faces_at = table(arena, "scene_face", faces)
-    placed = arena.struct("mesh_placed", {"corners": corners_at, "points": points_at},
+    placed = arena.struct("mesh_placed", {"corners": corners_at, "points": points_at,
+                                          "view": table(arena, "scene_view", [row])},
                           mesh=0, material=0, places=0, view16=0, attributes=0, flags=0)
     to = arena.room("mesh_face", len(faces))
-    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to,
-                                          "view": table(arena, "scene_view", [row])}, count=len(faces))
+    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces))
     writes, seen = [], 0
     for k, face in enumerate(faces):
         first, count = face[4:]
@@ -176,10 +176,9 @@ def faces_trial(arena: Arena, depths, corners, faces, row, title: str = "") -> T
     faces_at = table(arena, "scene_face", faces)
     placed = arena.struct("mesh_placed", {"corners": corners_at, "places": places_at,
                                           "view16": table(arena, "scene_view16", [row])},
-                          mesh=0, material=0, points=0, attributes=0, flags=0)
+                          mesh=0, material=0, view=0, points=0, attributes=0, flags=0)
     to = arena.room("mesh_face", len(faces))
-    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to},
-                           view=0, count=len(faces))
+    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces))
     writes, seen = [], 0
     for k, face in enumerate(faces):
         if mesh16.is_seen(face, row):
@@ -301,7 +300,7 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
                                       name="attributes")}
     materials = [arena.blank(16, name) for name in ("material", "another")]
     placed = [arena.struct("mesh_placed", common | {"material": materials[k in these.others]},
-                           mesh=0, points=0, view16=0, flags=these.flags)
+                           mesh=0, points=0, view=0, view16=0, flags=these.flags)
               for k in range(1 + max(instance for instance, _ in these.faces))]
     first = arena.add(b"".join(longs((0, 0, faces_at + k * face_size, placed[instance]))
                                for k, (instance, _) in enumerate(these.faces)), name="faces")

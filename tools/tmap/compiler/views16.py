@@ -15,9 +15,10 @@ sum of its |F| and of the point's |P|, and half a unit for its move: e_x; the de
 shifted, and half a unit for rounding: e_v. The place before its floor is then off by
 (e_x + place e_v) / v sixteenths of a pixel. For a mesh of radius r pixels at d times its radius that
 is about (r + 160 / d) / 5500 pixels. It grows where a mesh is near to the eye, so it is not assumed:
-a frame has factors only if every point is on the screen, not before the near plane, and within
-1/32 pixel of its exact place, and if every face that would be taken wrongly for one seen or not seen
-from the front is thinner than that on the screen. Otherwise the frame is drawn with 32-bit operands.
+a frame has factors only if no point is before the near plane, all that come out on the screen are
+within 1/32 pixel of their exact places, and every face that would be taken wrongly for one seen or not
+seen from the front is thinner than that on the screen. Points off the screen are transformed with
+32-bit operands. Otherwise the frame is drawn with 32-bit operands.
 The depth by which faces are sorted has e_v too.
 
 Only materials with snapped edges and without perspective take them: rounding a vertex to 1/16 pixel
@@ -37,6 +38,9 @@ UNIT16, FACTOR16 = LIMITS["MESH_UNIT16"], LIMITS["MESH_FACTOR16"]
 #: How far a point may be from its exact place, and how thin a face is that may be taken wrongly,
 #: 1/16 pixel.
 OFF = 0.5
+#: The least part of a mesh's points on the screen with which 16-bit operands pay: the others, and the
+#: corners of faces that a border cuts, are transformed with 32-bit ones too.
+SHOWN = 0.75
 
 
 def nearest(n: int, d: int) -> int:
@@ -96,11 +100,11 @@ def is_good(scene, instance, view: list[int], row: list[int]) -> bool:
     points = scene.points[which.point:which.point + which.points]
     x, y, w = exact_places(scene, points, view)
     short = mesh16.points_of(points)
-    if w.min() < scene.near_plane or mesh16.transform(short, row, (scene.width, scene.height)) is None:
+    places = mesh16.transform(short, row, (scene.width, scene.height))
+    if w.min() < scene.near_plane or places is None or places.shown.mean() < SHOWN:
         return False
-    depth = mesh16.sums(short, row, mesh16.W) >> row[mesh16.DIVISOR_SHIFT]
     for at, right in ((mesh16.X, x), (mesh16.Y, y)):
-        if abs(mesh16.sums(short, row, at) / depth - 0.5 - right).max() > OFF:
+        if abs(mesh16.sums(short, row, at) / places.depth - 0.5 - right)[places.shown].max() > OFF:
             return False
     for face in scene.faces[which.face:which.face + which.faces].tolist():
         if mesh.is_seen(face, view) != mesh16.is_seen(face, row):

@@ -114,16 +114,21 @@ def polygons_of(material, vertices: list[tuple]) -> list[list[tuple]]:
     return planarity.fan(vertices)
 
 
-def transform16(scene, instance, mesh, row) -> list[Point] | None:
-    """Returns the points of an instance with 16-bit operands; None if it has no such factors (``row`` is
-    None, or not for its material) or a point is not on the screen."""
+def transform16(scene, instance, mesh, row) -> mesh16.Places | None:
+    """Returns the places of an instance with 16-bit operands; None if it has no such factors (``row`` is
+    None, or not for its material) or a point is behind the eye."""
     if row is None or not mesh16.is_used(scene.materials[instance.material], row):
         return None
     points = mesh16.all_points(scene)[mesh.point:mesh.point + mesh.points]
-    places = mesh16.transform(points, row, (scene.width, scene.height))
-    return places and [
-        Point(0, 0, w << row[mesh16.DEPTH_SHIFT] & M32, (x << 12, y << 12))
-        for x, y, w in zip(places.x.tolist(), places.y.tolist(), places.depth.tolist())]
+    return mesh16.transform(points, row, (scene.width, scene.height))
+
+
+def with_places(points: list[Point], places: mesh16.Places, row) -> list[Point]:
+    """Returns the points with the places of those that are on the screen."""
+    made = []
+    for point, x, y, w, is_shown in zip(points, *(column.tolist() for column in vars(places).values())):
+        made.append(Point(0, 0, w << row[mesh16.DEPTH_SHIFT], (x << 12, y << 12)) if is_shown else point)
+    return made
 
 
 def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
@@ -134,21 +139,22 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
         return []
     mesh, view = scene.meshes[instance.mesh], scene.views[instance.view + age].tolist()
     row = scene.views16[instance.view16 + age].tolist() if instance.view16 >= 0 else None
-    points = transform16(scene, instance, mesh, row)
-    is_short = points is not None
-    if not is_short:
-        points = transform(scene, scene.points[mesh.point:mesh.point + mesh.points].tolist(), view)
+    wide = points = transform(scene, scene.points[mesh.point:mesh.point + mesh.points].tolist(), view)
+    places = transform16(scene, instance, mesh, row)
+    if places:
+        points = with_places(wide, places, row)
     normals = scene.normals[mesh.normal:mesh.normal + mesh.normals].tolist()
     made_s, made_t, shades = looks_of(instance, normals, view)
     made = []
     for face in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
-        if not (mesh16.is_seen(face, row) if is_short else is_seen(face, view)):
+        if not (mesh16.is_seen(face, row) if places else is_seen(face, view)):
             continue
         first = mesh.corner + face[4]
         corners = scene.corners[first:first + face[5]].tolist()
         used = [points[point] for point, *_ in corners]
-        borders = zip(*(depths(p.x, p.y, p.w, scene.near_plane) for p in used))
-        if not is_short and any(max(border) < 0 for border in borders):
+        cut = [wide[point] for point, *_ in corners]
+        borders = zip(*(depths(p.x, p.y, p.w, scene.near_plane) for p in cut))
+        if not places and any(max(border) < 0 for border in borders):
             continue
         rests = [(made_s[n] if made_s else s, made_t[n] if made_t else t,
                   shades[n] if shades else 0) for _, n, s, t in corners]
@@ -156,8 +162,10 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
             vertices = [(*p.screen, *rest, p.w) for p, rest in zip(used, rests)]
         else:
             vertices = [(*project(scene, v[0], v[1], v[5]), *v[2:]) for v in clip(
-                [(p.x, p.y, *rest, p.w) for p, rest in zip(used, rests)], scene.near_plane)]
-        made.append((max(0, *(p.w for p in used)), vertices))
+                [(p.x, p.y, *rest, p.w) for p, rest in zip(cut, rests)], scene.near_plane)]
+        order = max(0, *(p.w for p in used)) if not places else \
+            max(int(places.depth[point]) for point, *_ in corners) << row[mesh16.DEPTH_SHIFT] & M32
+        made.append((order, vertices))
     return made
 
 

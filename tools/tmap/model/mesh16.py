@@ -17,11 +17,12 @@ DIVISOR_SHIFT, DEPTH_SHIFT, SEEN_SHIFT, EYE, IS_USED = 4, 9, 14, 15, 18
 
 @dataclass
 class Places:
-    """Points on the screen: x and y in 1/16 pixel; the depths that they were divided by."""
+    """Points: x and y in 1/16 pixel; the depths that they were divided by; which ones are on the screen."""
 
     x: np.ndarray
     y: np.ndarray
     depth: np.ndarray
+    shown: np.ndarray
 
 
 def reach(points: np.ndarray) -> int:
@@ -51,14 +52,14 @@ def sums(points: np.ndarray, row: list[int], at: int) -> np.ndarray:
 
 
 def transform(points: np.ndarray, row: list[int], frame: tuple[int, int]) -> Places | None:
-    """mesh_transform: the places of 16-bit points; None if one is out of range. ``frame``: width and
+    """mesh_transform: the places of 16-bit points; None if one is behind the eye. ``frame``: width and
     height."""
     right, bottom = 16 * min(frame[0], snapped.WIDTH), 16 * frame[1]
     depth = sums(points, row, W) >> row[DIVISOR_SHIFT]
     if (depth <= 0).any():
         return None
     x, y = ((sums(points, row, at) & 0xFFFFFFFF) // depth for at in (X, Y))
-    return Places(x, y, depth) if x.max() <= right and y.max() <= bottom else None
+    return Places(x, y, depth, (x <= right) & (y <= bottom))
 
 
 def is_used(material, row: list[int]) -> bool:
