@@ -38,7 +38,7 @@ from tmap.base.linear import length, product
 from tmap.compiler.objects import RADIUS
 from tmap.ideal import bounds, bounds_perspective, ideal, mesh as ideal_mesh, perspective
 from tmap.ideal.ideal import UNIT
-from tmap.model import mesh as model_mesh, model
+from tmap.model import mesh as model_mesh, mesh16, model
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
 from tmap.setup import planarity
 from tmap.setup.texturing import Settings
@@ -205,6 +205,15 @@ def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[
     return (found[0][1] if found and len(found[0][1]) >= 3 else []), cut
 
 
+def short_row(scene, instance: Instance, number: int) -> list[int] | None:
+    """Returns the view's factors for 16-bit operands if an instance is drawn with them in a frame."""
+    if instance.view16 < 0:
+        return None
+    row = scene.views16[instance.view16 + number - instance.first_frame].tolist()
+    mesh = scene.meshes[instance.mesh]
+    return row if model_mesh.transform16(scene, instance, mesh, row) else None
+
+
 def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
     """True if a pixel is as near a drawn edge as the exact edge may be; ``off``: vertices'."""
     here = np.array(pixel, float)
@@ -332,7 +341,9 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     vertices, cut = drawn_face(scene, instance, row, number)
     longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
     polygons: list[model.Polygon] = []
-    doubt = ideal_mesh.seen_error(camera.eye, reach)
+    short = short_row(scene, instance, number)
+    doubt = ideal_mesh.seen_error(camera.eye, reach) if short is None else \
+        ideal_mesh.seen_error16(camera.eye, reach, short[mesh16.SEEN_SHIFT])
     if vertices:
         pieces = planarity.parts(vertices, material, scene.frame_shape, longer, planarity.ALL)
         made = [model.prepare_polygon(scene, instance.material, piece) for piece in pieces]
@@ -350,6 +361,7 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
     if settings.edges != "integer" and settings.clip == "scissor":
         rounded = {"subpixel": (camera.height + 1) * UNIT / 2, "snapped": 1 / 32}.get(settings.edges, 0.0)
+        rounded += 0.0 if short is None else ideal_mesh.SHORT
         check_pixels(face, vertices, polygons, [o + rounded for o in off], out)
     if not polygons:
         return out
