@@ -6,9 +6,9 @@ from types import SimpleNamespace
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.mesh import (Gathered, attributes_trial, cut_trial, faces_trial, faces_wide_trial,
-                             gather_trial, outside, snap_trial, spread_trial, transform_trial,
-                             values_trial, wide_trial)
+from tmap.bench.mesh import (attributes_trial, cut_trial, faces_trial, faces_wide_trial, outside,
+                             snap_trial, spread_trial, transform_trial, values_trial, wide_trial)
+from tmap.bench.mesh_batches import Gathered, gather_trial
 from tmap.bench.trial import Trial
 from tmap.compiler import views16
 from tmap.model import mesh, mesh16

@@ -200,8 +200,7 @@ def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[
                     meshes=[Mesh(0, len(points), 0, count, 0, count, 0, 1)])
     found = model_mesh.faces_of(alone, replace(instance, mesh=0), number)
     view = scene.views[instance.view + number - instance.first_frame].tolist()
-    places = points[corners[:, 0]].tolist()
-    cut = any(p.screen is None for p in model_mesh.transform(scene, places, view))
+    cut = any(p.screen is None for p in model_mesh.transform(scene, points[corners[:, 0]].tolist(), view))
     return (found[0][1] if found and len(found[0][1]) >= 3 else []), cut
 
 
@@ -210,8 +209,7 @@ def short_row(scene, instance: Instance, number: int) -> list[int] | None:
     if instance.view16 < 0:
         return None
     row = scene.views16[instance.view16 + number - instance.first_frame].tolist()
-    mesh = scene.meshes[instance.mesh]
-    return row if model_mesh.transform16(scene, instance, mesh, row) else None
+    return row if model_mesh.transform16(scene, instance, scene.meshes[instance.mesh], row) else None
 
 
 def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
@@ -342,8 +340,7 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
     polygons: list[model.Polygon] = []
     short = short_row(scene, instance, number)
-    doubt = ideal_mesh.seen_error(camera.eye, reach) if short is None else \
-        ideal_mesh.seen_error16(camera.eye, reach, short[mesh16.SEEN_SHIFT])
+    doubt = ideal_mesh.seen_error(camera.eye, reach, short and short[mesh16.SEEN_SHIFT])
     if vertices:
         pieces = planarity.parts(vertices, material, scene.frame_shape, longer, planarity.ALL)
         made = [model.prepare_polygon(scene, instance.material, piece) for piece in pieces]
@@ -360,8 +357,8 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     e = ideal_mesh.corner_error(reach, cut)
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
     if settings.edges != "integer" and settings.clip == "scissor":
-        rounded = {"subpixel": (camera.height + 1) * UNIT / 2, "snapped": 1 / 32}.get(settings.edges, 0.0)
-        rounded += 0.0 if short is None else ideal_mesh.SHORT
+        rounded = {"subpixel": (camera.height + 1) * UNIT / 2,
+                   "snapped": 1 / 32 + ideal_mesh.SHORT * bool(short)}.get(settings.edges, 0.0)
         check_pixels(face, vertices, polygons, [o + rounded for o in off], out)
     if not polygons:
         return out

@@ -83,15 +83,14 @@ def look_error(radius: float) -> float:
         + 2.0 ** -16
 
 
-def seen_error(eye, reach: float) -> float:
-    """The largest distance of the eye from a face's plane at which the face may be seen or not."""
-    return (sum(abs(float(c)) for c in eye) + 3 * reach) * 2.0 ** -31 + (math.sqrt(3) + 3) * 2.0 ** -17
-
-
-def seen_error16(eye, reach: float, seen_shift: int) -> float:
-    """Returns the same with 16-bit operands."""
-    return seen_error(eye, reach) + sum(abs(float(c)) for c in eye) * 2.0 ** -14 \
-        + 3 * 2.0 ** (14 - seen_shift - 17) + 2.0 ** -16
+def seen_error(eye, reach: float, seen_shift: int | None = None) -> float:
+    """The largest distance of the eye from a face's plane at which the face may be seen or not;
+    ``seen_shift``: of the view16, if it decides."""
+    sides = sum(abs(float(c)) for c in eye)
+    error = (sides + 3 * reach) * 2.0 ** -31 + (math.sqrt(3) + 3) * 2.0 ** -17
+    if seen_shift is None:
+        return error
+    return error + sides * 2.0 ** -14 + 3 * 2.0 ** (14 - seen_shift - 17) + 2.0 ** -16
 
 
 def sum_error16(factors, point) -> Fraction:
