@@ -90,8 +90,10 @@ def transform_trial(arena: Arena, frame: tuple[int, int], points, row, title: st
 def transform_case():
     """COUNT points, all on the screen."""
     points = np.random.default_rng(1).integers(-1 << 17, 1 << 17, (COUNT, 3))
-    row = row16(ABOUT, view(9 << 16), points)
-    return transform_trial(Arena(), (ABOUT.width, ABOUT.height), mesh16.points_of(points), row).row(COUNT)
+    row, frame = row16(ABOUT, view(16 << 16), points), (ABOUT.width, ABOUT.height)
+    places = mesh16.transform(mesh16.points_of(points), row, frame)
+    assert places and places.shown.all()
+    return transform_trial(Arena(), frame, mesh16.points_of(points), row).row(COUNT)
 
 
 def attributes_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int,
