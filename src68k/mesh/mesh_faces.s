@@ -43,13 +43,13 @@ corner  macro
         add.l   a1,d0
         move.l  a3,-(sp)
         move.l  d0,-(sp)
-.face   move.w  (a1),d0                 ; scene_face_x
-        muls.w  d5,d0
-        move.w  scene_face_y(a1),d1
-        muls.w  d6,d1
+.face   move.w  d5,d0
+        muls.w  (a1),d0                 ; scene_face_x
+        move.w  d6,d1
+        muls.w  scene_face_y(a1),d1
         add.l   d1,d0
-        move.w  scene_face_z(a1),d1
-        muls.w  d7,d1
+        move.w  d7,d1
+        muls.w  scene_face_z(a1),d1
         add.l   d1,d0
         asr.l   d4,d0
         cmp.l   scene_face_distance(a1),d0

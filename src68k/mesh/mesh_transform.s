@@ -22,8 +22,8 @@ row     macro
         move.w  scene_view16_\1y(a6),d1
         add.w   d5,d1
         muls.w  d1,\2
-        move.w  scene_view16_\1z(a6),d1
-        muls.w  d7,d1
+        move.w  d7,d1
+        muls.w  scene_view16_\1z(a6),d1
         add.l   d1,\2
         add.l   scene_view16_\1_move(a6),\2
         sub.l   a5,\2
