@@ -8,20 +8,22 @@
 struct snap_plan {
     uint32 right, bottom;       /* largest x and y, 1/16 pixel */
     int32 count;                /* 1 or more */
-    struct mesh_point *points;
+    const struct mesh_point *points;
+    struct mesh_place *to;
 };
 
 enum gather_values {
-    GATHER_NONE, GATHER_SHADES, GATHER_TEXELS
+    GATHER_NONE, GATHER_SHADES, GATHER_TEXELS, GATHER_LIT
 };
 
 struct gather_plan {
-    const struct mesh_face *from, *end;
+    const struct mesh_face *from;       /* of a list */
     struct snapped_vertex *vertices;
-    struct triangle *list;              /* set to the place behind the last triangle */
+    struct triangle *list;
+    struct triangle *last;              /* set to the place behind the last triangle */
     const struct triangle *full;        /* behind this place of the list no face is taken */
     const struct material *material;    /* of all the faces */
-    uint32 flags;                       /* of their instances; GATHER_SHADES: with MESH_LIT */
+    uint32 flags;                       /* of their instances; GATHER_SHADES and GATHER_LIT: with MESH_LIT */
     int32 values;                       /* enum gather_values */
     fix16 scale;                        /* of the map; 0 for 1 */
     const struct mesh_placed *placed;   /* the last face's: mesh_gather sets it, and its corners */
@@ -31,6 +33,7 @@ struct gather_plan {
 /* src68k/mesh: contracts there. */
 void mesh_snap(const struct snap_plan *plan);
 const struct mesh_face *mesh_gather(struct gather_plan *plan);
+const struct mesh_face *mesh_link(struct gather_plan *plan);
 
 enum { BATCH_TRIANGLES = 64 };
 

@@ -20,9 +20,27 @@ struct mesh_point {
     fix16 x, y, w;              /* w: z, the depth */
     fix16 screen_x, screen_y;   /* written where outside is 0 */
     uint32 outside;             /* enum mesh_outside, ored */
-    int32 place;                /* mesh_snap's, if it is called */
-    uint32 spare;               /* 32 bytes: an index is a shift */
+    uint32 spare[2];            /* 32 bytes: an index is a shift */
 };
+
+/* A mesh's point in 16 bits: coordinates of scene_point * MESH_UNIT16 / the largest of the mesh,
+   rounded to the nearest. */
+struct mesh_point16 {
+    int32 product;              /* x * y */
+    int16 x, y, spare, z;
+};
+
+/* A point as triangles' routines take it, a struct snapped_vertex that is not lit. u and v are set for
+   instances with MESH_LINKED. */
+struct mesh_place {
+    int32 place;                /* x and y of struct snapped_vertex; negative: out of range */
+    int32 u, v;
+    int32 depth;                /* mesh_transform's, in the unit of its view */
+};
+
+/* In flags of struct mesh_placed: its triangles' vertices are its places. They have no values, or those
+   of the normal of the same number. */
+enum { MESH_LINKED = MESH_FLAGS };
 
 /* Values from a normal: s and t of an environment, shade of a light. */
 struct mesh_attributes {
@@ -31,6 +49,14 @@ struct mesh_attributes {
 };
 
 struct transform_plan {
+    const struct mesh_point16 *from;
+    int32 count;                /* 1 or more */
+    const struct scene_view16 *view;
+    struct mesh_place *to;
+    uint32 right, bottom;       /* largest x and y, 1/16 pixel */
+};
+
+struct wide_plan {
     const struct scene_point *from;
     int32 count;                /* 1 or more */
     const struct scene_view *view;
@@ -49,12 +75,25 @@ struct attribute_plan {
     fix16 base, low, high;
 };
 
+/* Values from normals to places. */
+struct values_plan {
+    const struct scene_normal *from;
+    int32 count;                /* 1 or more */
+    struct mesh_place *to;
+    const int16 *factors;       /* mesh_mirror: x, y, z of s, then of t; mesh_shade: of the light */
+    fix16 low, high;            /* of mesh_shade */
+};
+
 /* An instance in a frame. */
 struct mesh_placed {
     const struct scene_mesh *mesh;
     const struct scene_corner *corners;         /* the mesh's first */
     const struct material *material;
-    const struct mesh_point *points;
+    const struct scene_view *view;
+    const struct scene_view16 *view16;          /* 0: transformed with 32-bit operands */
+    struct mesh_point *points;                  /* with a view16 only those that are off the screen */
+    const struct mesh_place *places;            /* with a view16, or if routines for triangles may
+                                                   draw it */
     const struct mesh_attributes *attributes;
     uint32 flags;
 };
@@ -62,6 +101,7 @@ struct mesh_placed {
 /* A face to draw. */
 struct mesh_face {
     uint32 order;               /* its greatest depth, inverted: the least order is drawn first */
+    struct mesh_face *next;     /* mesh_sort's */
     const struct scene_face *face;
     const struct mesh_placed *placed;
 };
@@ -70,7 +110,6 @@ struct faces_plan {
     const struct scene_face *from;
     int32 count;                /* 1 or more */
     const struct mesh_placed *placed;
-    const struct scene_view *view;
     struct mesh_face *to;
 };
 
@@ -86,22 +125,34 @@ struct cut_plan {
 struct mesh_work {
     struct mesh_placed *placed;
     struct mesh_point *points;
+    struct mesh_place *places;
     struct mesh_attributes *attributes;
-    struct mesh_face *faces, *sorted;
+    struct mesh_face *faces;
 };
 
 /* src68k/mesh: contracts there. */
-void mesh_transform(const struct transform_plan *plan);
+int32 mesh_transform(const struct transform_plan *plan);
+void mesh_transform_wide(const struct wide_plan *plan);
 void mesh_attributes(const struct attribute_plan *plan);
+void mesh_mirror(const struct values_plan *plan);
+void mesh_shade(const struct values_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
+int32 mesh_faces_wide(const struct faces_plan *plan);
 void mesh_cut(const struct cut_plan *plan);
 
-enum { MESH_SORT_BUCKETS = 256 };
+/* Converts a mesh's points to 16 bits. */
+void mesh_points16(struct mesh_point16 *to, const struct scene_point *from, int32 count);
 
-/* Sorts by order, those of the same order as they came; the result is in one of the two
-   arrays, which is returned. at: scratch memory, MESH_SORT_BUCKETS. */
-struct mesh_face *mesh_sort(struct mesh_face *faces, struct mesh_face *room, int32 count,
-                            int32 *at);
+enum {
+    MESH_SORT_BUCKETS = 256,
+    MESH_SORT_STEPS_LOG = 4     /* of so many steps a face, log2, sorting by buckets is given up */
+};
+
+struct mesh_face *mesh_spread(struct mesh_face *faces, int32 count, struct mesh_face **at);
+
+/* Sorts by order, those of the same order as they came; returns the first of a list. at: scratch
+   memory, MESH_SORT_BUCKETS. */
+struct mesh_face *mesh_sort(struct mesh_face *faces, int32 count, struct mesh_face **at);
 
 /* Clips a convex polygon in camera space (x, y, w as in mesh_point) to all borders; sets *count to
    the number of vertices left. room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices

@@ -8,6 +8,9 @@ enum mesh_constants {
     MESH_COUNT_MAX = 4096,      /* points, normals and faces of a mesh, each */
     MESH_CORNERS_MAX = 32,      /* of a face: clipping adds some */
     MESH_REACH = 2048,          /* largest coordinate of a mesh's points */
+    MESH_UNIT16 = 16383,        /* largest coordinate of a mesh's points in 16 bits */
+    MESH_FACTOR16 = 16384,      /* largest factor of a view in 16 bits */
+    MESH_SHIFT16 = 31,          /* largest of its shifts */
     MESH_AWAY = 10240           /* distance of its origin from the camera on each axis, excluded:
                                    every point is less than 16,384 away */
 };
@@ -61,6 +64,24 @@ struct scene_view {
     int16 t_x, t_y, t_z;
     int16 light_x, light_y, light_z;            /* dark + normal * light_ is a shade */
     int16 spare;
+};
+
+/* The same from 16-bit points (struct mesh_point16) to places on the screen: three sums of products
+   and a move, modulo 2^32. The depth is w's sum >> divisor_shift; it is one of 16.16 once shifted
+   left by depth_shift. The sums of x and y divided by it are 1/16 pixel, the floor is the nearest. A
+   move holds what a sum is rounded by, less the product of its row's first two factors
+   (mesh_transform). The tools write it where every point is beyond the near plane and those on the
+   screen are then within 1/32 pixel of their exact places: tools/tmap/compiler/views16.py. */
+struct scene_view16 {
+    int32 w_move;
+    int16 wx, wy, wz, divisor_shift;
+    int32 x_move;
+    int16 xx, xy, xz, depth_shift;
+    int32 y_move;
+    int16 yx, yy, yz, seen_shift;
+    int16 eye_x, eye_y, eye_z;  /* the camera's position in the mesh, 16.16 >> 14 - seen_shift:
+                                   products with a normal's upper words >> seen_shift are 16.16 */
+    int16 is_used;              /* 0: this frame has none */
 };
 
 #endif

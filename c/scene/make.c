@@ -69,6 +69,42 @@ static uint32 larger(uint32 a, uint32 b)
     return a > b ? a : b;
 }
 
+/* Converts all points to 16 bits, each mesh in its unit, if a view takes them. */
+static int32 make_points16(struct scene *scene)
+{
+    const struct scene_mesh *mesh = scene->meshes;
+
+    scene->points16 = 0;
+    if (!scene->header->views16)
+        return 1;
+    if (!mem_alloc(&scene->points16,
+                   (int32)(scene->header->points * sizeof *scene->points16), MEMORY_ANY))
+        return 0;
+    for (uint32 i = scene->header->meshes; i; i--, mesh++)
+        mesh_points16(&scene->points16[mesh->point], &scene->points[mesh->point],
+                      (int32)mesh->points);
+    return 1;
+}
+
+/* Marks the meshes whose corners all have the normal of their point's number. */
+static int32 make_smooth(struct scene *scene)
+{
+    const uint32 count = scene->header->meshes;
+    const struct scene_mesh *mesh = scene->meshes;
+
+    if (!mem_alloc(&scene->smooth, (int32)count, MEMORY_ANY))
+        return 0;
+    for (uint32 i = 0; i < count; i++, mesh++) {
+        const struct scene_corner *corner = &scene->corners[mesh->corner];
+        uint8 is_smooth = mesh->points == mesh->normals;
+
+        for (uint32 left = mesh->corners; left && is_smooth; left--, corner++)
+            is_smooth = corner->point == corner->normal;
+        scene->smooth[i] = is_smooth;
+    }
+    return 1;
+}
+
 static enum scene_memory make_work(struct scene *scene)
 {
     const struct scene_instance *o = scene->instances;
@@ -96,10 +132,11 @@ static enum scene_memory make_work(struct scene *scene)
     }
     return mem_alloc(&work->placed, (int32)(most_instances * sizeof *work->placed), MEMORY_ANY)
         && mem_alloc(&work->points, (int32)(most_points * sizeof *work->points), MEMORY_ANY)
+        && mem_alloc(&work->places, (int32)(most_points * sizeof *work->places), MEMORY_ANY)
         && mem_alloc(&work->attributes, (int32)(most_normals * sizeof *work->attributes),
                      MEMORY_ANY)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
-        && mem_alloc(&work->sorted, (int32)(most_faces * sizeof *work->sorted), MEMORY_ANY)
+        && make_points16(scene) && make_smooth(scene)
         ? SCENE_MADE : SCENE_MESHES;
 }
 

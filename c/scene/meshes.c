@@ -46,6 +46,25 @@ static const char *wrong_table(const struct scene *scene)
     return 0;
 }
 
+static const char *wrong_view16(const struct scene *scene)
+{
+    const struct scene_view16 *v = scene->views16;
+
+    for (uint32 i = scene->header->views16; i; i--, v++) {
+        const int16 *row = &v->wx;
+        int32 k = 3;
+
+        for (; k > 0; k--, row += (&v->xx - &v->wx))
+            if (beyond(row[0], MESH_FACTOR16) || beyond(row[1], MESH_FACTOR16)
+                || beyond(row[2], MESH_FACTOR16))
+                return "view16.wx to yz";
+        if ((uint32)v->divisor_shift > MESH_SHIFT16 || (uint32)v->depth_shift > MESH_SHIFT16
+            || (uint32)v->seen_shift > MESH_SHIFT16)
+            return "view16.divisor_shift, depth_shift or seen_shift";
+    }
+    return 0;
+}
+
 static const char *wrong_face(const struct scene *scene, const struct scene_mesh *mesh)
 {
     const struct scene_face *face = &scene->faces[mesh->face];
@@ -143,6 +162,8 @@ static const char *wrong_instance(const struct scene *scene)
         before = o->before;
         if (o->views < 1 || !inside(o->view, o->views, h->views))
             return "instance.views";
+        if (o->view16 != NO_VIEW16 && !inside((uint32)o->view16, o->views, h->views16))
+            return "instance.view16";
         if (o->first_frame >= (uint32)h->frames)
             return "instance.first_frame";
         if (o->flags >= MESH_FLAGS)
@@ -158,6 +179,8 @@ const char *scene_wrong_mesh(const struct scene *scene)
 {
     const char *wrong = wrong_table(scene);
 
+    if (!wrong)
+        wrong = wrong_view16(scene);
     if (!wrong)
         wrong = wrong_mesh(scene);
     return wrong ? wrong : wrong_instance(scene);

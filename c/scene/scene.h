@@ -12,7 +12,7 @@
 struct scene_scratch {
     struct vertex placed[POLYGON_VERTICES_MAX];
     struct vertex face[MESH_CORNERS_MAX], cut[2 * POLYGON_VERTICES_MAX];
-    int32 buckets[MESH_SORT_BUCKETS];
+    struct mesh_face *buckets[MESH_SORT_BUCKETS];
     struct mesh_batch batch;
 };
 
@@ -24,6 +24,9 @@ struct scene {
 #undef TABLE
 #undef BLOCK
     struct mesh_work work;
+    struct mesh_point16 *points16;      /* one a point, if there are views16; of meshes that share points
+                                   the last one's */
+    uint8 *smooth;              /* one a mesh, 1: all corners have the normal of their point's number */
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */

@@ -15,11 +15,12 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 11,
+    SCENE_VERSION = 12,
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     NO_TEXTURE = -1,
     NO_UNIT = -1,
+    NO_VIEW16 = -1,
     NO_TABLE = -1,
     GUARD_MIN = 6,
     GUARD_MAX = 13              /* 8,192 pixels */
@@ -146,6 +147,7 @@ struct scene_instance {
     uint32 first_frame;
     uint32 flags;
     fix16 dark, bright;         /* range of shades with MESH_LIT */
+    int32 view16;               /* first of as many as views, or NO_VIEW16 */
 };
 
 /* One frame in the file that `render ... DIGEST name` writes instead of dumps. sum: of its

@@ -18,6 +18,7 @@
     TABLE(meshes, scene_mesh) \
     TABLE(instances, scene_instance) \
     TABLE(views, scene_view) \
+    TABLE(views16, scene_view16) \
     TABLE(units, scene_unit) \
     TABLE(lists, scene_list) \
     TABLE(words, n64_word) \

@@ -1,75 +1,85 @@
         include "routine.i"
 
-; mesh_faces - faces that are seen from the front and not wholly outside one border
+; mesh_faces - faces that are seen from the front, of a mesh with places and 16-bit operands
 ;
 ; in:      a0  const struct faces_plan*  count is 1 at least
 ; out:     d0  int32  how many
-; reads:   the plan, its mesh_placed, the view's eye, count faces, their corners' points
-; writes:  that many entries at to
-; formats: normals 2.30, eye and distance 16.16; order: the greatest depth, inverted
-; error:   a face counts as seen if floor(normal * eye) is above its distance
+; reads:   the plan, its mesh_placed, that one's view16, count faces, corners and places of those
+;          seen
+; writes:  that many entries at to, but not next
+; formats: normals' upper words 2.14, the view16's eye; order: the greatest depth, inverted
+; error:   of the eye's height above a face: less than 2^-14 of the sum of its three coordinates, for
+;          the normal, and 3 units of the eye's format
 ; cost:    bench row mesh_faces for four corners, mesh_faces_back for those not seen
+
+; d5-d7 the eye, d4 seen_shift, a2 depth_shift, a3 to, a4 the mesh_placed, a5 its corners, a6 depths
+; d2 = the greater of it and the depth of the corner \1 behind a0. Uses d0/d1.
+corner  macro
+        move.w  \1*scene_corner_sizeof(a0),d0   ; scene_corner_point, below MESH_COUNT_MAX
+        add.w   d0,d0
+        move.l  (a6,d0.w*8),d1          ; mesh_place_sizeof
+        cmp.l   d1,d2
+        bge.s   .nearer\@
+        move.l  d1,d2
+.nearer\@
+        endm
+
         routine mesh_faces,a0
         save_all
-        movea.l faces_plan_view(a0),a1
-        movem.l scene_view_eye_x(a1),d5-d7
         movea.l faces_plan_placed(a0),a4
+        movea.l mesh_placed_view16(a4),a1
+        move.w  scene_view16_eye_x(a1),d5
+        move.w  scene_view16_eye_y(a1),d6
+        move.w  scene_view16_eye_z(a1),d7
+        move.w  scene_view16_seen_shift(a1),d4
+        movea.w scene_view16_depth_shift(a1),a2
         movea.l mesh_placed_corners(a4),a5
-        movea.l mesh_placed_points(a4),a6
+        movea.l mesh_placed_places(a4),a6
+        lea     mesh_place_depth(a6),a6
         movea.l faces_plan_to(a0),a3
         movea.l faces_plan_from(a0),a1
+        moveq   #scene_face_sizeof,d0
+        mulu.l  faces_plan_count(a0),d0
+        add.l   a1,d0
         move.l  a3,-(sp)
-        move.l  faces_plan_count(a0),-(sp)
-.face   move.l  d5,d0
-        muls.l  (a1),d1:d0              ; scene_face_x
-        move.l  d0,d3
-        move.l  d1,d2
-        move.l  d6,d0
-        muls.l  scene_face_y(a1),d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        move.l  d7,d0
-        muls.l  scene_face_z(a1),d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        add.l   d3,d3                   ; 46 fraction bits -> 48, the upper longword's 16
-        addx.l  d2,d2
-        add.l   d3,d3
-        addx.l  d2,d2
-        cmp.l   scene_face_distance(a1),d2
+        move.l  d0,-(sp)
+.face   move.w  d5,d0
+        muls.w  (a1),d0                 ; scene_face_x
+        move.w  d6,d1
+        muls.w  scene_face_y(a1),d1
+        add.l   d1,d0
+        move.w  d7,d1
+        muls.w  scene_face_z(a1),d1
+        add.l   d1,d0
+        asr.l   d4,d0
+        cmp.l   scene_face_distance(a1),d0
         ble.s   .next
         move.l  scene_face_corner(a1),d0
-        move.l  d0,d1
-        add.l   d0,d0
-        add.l   d1,d0
-        lea     (a5,d0.l*4),a2          ; 12 bytes a corner
-        move.l  scene_face_corners(a1),d4
-        moveq   #-1,d3                  ; the borders that all corners are outside of
+        lea     (a5,d0.l*8),a0
+        lea     (a0,d0.l*4),a0          ; scene_corner_sizeof
+        moveq   #-3,d3
+        add.l   scene_face_corners(a1),d3
         moveq   #0,d2                   ; the greatest depth so far
-.corner moveq   #0,d0
-        move.w  (a2),d0                 ; scene_corner_point
-        lsl.l   #5,d0                   ; mesh_point_sizeof
-        lea     (a6,d0.l),a0
-        move.l  mesh_point_w(a0),d1
-        cmp.l   d1,d2
-        bge.s   .nearer
-        move.l  d1,d2
-.nearer and.l   mesh_point_outside(a0),d3
-        lea     scene_corner_sizeof(a2),a2
-        subq.l  #1,d4
-        bne.s   .corner
-        tst.l   d3
-        bne.s   .next
+        corner  0
+        corner  1
+        corner  2
+.more   subq.l  #1,d3
+        bmi.s   .found
+        corner  3
+        lea     scene_corner_sizeof(a0),a0
+        bra.s   .more
+.found  move.l  a2,d0
+        lsl.l   d0,d2
         not.l   d2
         move.l  d2,(a3)+
+        addq.l  #mesh_face_face-4,a3
         move.l  a1,(a3)+
         move.l  a4,(a3)+
 .next   lea     scene_face_sizeof(a1),a1
-        subq.l  #1,(sp)
-        bne.s   .face
+        cmpa.l  (sp),a1
+        bne     .face
         addq.l  #4,sp
         move.l  a3,d0
         sub.l   (sp)+,d0
-        divu.w  #mesh_face_sizeof,d0    ; 4,096 at most: fits
-        and.l   #$ffff,d0
+        lsr.l   #4,d0                   ; mesh_face_sizeof
         return_all

@@ -4,17 +4,18 @@
 ;
 ; in:      a0  struct gather_plan*  its placed and corners are set here
 ; out:     d0  const struct mesh_face*  the first face that was not taken
-; reads:   the plan, faces, their corners, places of points, attributes of normals
-; writes:  vertices; triangles; the plan's list, behind the last triangle
-; formats: places as mesh_snap makes them; s, t and shades 16.16; u, v and shades of vertices 12.20
+; reads:   the plan, faces, their corners, places, attributes of normals
+; writes:  vertices; triangles; the plan's last, behind the last triangle
+; formats: places as in struct mesh_place; s, t and shades 16.16; u, v, shades and levels of vertices
+;          12.20
 ; error:   u and v half of 1/65536 texel if the map's scale is not 1, else none
 ; cost:    bench rows mesh_gather_flat, mesh_gather_gouraud, mesh_gather_affine
 ;
-; It stops at the end of the faces or of the list's room, and at a face of another material or with
+; It stops at the end of the list of faces or of the list's room, and at a face of another material or with
 ; other flags, with more than TRIANGLE_CORNERS_MAX corners, of SNAPPED_LINES lines or more, or with
 ; a point, u or v that is out of range.
 
-; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the points, a6 the
+; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the places, a6 the
 ; attributes; d3 the face's first vertex, d4 corners left, d5 and d7 least and greatest y, d6 the
 ; map's scale, 0 for 1; in mirror_values SNAPPED_RAISED.
 
@@ -42,13 +43,11 @@ texels  macro
 ; The values of a corner, to the vertex. d1: its normal's attributes.
 flat_values macro
         addq.l  #8,a2
-        addq.l  #8,a3
+        lea     12(a3),a3
         endm
 
-; A shade is kept inside its whole shade's range: two compares of its fraction.
-gouraud_values macro
-        addq.l  #8,a2
-        move.l  mesh_attributes_shade(a6,d1.l),d2
+; A shade or level is kept inside its whole one's range: two compares of its fraction.
+inset   macro
         cmp.w   #SHADE_INSET,d2
         bhs.s   .least\@
         move.w  #SHADE_INSET,d2
@@ -57,15 +56,37 @@ gouraud_values macro
         bls.s   .greatest\@
         move.w  #-1-SHADE_INSET,d2
 .greatest\@
+        endm
+
+; The level of light, a quarter of the shade.
+level_value macro
+        move.l  mesh_attributes_shade(a6,d1.l),d2
+        lsr.l   #LEVEL_BITS-16,d2
+        inset
+        lsl.l   #4,d2
+        move.l  d2,(a3)+
+        endm
+
+gouraud_values macro
+        addq.l  #8,a2
+        move.l  mesh_attributes_shade(a6,d1.l),d2
+        inset
         add.l   #SNAPPED_RAISED,d2
         lsl.l   #4,d2
         move.l  d2,(a3)+
-        addq.l  #4,a3
+        addq.l  #8,a3
         endm
 
 affine_values macro
         texels  (a2)+
         texels  (a2)+
+        addq.l  #4,a3
+        endm
+
+lit_values macro
+        texels  (a2)+
+        texels  (a2)+
+        level_value
         endm
 
 ; An environment's s and t are 0 to 256: in range without a test if the scale is 1.
@@ -79,17 +100,26 @@ mirror_values macro
         add.l   d6,d2
         lsl.l   #4,d2
         move.l  d2,(a3)+
+        addq.l  #4,a3
         endm
 
 scaled_mirror_values macro
         addq.l  #8,a2
         texels  mesh_attributes_s(a6,d1.l)
         texels  mesh_attributes_t(a6,d1.l)
+        addq.l  #4,a3
+        endm
+
+lit_mirror_values macro
+        addq.l  #8,a2
+        texels  mesh_attributes_s(a6,d1.l)
+        texels  mesh_attributes_t(a6,d1.l)
+        level_value
         endm
 
 ; The faces. \1: the macro for the values of a corner.
 gather  macro
-.face\@ cmpa.l  gather_plan_end(a0),a1
+.face\@ move.l  a1,d0
         beq     gather_done
         cmpa.l  gather_plan_full(a0),a4
         bhi     gather_done
@@ -110,10 +140,9 @@ gather  macro
         move.w  #$7fff,d5
         moveq   #0,d7
 .corner\@
-        moveq   #0,d0
-        move.w  (a2)+,d0                ; scene_corner_point
-        lsl.l   #5,d0                   ; mesh_point_sizeof
-        move.l  mesh_point_place(a5,d0.l),d0
+        move.w  (a2)+,d0                ; scene_corner_point, below MESH_COUNT_MAX
+        add.w   d0,d0
+        move.l  (a5,d0.w*8),d0          ; mesh_place_sizeof
         bmi     gather_done
         move.l  d0,(a3)+
         moveq   #0,d1
@@ -128,7 +157,6 @@ gather  macro
         move.w  d0,d7
 .above\@
         \1
-        addq.l  #4,a3
         subq.l  #1,d4
         bne     .corner\@
         sub.w   d5,d7
@@ -145,7 +173,7 @@ gather  macro
         add.l   d1,d2
         cmp.l   a3,d2
         blo.s   .fan\@
-        lea     mesh_face_sizeof(a1),a1
+        movea.l mesh_face_next(a1),a1
         bra     .face\@
 .other\@
         movea.l d0,a2
@@ -157,7 +185,7 @@ gather  macro
         bne     gather_done
         move.l  d0,gather_plan_placed(a0)
         move.l  mesh_placed_corners(a2),gather_plan_corners(a0)
-        movea.l mesh_placed_points(a2),a5
+        movea.l mesh_placed_places(a2),a5
         movea.l mesh_placed_attributes(a2),a6
         bra     .same\@
         endm
@@ -173,11 +201,18 @@ gather  macro
         and.l   gather_plan_flags(a0),d0
         move.l  gather_plan_values(a0),d1
         beq     .flat
-        subq.l  #1,d1
+        subq.l  #GATHER_SHADES,d1
         beq     .gouraud
+        subq.l  #GATHER_LIT-GATHER_SHADES,d1
+        beq     .lit
         tst.l   d0
         bne     .mirror
         gather  affine_values
+.lit    tst.l   d0
+        bne     .lit_mirror
+        gather  lit_values
+.lit_mirror
+        gather  lit_mirror_values
 .mirror tst.l   d6
         bne     .scaled_mirror
         move.l  #SNAPPED_RAISED,d6
@@ -188,7 +223,7 @@ gather  macro
 .gouraud
         gather  gouraud_values
 gather_done
-        move.l  a4,gather_plan_list(a0)
+        move.l  a4,gather_plan_last(a0)
         move.l  a1,d0
         movea.l d0,a0                   ; where GCC expects a pointer
         return_all

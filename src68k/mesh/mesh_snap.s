@@ -4,7 +4,7 @@
 ;
 ; in:      a0  const struct snap_plan*  count is 1 at least
 ; reads:   the plan; screen_x, screen_y and outside of count points
-; writes:  place of count points: x and y as in struct snapped_vertex; negative if the point is
+; writes:  place of count entries at to: x and y as in struct snapped_vertex; negative if the point is
 ;          outside a border, or x or y is not from 0 to the largest
 ; formats: screen 16.16; the largest x and y 28.4; place 12.4 twice
 ; error:   1/32 pixel
@@ -12,6 +12,7 @@
         movem.l d2-d7,-(sp)
         movem.l snap_plan_right(a0),d6-d7
         move.l  snap_plan_count(a0),d3
+        movea.l snap_plan_to(a0),a1
         movea.l snap_plan_points(a0),a0
         move.l  #SNAPPED_HALF,d4
         moveq   #16-SNAPPED_BITS,d5
@@ -31,7 +32,8 @@
         swap    d0
         move.w  d1,d0
         add.w   #SNAPPED_ONE-1,d0
-.placed move.l  d0,mesh_point_place(a0)
+.placed move.l  d0,(a1)
+        lea     mesh_place_sizeof(a1),a1
         lea     mesh_point_sizeof(a0),a0
         subq.l  #1,d3
         bne.s   .point

@@ -1,128 +1,75 @@
         include "routine.i"
 
-; mesh_transform - camera and screen coordinates of a mesh's points
+; mesh_transform - places on the screen and depths of a mesh's points, with 16-bit operands
 ;
 ; in:      a0  const struct transform_plan*  count is 1 at least
+; out:     d0  int32  how many points are off the screen; -1: one is behind the eye, and those from it
+;                     on have no place
 ; reads:   the plan, its view, count points
-; writes:  to: x, y, w and outside of count entries; screen_x and screen_y if outside
-;          is 0
-; formats: points, x, y, w and screen 16.16; the view's factors 2.30. Sums must be
-;          below 16,384, which MESH_REACH and MESH_AWAY ensure
-; error:   x, y, w half a unit; screen_x, screen_y half a unit of the quotient of these
-; cost:    bench rows mesh_transform and mesh_transform_outside
+; writes:  place and depth of count entries at to
+; formats: points whole numbers, -MESH_UNIT16 to MESH_UNIT16; factors up to MESH_FACTOR16, so that
+;          a sum of both fits 16 bits; sums modulo 2^32; place as in struct snapped_vertex
+; error:   for views that the tools wrote the place is the nearest to a point within 1/32 pixel of
+;          the exact one: points and factors are within half a unit, see
+;          tools/tmap/compiler/views16.py
 
-; d2 = a coordinate; d5-d7 the point in 14.18, a1 a row of the stack. The sum has 48
-; fraction bits, so its upper longword is the result. The loop fits the instruction cache.
+; Two products and not three a sum: a x + b y = (a + y) (b + x) - a b - x y; x y is the point's, - a b
+; is in the move. \2 = the sum of the row that begins with the view's \1. d5 x, d6 y, d7 z, a5 x y.
+; Uses d1.
 row     macro
-        movem.l (a1)+,d2-d3
-        move.l  d5,d0
-        muls.l  (a1)+,d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        move.l  d6,d0
-        muls.l  (a1)+,d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        move.l  d7,d0
-        muls.l  (a1)+,d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
+        move.w  scene_view16_\1x(a6),\2
+        add.w   d6,\2
+        move.w  scene_view16_\1y(a6),d1
+        add.w   d5,d1
+        muls.w  d1,\2
+        move.w  d7,d1
+        muls.w  scene_view16_\1z(a6),d1
+        add.l   d1,\2
+        add.l   scene_view16_\1_move(a6),\2
+        sub.l   a5,\2
         endm
-
-; Projects \1, x or y, to the screen; \2: the middle. d2 depth, d3 half of it, d4 0, d5
-; 16 + guard, d6 16 - guard.
-screen  macro
-        move.l  \1,d0
-        move.l  d0,d1
-        asr.l   d6,d1
-        lsl.l   d5,d0
-        add.l   d3,d0
-        addx.l  d4,d1
-        divs.l  d2,d1:d0                ; towards zero: remainder of the dividend's sign
-        tst.l   d1
-        minus   <subq.l #1,d0>
-        add.l   \2(a4),d0
-        move.l  d0,(a2)+
-        endm
-
-; On the stack: three times x0, y0 or z0 in 32.32 and three factors; two shifts.
-shifts  equ     60
-room    equ     shifts+8
 
         routine mesh_transform,a0
         save_all
-        movea.l a0,a4
-        lea     -room(sp),sp
-        movea.l transform_plan_view(a4),a1      ; factors come first
-        lea     scene_view_x0(a1),a3
-        movea.l sp,a2
-        moveq   #2,d2
-.prepare
-        move.l  (a3)+,(a2)+
-        move.l  #$80000000,(a2)+        ; half a unit
-        move.l  (a1)+,(a2)+
-        move.l  (a1)+,(a2)+
-        move.l  (a1)+,(a2)+
-        dbra    d2,.prepare
-        moveq   #16,d0
-        moveq   #16,d1
-        add.l   transform_plan_guard(a4),d0
-        sub.l   transform_plan_guard(a4),d1
-        movem.l d0-d1,(a2)              ; the shifts of screen
-        movea.l transform_plan_from(a4),a0
-        move.l  transform_plan_count(a4),d0
-        move.l  d0,d1
-        add.l   d0,d0
-        add.l   d1,d0
-        lea     (a0,d0.l*4),a5
-        movea.l transform_plan_to(a4),a2
+        movea.l transform_plan_view(a0),a6
+        movea.l transform_plan_to(a0),a1
+        movea.l transform_plan_right(a0),a2
+        movea.l transform_plan_bottom(a0),a3
+        move.l  transform_plan_count(a0),d0
+        lsl.l   #4,d0                   ; mesh_place_sizeof
+        lea     (a1,d0.l),a4
+        movea.l transform_plan_from(a0),a0
+        move.w  scene_view16_divisor_shift(a6),d4
+        clr.l   -(sp)
 
-.point  movem.l (a0)+,d5-d7
-        lsl.l   #2,d5
-        lsl.l   #2,d6
-        lsl.l   #2,d7
-        movea.l sp,a1
-        row
-        movea.l d2,a3                   ; x
-        row
-        movea.l d2,a6                   ; y
-        row
-        move.l  a3,(a2)+
-        move.l  a6,(a2)+
-        move.l  d2,(a2)+
-
-        moveq   #0,d4
-        cmp.l   transform_plan_near_plane(a4),d2
-        bge.s   .far
-        moveq   #MESH_NEAR,d4
-.far    move.l  d2,d3
-        neg.l   d3
-        cmp.l   a3,d3
-        ble.s   .left
-        addq.w  #MESH_LEFT,d4
-.left   cmp.l   a3,d2
-        bge.s   .right
-        addq.w  #MESH_RIGHT,d4
-.right  cmp.l   a6,d3
-        ble.s   .above
-        addq.w  #MESH_ABOVE,d4
-.above  cmp.l   a6,d2
-        bge.s   .below
-        add.w   #MESH_BELOW,d4
-.below  tst.w   d4
-        bne.s   .outside
-        movem.l shifts(sp),d5-d6
-        move.l  d2,d3
-        lsr.l   #1,d3
-        screen  a3,transform_plan_middle_x
-        screen  a6,transform_plan_middle_y
-        move.l  d4,(a2)
-        bra.s   .next
-.outside
-        addq.l  #8,a2
-        move.l  d4,(a2)
-.next   lea     12(a2),a2
-        cmpa.l  a5,a0
+.point  movea.l (a0)+,a5
+        move.w  (a0)+,d5
+        move.w  (a0)+,d6
+        move.l  (a0)+,d7
+        row     w,d2
+        asr.l   d4,d2
+        ble.s   .behind                 ; or it would divide by 0
+        row     x,d3
+        divu.l  d2,d3
+        cmp.l   a2,d3                   ; a negative sum has too large a quotient too
+        bhi.s   .off
+        row     y,d0
+        divu.l  d2,d0
+        cmp.l   a3,d0
+        bhi.s   .off
+        swap    d3
+        move.w  d0,d3
+        add.l   #SNAPPED_ONE<<16+SNAPPED_ONE-1,d3
+.placed move.l  d3,(a1)+
+        addq.l  #mesh_place_depth-4,a1
+        move.l  d2,(a1)+
+        cmpa.l  a4,a1
         blo     .point
-        lea     room(sp),sp
+        move.l  (sp)+,d0
+        return_all
+.off    moveq   #-1,d3
+        addq.l  #1,(sp)
+        bra.s   .placed
+.behind addq.l  #4,sp
+        moveq   #-1,d0
         return_all

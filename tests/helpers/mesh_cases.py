@@ -4,6 +4,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from tmap.compiler import views16
+from tmap.model import mesh16
 from tmap.scene_file.meshes import COLUMNS, ENVIRONMENT, LIT, Instance, Mesh
 from tmap.scene_file.scene_file import IDENTITY, SETTINGS, Material, Object, Scene, Texture
 
@@ -96,6 +98,20 @@ def boxes(seed: int, frames: int = 4) -> Scene:
     return scene
 
 
+def before(seed: int, frames: int = 4) -> Scene:
+    """The same with the snapped cubes in the middle of the frame, some larger than it: with 16-bit operands
+    where the tools use them."""
+    random, scene = np.random.default_rng(seed + 100), boxes(seed, frames)
+    for instance in scene.instances[6:]:
+        for number in range(instance.view, instance.view + frames):
+            away = 2.0 ** scene.guard * 1.8 / random.uniform(8, 40)
+            move = np.array([*random.uniform(-0.1, 0.1, 2), 1]) * away
+            turn = scene.views[number, :9].reshape(3, 3) / UNIT
+            scene.views[number, 9:15] = np.rint([*move * ONE, *-turn.T @ move * ONE])
+    scene.near_plane = ONE
+    return views16.add(scene)
+
+
 def hostile(seed: int) -> Scene:
     """Meshes that no compiler writes: random numbers wherever the file may hold them."""
     random = np.random.default_rng(seed)
@@ -126,8 +142,21 @@ def hostile(seed: int) -> Scene:
     scene.views[:, 11] = random.integers(0, 2 * near, count)
     flags = (0, ENVIRONMENT, LIT, ENVIRONMENT | LIT)
     scene.instances = [Instance(0, k, 0, k, 1, 0, LIT if scene.materials[k].mapper == "gouraud"
-                                else flags[k % 4], 0, 255 * ONE) for k in range(count)]
+                                else flags[k % 4], 0, 255 * ONE, k) for k in range(count)]
+    scene.views16 = rows16(random, count)
     return scene
+
+
+def rows16(random, count: int) -> np.ndarray:
+    """Views for 16-bit operands, of any numbers."""
+    rows = np.column_stack([random.integers(-32768, 32768, count) for _ in COLUMNS["views16"]])
+    for at in (mesh16.W, mesh16.X, mesh16.Y):
+        rows[:, at] = random.integers(-2**31, 2**31, count)
+        rows[:, at + 1:at + 4] >>= 1
+        rows[:, at + 4] = random.integers(0, 32, count)
+    rows[:, mesh16.W] = abs(rows[:, mesh16.W])
+    rows[:, mesh16.DIVISOR_SHIFT] = random.integers(0, 12, count)
+    return rows
 
 
 def crowd(seed: int) -> Scene:

@@ -11,7 +11,7 @@ UNIT = 1 << 30
 
 def wrong_meshes() -> list[Row]:
     """Returns rows like those of wrong_pipes in glide_bad_files."""
-    made = mesh_cases.boxes(1)
+    made = mesh_cases.before(1)
     made.textures = [Texture(np.zeros((8, 8), np.uint8)),
                      Texture(np.zeros((30, 7), np.uint8), "linear")]
     made.instances[1].flags = 0
@@ -30,6 +30,11 @@ def wrong_meshes() -> list[Row]:
         entry("views", 4, field, UNIT + 1, 2**31, said="view.xx to zz")
     for field in ("x0", "y0", "z0"):
         entry("views", 4, field, 10240 << 16, -10240 << 16, said="view.x0, y0 or z0")
+    for field in ("wx", "xz", "yy"):
+        entry("views16", 2, field, 16385 << 16, 0xBFFF << 16, said="view16.wx to yz")
+    for field in ("divisor_shift", "depth_shift", "seen_shift"):
+        entry("views16", 3, field, 32 << 16, M32, said="view16.divisor_shift, depth_shift or seen_shift")
+    entry("instances", 7, "view16", len(made.views16) - 3, -2, 2**31 - 1)
     entry("corners", 6, "point", 8 << 16, M32)
     entry("corners", 6, "point", 6, said="corner.normal")  # the lower word is the normal's
     entry("faces", 1, "corner", 21, 24, M32, said="face.corners")

@@ -95,9 +95,10 @@ def test_scenes_are_as_exact_as_is_derived(name: str, monkeypatch) -> None:
 
 
 def test_random_meshes_are_the_models():
-    """Cubes of every kind of material, before, around and behind the camera; some in plain forms
-    too."""
+    """Cubes of every kind of material, before, around and behind the camera, some with 16-bit operands;
+    some in plain forms too."""
     scenes = {f"seed {seed}": mesh_cases.boxes(seed) for seed in range(12)}
+    scenes |= {f"before, seed {seed}": mesh_cases.before(seed) for seed in range(6)}
     plain = list(scenes)[:PLAIN]
     cut = sum(len(vertices) > 4 for name in plain for number in range(scenes[name].frames)
               for _, vertices in mesh.polygons_at(scenes[name], number))

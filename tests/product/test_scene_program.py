@@ -94,10 +94,10 @@ def folder(tmp_path_factory):
 INSIDE = {
     "triangle": (({"span_affine_addx"}, {"span_fill"}, {"edge_addx"}),
                  {"span_affine_row", "span_lit", "span_tiled", "span_gouraud", "edge_addx_exact",
-                  "perspective_lines", "mesh_transform", "mesh_draw"}),
-    "mesh": (({"mesh_transform"}, {"mesh_faces"}),
-             {"span_lit", "span_tiled", "span_generated", "logarithm_lines"}),
-    "flat": (({"span_fill"}, {"edge_flat"}), {"edge_addx", "texturing_plane", "mesh_transform"}),
+                  "perspective_lines", "mesh_transform_wide", "mesh_draw"}),
+    "mesh": (({"mesh_transform_wide"}, {"mesh_faces_wide"}),
+             {"mesh_transform", "mesh_gather", "span_lit", "span_tiled", "span_generated", "logarithm_lines"}),
+    "flat": (({"span_fill"}, {"edge_flat"}), {"edge_addx", "texturing_plane", "mesh_transform_wide"}),
     # The parts of their engine that the scene needs: no levels, divides or combiner.
     "units": (({"span_affine_16", "span_affine_16_wrap"}, {"n64_threepoint_16"}, {"n64_weights"},
                {"n64_command"}),

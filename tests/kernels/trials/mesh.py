@@ -1,14 +1,17 @@
 """Trials of src68k/mesh against tools/tmap/model/mesh.py, which is held to exact numbers elsewhere."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.mesh import (Gathered, attributes_trial, cut_trial, faces_trial, gather_trial, outside,
-                             snap_trial, transform_trial)
+from tmap.bench.mesh import (attributes_trial, cut_trial, faces_trial, faces_wide_trial, outside,
+                             snap_trial, spread_trial, transform_trial, values_trial, wide_trial)
+from tmap.bench.mesh_batches import Gathered, gather_trial
 from tmap.bench.trial import Trial
-from tmap.model import mesh
+from tmap.compiler import views16
+from tmap.model import mesh, mesh16
 from tmap.scene_file.meshes import ENVIRONMENT, LIT
 
 ONE, UNIT = 1 << 16, 1 << 30
@@ -50,10 +53,43 @@ def points_of(rng, count: int) -> list[tuple[int, ...]]:
 
 
 def mesh_transform_trials(rng) -> list[Trial]:
+    """Any factors, which mostly leave the screen, and those of views in which most points are on it."""
+    trials, shown, total = [], 0, 0
+    for count in (1, 2, 3, 40) * 30:
+        total += count
+        frame = [4 * int(n) for n in rng.integers(1, 100, 2)]
+        if rng.integers(6) == 0:
+            row = row16_of(rng)
+            points = np.array([[number(rng, 16383) for _ in range(3)] for _ in range(count)])
+        else:
+            about = SimpleNamespace(guard=int(rng.integers(6, 10)), width=frame[0], height=frame[1])
+            most = int(rng.integers(2, 2 * ONE))
+            whole = rng.integers(-most, most + 1, (count, 3))
+            row = views16.row_of(about, [*rotation(rng), *(int(n) for n in rng.integers(-ONE, ONE, 2)),
+                                         int(rng.integers(2 * ONE, 40 * ONE)), *([0] * 13)],
+                                 mesh16.reach(whole))
+            points = mesh16.points_of(whole)
+        places = mesh16.transform(points, row, frame)
+        shown += places is not None and int(places.shown.sum())
+        trials.append(transform_trial(Memory(), frame, points, row, f"{count} points"))
+    assert total / 4 < shown < 3 * total / 4
+    return trials
+
+
+def row16_of(rng) -> list[int]:
+    """A row of the views16 with any numbers that the file may hold."""
+    row = [number(rng, 16384) for _ in range(18)]
+    for at in (mesh16.W, mesh16.X, mesh16.Y):
+        row[at] = number(rng, (1 << 31) - 1)
+        row[at + 4] = int(rng.integers(0, 32))
+    return [*row, 1]
+
+
+def mesh_transform_wide_trials(rng) -> list[Trial]:
     trials = []
     for count in (1, 2, 3, 40) * 12:
         about, row, points = scene(rng), view(rng), points_of(rng, count)
-        trials.append(transform_trial(Memory(), about, points, row, f"{count} points"))
+        trials.append(wide_trial(Memory(), about, points, row, f"{count} points"))
     return trials
 
 
@@ -68,6 +104,25 @@ def mesh_attributes_trials(rng) -> list[Trial]:
         trials.append(attributes_trial(Memory(), normals, factors, base, low, high,
                                        f"{count} normals", 4))
     return trials
+
+
+def values_trials(kernel: str, rng) -> list[Trial]:
+    trials = []
+    for count in (1, 2, 33) * 12:
+        most = 1 << 14
+        normals = [(*(number(rng, most) for _ in range(3)), 0) for _ in range(count)]
+        low = int(rng.integers(0, 256 * ONE))
+        trials.append(values_trial(Memory(), kernel, normals, [number(rng, 32767) for _ in range(6)], low,
+                                   int(rng.integers(low, 256 * ONE)), f"{count} normals"))
+    return trials
+
+
+def mesh_mirror_trials(rng) -> list[Trial]:
+    return values_trials("mesh_mirror", rng)
+
+
+def mesh_shade_trials(rng) -> list[Trial]:
+    return values_trials("mesh_shade", rng)
 
 
 def vertex(rng) -> list[int]:
@@ -97,6 +152,19 @@ def face(rng, first: int, corners: int) -> list[int]:
 def mesh_faces_trials(rng) -> list[Trial]:
     trials = []
     for count in (1, 2, 30) * 10:
+        row, depths = row16_of(rng), [int(n) for n in rng.integers(1, 1 << 30, 12)]
+        row[mesh16.EYE:mesh16.EYE + 3] = [number(rng, 32767) for _ in range(3)]
+        sizes = rng.choice((3, 3, 4, 5, 32), count).tolist()
+        corners = [int(rng.integers(0, 12)) for _ in range(sum(sizes))]
+        firsts = (np.cumsum(sizes) - sizes).tolist()
+        faces = [face(rng, first, size) for first, size in zip(firsts, sizes)]
+        trials.append(faces_trial(Memory(), depths, corners, faces, row, f"{count} faces"))
+    return trials
+
+
+def mesh_faces_wide_trials(rng) -> list[Trial]:
+    trials = []
+    for count in (1, 2, 30) * 10:
         about, row, points = scene(rng), view(rng), points_of(rng, 12)
         points = [(p.x, p.y, p.w, outside(p, about.near_plane))
                   for p in mesh.transform(about, points, row)]
@@ -104,7 +172,7 @@ def mesh_faces_trials(rng) -> list[Trial]:
         corners = [int(rng.integers(0, 12)) for _ in range(sum(sizes))]
         firsts = (np.cumsum(sizes) - sizes).tolist()
         faces = [face(rng, first, size) for first, size in zip(firsts, sizes)]
-        trials.append(faces_trial(Memory(), points, corners, faces, row, f"{count} faces"))
+        trials.append(faces_wide_trial(Memory(), points, corners, faces, row, f"{count} faces"))
     return trials
 
 
@@ -128,7 +196,8 @@ def gathered(rng, mapper: str) -> Gathered:
     looks = [(*(int(n) for n in rng.integers(0, 256 * ONE + 1, 2)), int(rng.integers(0, 255 * ONE)))
              for _ in range(9)]
     most = 300 * ONE if rng.integers(3) else 700 * ONE
-    flags = {"gouraud": LIT, "affine": int(rng.choice((0, ENVIRONMENT)))}.get(mapper, 0)
+    flags = {"gouraud": LIT, "affine": int(rng.choice((0, ENVIRONMENT))),
+             "lit": LIT | int(rng.choice((0, ENVIRONMENT)))}.get(mapper, 0)
     faces = []
     for _ in range(int(rng.integers(1, 40))):
         count = int(rng.choice((3, 4)))
@@ -142,13 +211,36 @@ def gathered(rng, mapper: str) -> Gathered:
 def mesh_gather_trials(rng) -> list[Trial]:
     trials = []
     for k in range(90):
-        mapper = ("flat", "gouraud", "affine")[k % 3]
+        mapper = ("flat", "gouraud", "affine", "lit")[k % 4]
         trials.append(gather_trial(Memory(), gathered(rng, mapper), f"{mapper}, number {k}"))
     return trials
 
 
+def mesh_link_trials(rng) -> list[Trial]:
+    trials = []
+    for k in range(60):
+        these = replace(gathered(rng, ("flat", "gouraud", "affine")[k % 3]), is_linked=True)
+        trials.append(gather_trial(Memory(), these, f"number {k}"))
+    return trials
+
+
+def mesh_spread_trials(rng) -> list[Trial]:
+    """Many of one order, orders of any size, and crowds beside one that is far away."""
+    trials = []
+    for k, count in enumerate((1, 2, 3, 40, 200) * 8):
+        most = int(rng.choice((1, 30, 256, 257, 1 << 20, (1 << 32) - 1)))
+        least = int(rng.integers(0, (1 << 32) - most))
+        trials.append(spread_trial(Memory(), rng.integers(least, least + most + 1, count).tolist(),
+                                   f"{count} orders, number {k}"))
+    falling = [1 << 30, *range(120, 0, -1)]
+    trials.append(spread_trial(Memory(), falling[:1] + falling[:0:-1], "few steps"))
+    trials.append(spread_trial(Memory(), falling, "crowded", True))
+    return trials
+
+
 def trials() -> list[Trial]:
-    makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_trials, mesh_attributes_trials,
-              mesh_cut_trials, mesh_faces_trials)
+    makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_wide_trials, mesh_attributes_trials,
+              mesh_cut_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials, mesh_mirror_trials, mesh_shade_trials,
+              mesh_link_trials, mesh_spread_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

@@ -1,6 +1,6 @@
-"""Calls of the meshes' routines: of points, normals, faces and cut vertices."""
+"""Calls of the meshes' routines: of points, normals, faces and cut vertices. Batches of triangles:
+mesh_batches.py."""
 
-from dataclasses import dataclass
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,9 +9,9 @@ from tmap.base.linear import length, product
 from tmap.bench.examples.example import longs
 from tmap.bench.trial import Trial, Write, anything, fields, long_write
 from tmap.build import layout
+from tmap.compiler import views16
 from tmap.guest.kernels import Arena, Case
-from tmap.model import mesh, model
-from tmap.scene_file.meshes import ENVIRONMENT, LIT
+from tmap.model import mesh, mesh16, model
 from tmap.scene_file.scene_file import records
 from tmap.setup import snapped
 from tmap.setup.texturing import Settings
@@ -41,10 +41,10 @@ def outside(point, near: int) -> int:
     return sum(1 << k for k, depth in enumerate(depths) if depth < 0)
 
 
-def transform_trial(arena: Arena, about, points, row, title: str = "") -> Trial:
+def wide_trial(arena: Arena, about, points, row, title: str = "") -> Trial:
     """A mesh's points in a view. ``about``: the scene's near plane, guard, width and height."""
     to, size = arena.room("mesh_point", len(points)), layout.load().struct("mesh_point").size
-    plan_at = arena.struct("transform_plan", {
+    plan_at = arena.struct("wide_plan", {
         "from": table(arena, "scene_point", points), "view": table(arena, "scene_view", [row]),
         "to": to}, count=len(points), near_plane=about.near_plane, guard=about.guard,
         middle_x=about.width << 15, middle_y=about.height << 15)
@@ -52,15 +52,48 @@ def transform_trial(arena: Arena, about, points, row, title: str = "") -> Trial:
     for at, p in zip(range(to, to + size * len(points), size), mesh.transform(about, points, row)):
         writes += [Write(at, longs((p.x, p.y, p.w, *(p.screen or ())))),
                    long_write(at + 20, outside(p, about.near_plane))]
-    return Trial(Case("mesh_transform", arena, pointers={"a0": plan_at}), title, writes=writes)
+    return Trial(Case("mesh_transform_wide", arena, pointers={"a0": plan_at}), title, writes=writes)
 
 
-def transform_case(is_inside: bool):
+def wide_case(is_inside: bool):
     """COUNT points, all inside the borders or all outside."""
     rng, row = np.random.default_rng(1), view(9 << 16 if is_inside else -9 << 16)
     points = rng.integers(-1 << 17, 1 << 17, (COUNT, 3)).tolist()
     assert all(bool(p.screen) == is_inside for p in mesh.transform(ABOUT, points, row))
-    return transform_trial(Arena(), ABOUT, points, row).row(COUNT)
+    return wide_trial(Arena(), ABOUT, points, row).row(COUNT)
+
+
+def row16(about, row, points) -> list[int]:
+    """The view's factors for 16-bit operands."""
+    made = views16.row_of(about, row, mesh16.reach(np.array(points)))
+    assert made
+    return made
+
+
+def transform_trial(arena: Arena, frame: tuple[int, int], points, row, title: str = "") -> Trial:
+    """A mesh's points, 16-bit, in a view16. ``frame``: width and height."""
+    points = np.array(points, np.int64)
+    places = mesh16.transform(points, row, frame)
+    size, to = layout.load().struct("mesh_place").size, arena.room("mesh_place", len(points))
+    stored = np.column_stack([points[:, 0] * points[:, 1], points[:, :2], 0 * points[:, 0], points[:, 2]])
+    plan_at = arena.struct("transform_plan", {
+        "from": table(arena, "mesh_point16", stored), "view": table(arena, "scene_view16", [row]),
+        "to": to}, count=len(points), right=16 * min(frame[0], snapped.WIDTH), bottom=16 * frame[1])
+    writes = [anything(to, size * len(points))] if places is None else [
+        long_write(to + size * k + at, value)
+        for k, (x, y, w) in enumerate(zip(places.x.tolist(), places.y.tolist(), places.depth.tolist()))
+        for at, value in ((0, (x + 16 << 16 | y + 15) if places.shown[k] else -1), (12, w))]
+    return Trial(Case("mesh_transform", arena, pointers={"a0": plan_at}), title,
+                 {"d0": -1 if places is None else int((~places.shown).sum())}, writes=writes)
+
+
+def transform_case():
+    """COUNT points, all on the screen."""
+    points = np.random.default_rng(1).integers(-1 << 17, 1 << 17, (COUNT, 3))
+    row, frame = row16(ABOUT, view(16 << 16), points), (ABOUT.width, ABOUT.height)
+    places = mesh16.transform(mesh16.points_of(points), row, frame)
+    assert places and places.shown.all()
+    return transform_trial(Arena(), frame, mesh16.points_of(points), row).row(COUNT)
 
 
 def attributes_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int,
@@ -84,7 +117,34 @@ def attributes_case():
                             256 << 16).row(COUNT)
 
 
-def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
+def shade_of(value: int) -> int:
+    """Returns a Gouraud shade, 16.16, as it is drawn: kept inside its whole shade's range."""
+    return model.adapt([(0, 0, 0, 0, value)], Settings("snapped", mapper="gouraud"), 256)[0][2]
+
+
+def values_trial(arena: Arena, kernel: str, normals, factors: list[int], low: int, high: int,
+                 title: str = "") -> Trial:
+    """u and v or shades of normals, to places. ``low``, ``high``: of mesh_shade."""
+    size, to = layout.load().struct("mesh_place").size, arena.room("mesh_place", len(normals))
+    plan_at = arena.struct("values_plan", {
+        "from": table(arena, "scene_normal", normals), "to": to,
+        "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")},
+        count=len(normals), low=low, high=high)
+    columns = [mesh.looks(normals, factors[k:k + 3], 128 << 16, 0, 256 << 16) for k in (0, 3)] \
+        if kernel == "mesh_mirror" else [map(shade_of, mesh.looks(normals, factors[:3], low, low, high))]
+    return Trial(Case(kernel, arena, pointers={"a0": plan_at}), title, writes=[
+        long_write(to + size * k + at, value + snapped.RAISED << 4)
+        for at, column in zip((4, 8), columns) for k, value in enumerate(column)])
+
+
+def values_case(kernel: str):
+    """COUNT normals."""
+    normals = [(*n, 0) for n in np.random.default_rng(2).integers(-9000, 9000, (COUNT, 3)).tolist()]
+    return values_trial(Arena(), kernel, normals, [9000, -7000, 11000, 7000, 9000, 100], 20 << 16,
+                        220 << 16).row(COUNT)
+
+
+def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
     """Faces in a view: those that are seen. ``points``: x, y, w and the borders that each is
     outside of; ``corners``: numbers of points."""
     size, face_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face"))
@@ -92,11 +152,11 @@ def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> T
     points_at = arena.add(b"".join(map(longs, stored)), name="points")
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
     faces_at = table(arena, "scene_face", faces)
-    placed = arena.struct("mesh_placed", {"corners": corners_at, "points": points_at},
-                          mesh=0, material=0, attributes=0, flags=0)
+    placed = arena.struct("mesh_placed", {"corners": corners_at, "points": points_at,
+                                          "view": table(arena, "scene_view", [row])},
+                          mesh=0, material=0, places=0, view16=0, attributes=0, flags=0)
     to = arena.room("mesh_face", len(faces))
-    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to,
-                                          "view": table(arena, "scene_view", [row])}, count=len(faces))
+    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces))
     writes, seen = [], 0
     for k, face in enumerate(faces):
         first, count = face[4:]
@@ -106,30 +166,63 @@ def faces_trial(arena: Arena, points, corners, faces, row, title: str = "") -> T
             writes += fields(to + seen * size, "mesh_face", {"order": order},
                              {"face": faces_at + k * face_size, "placed": placed})
             seen += 1
+    return Trial(Case("mesh_faces_wide", arena, pointers={"a0": plan_at}), title, {"d0": seen}, writes=writes)
+
+
+def faces_trial(arena: Arena, depths, corners, faces, row, title: str = "") -> Trial:
+    """Faces in a view16: those that are seen. ``depths``: of points; ``corners``: numbers of points."""
+    size, face_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face"))
+    places_at = arena.add(b"".join(longs((0, 0, 0, depth)) for depth in depths), name="places")
+    corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
+    faces_at = table(arena, "scene_face", faces)
+    placed = arena.struct("mesh_placed", {"corners": corners_at, "places": places_at,
+                                          "view16": table(arena, "scene_view16", [row])},
+                          mesh=0, material=0, view=0, points=0, attributes=0, flags=0)
+    to = arena.room("mesh_face", len(faces))
+    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces))
+    writes, seen = [], 0
+    for k, face in enumerate(faces):
+        if mesh16.is_seen(face, row):
+            depth = max(depths[number] for number in corners[face[4]:sum(face[4:])])
+            writes += fields(to + seen * size, "mesh_face",
+                             {"order": ~(depth << row[mesh16.DEPTH_SHIFT]) & 0xFFFFFFFF},
+                             {"face": faces_at + k * face_size, "placed": placed})
+            seen += 1
     return Trial(Case("mesh_faces", arena, pointers={"a0": plan_at}), title, {"d0": seen}, writes=writes)
 
 
-def faces_case(is_seen: bool):
-    """COUNT quadrilaterals, all seen or all from the back."""
+def faces_input(is_seen: bool) -> tuple:
+    """COUNT quadrilaterals, all seen or all from the back; numbers of corners, the view."""
     sign, row = 1 if is_seen else -1, view(0)
     row[12:15] = 3 << 16, 5 << 16, 4 << 16
-    return faces_trial(Arena(), [(0, 0, (k + 1) << 16, 0) for k in range(4)],
-                       [k % 4 for k in range(4 * COUNT)], [[sign << 29, sign << 28, sign << 29, 0, 4 * k, 4]
-                                                           for k in range(COUNT)], row).row(COUNT)
+    return [k % 4 for k in range(4 * COUNT)], [
+        [sign << 29, sign << 28, sign << 29, 0, 4 * k, 4] for k in range(COUNT)], row
+
+
+def faces_wide_case(is_seen: bool):
+    """Quadrilaterals with 32-bit operands."""
+    return faces_wide_trial(Arena(), [(0, 0, (k + 1) << 16, 0) for k in range(4)],
+                            *faces_input(is_seen)).row(COUNT)
+
+
+def faces_case(is_seen: bool):
+    """The same with 16-bit operands."""
+    corners, faces, row = faces_input(is_seen)
+    return faces_trial(Arena(), [(k + 1) << 16 for k in range(4)], corners, faces,
+                       row16(ABOUT, row, [[1 << 18] * 3])).row(COUNT)
 
 
 def snap_trial(arena: Arena, points, right: int, bottom: int, title: str = "") -> Trial:
     """Points on the screen snapped to 1/16 pixel. ``points``: x, y in 16.16, and the borders that each
     is outside of; ``right``, ``bottom``: the largest x and y, 1/16 pixel."""
-    shape = layout.load().struct("mesh_point")
-    to = arena.add(b"".join(longs((0, 0, 0, x, y, borders, 0, 0)) for x, y, borders in points),
-                   name="points", shape=shape)
-    plan_at = arena.struct("snap_plan", {"points": to}, count=len(points), right=right, bottom=bottom)
+    points_at = arena.add(b"".join(longs((0, 0, 0, x, y, borders, 0, 0)) for x, y, borders in points),
+                          name="points")
+    to = arena.room("mesh_place", len(points))
+    plan_at = arena.struct("snap_plan", {"points": points_at, "to": to}, count=len(points), right=right, bottom=bottom)
     places = [place_of(x, y) if not borders and 0 <= snapped.snap(x) <= right
               and 0 <= snapped.snap(y) <= bottom else -1 for x, y, borders in points]
     return Trial(Case("mesh_snap", arena, pointers={"a0": plan_at}), title, writes=[
-        long_write(to + shape.size * k + shape.fields["place"]["offset"], place)
-        for k, place in enumerate(places)])
+        long_write(to + 16 * k, place) for k, place in enumerate(places)])
 
 
 def place_of(x: int, y: int) -> int:
@@ -143,108 +236,27 @@ def snap_case():
     return snap_trial(Arena(), points, 320 * 16, 256 * 16).row(COUNT)
 
 
-@dataclass
-class Gathered:
-    """Faces for mesh_gather: points (x, y in 1/16 pixel, None: out of range), attributes of normals (s,
-    t, shade), and faces: (instance, corners of (point, normal, s, t)). ``others``: instances of another
-    material."""
-
-    mapper: str
-    points: list
-    attributes: list
-    faces: list
-    flags: int = 0
-    scale: int = 0
-    room: int = 64  # triangles of the list
-    others: tuple[int, ...] = ()
-
-    def values(self, corners) -> list[tuple[int, ...]] | None:
-        """What the corners' vertices get besides a place; None if it is out of range."""
-        own = [self.attributes[normal] for _, normal, _, _ in corners]
-        if self.mapper == "flat":
-            return [()] * len(corners)
-        if self.mapper == "gouraud":
-            made = model.adapt([(0, 0, 0, 0, shade) for _, _, shade in own],
-                               Settings("snapped", mapper="gouraud"), 256)
-            return [(v[2] + snapped.RAISED << 4,) for v in made]
-        pairs = [at[:2] for at in own] if self.flags & ENVIRONMENT else [c[2:] for c in corners]
-        pairs = [[value * self.scale + 0x8000 >> 16 if self.scale else value for value in pair]
-                 for pair in pairs]
-        reach = snapped.TEXELS << 16
-        if any(not -reach <= value < reach for pair in pairs for value in pair):
-            return None
-        return [tuple(value + snapped.RAISED << 4 for value in pair) for pair in pairs]
-
-    def taken(self) -> list[tuple[list[int], list[tuple]]]:
-        """The places and values of the faces that are taken."""
-        made, triangles = [], 0
-        for instance, corners in self.faces:
-            places = [self.points[point] for point, *_ in corners]
-            ok = instance not in self.others and len(corners) <= snapped.CORNERS and None not in places
-            values = self.values(corners) if ok else None
-            ys = [place[1] for place in places if place]
-            if values is None or max(ys) - min(ys) >= 16 * snapped.LINES \
-                    or triangles > self.room - (snapped.CORNERS - 2):
-                return made
-            made.append(([x + 16 << 16 | y + 15 for x, y in places], values))
-            triangles += len(corners) - 2
-        return made
+def spread_trial(arena: Arena, orders: list[int], title: str = "", is_crowded: bool = False) -> Trial:
+    """Faces sorted by their orders."""
+    size = layout.load().struct("mesh_face").size
+    faces = arena.add(b"".join(longs((order, 0, 0, 0)) for order in orders), name="faces")
+    buckets = layout.load().constants["MESH_SORT_BUCKETS"]
+    at = arena.blank(4 * buckets, "buckets")
+    case = Case("mesh_spread", arena, {"d0": len(orders)}, pointers={"a0": faces, "a1": at})
+    nexts = [faces + size * k + 4 for k in range(len(orders))]
+    if is_crowded:
+        return Trial(case, title, {"d0": 0}, writes=[anything(at, 4 * buckets),
+                                                     *(anything(place, 4) for place in nexts)])
+    ways = sorted(range(len(orders)), key=lambda k: orders[k])
+    writes = [Write(nexts[a], longs((faces + size * b,)), pointer=True) for a, b in zip(ways, ways[1:])]
+    return Trial(case, title, near_ends={"d0": faces + size * ways[0]}, writes=[
+        *writes, long_write(nexts[ways[-1]], 0), anything(at, 4 * buckets)])
 
 
-def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
-    """Faces that become triangles of a batch, up to one that cannot."""
-    known = layout.load()
-    size, face_size, vertex_size = (known.struct(name).size
-                                    for name in ("mesh_face", "scene_face", "snapped_vertex"))
-    stored = [(0, 0, 0, 0, 0, 0, -1 if p is None else p[0] + 16 << 16 | p[1] + 15, 0)
-              for p in these.points]
-    corners_at = table(arena, "scene_corner", [c for _, corners in these.faces for c in corners])
-    sizes = [len(corners) for _, corners in these.faces]
-    faces_at = table(arena, "scene_face", [[0, 0, 0, 0, sum(sizes[:k]), count]
-                                           for k, count in enumerate(sizes)])
-    common = {"corners": corners_at,
-              "points": arena.add(b"".join(map(longs, stored)), name="points"),
-              "attributes": arena.add(b"".join(longs((*a, 0)) for a in these.attributes),
-                                      name="attributes")}
-    materials = [arena.blank(16, name) for name in ("material", "another")]
-    placed = [arena.struct("mesh_placed", common | {"material": materials[k in these.others]},
-                           mesh=0, flags=these.flags)
-              for k in range(1 + max(instance for instance, _ in these.faces))]
-    first = arena.add(b"".join(longs((0, faces_at + k * face_size, placed[instance]))
-                               for k, (instance, _) in enumerate(these.faces)), name="faces")
-    arena.pointers += [first + size * k + at for k in range(len(these.faces)) for at in (4, 8)]
-    done, rooms = these.taken(), these.room + 2
-    vertices = arena.room("snapped_vertex", 3 * rooms + 4)
-    listed = arena.room("triangle", rooms)
-    plan_at = arena.struct("gather_plan", {
-        "from": first, "end": first + size * len(these.faces), "vertices": vertices, "list": listed,
-        "full": listed + 12 * (these.room - (snapped.CORNERS - 2)), "material": materials[0]},
-        flags=these.flags, values=snapped.VALUES[these.mapper], scale=these.scale,
-        placed=0, corners=0)
-    writes, at, to = [], vertices, listed
-    for places, values in done:
-        for k, (place, value) in enumerate(zip(places, values)):
-            writes.append(Write(at + vertex_size * k, longs((place, *value))))
-        for k in range(2, len(places)):
-            writes += [Write(to + 4 * n, longs((at + vertex_size * which,)), pointer=True)
-                       for n, which in enumerate((0, k - 1, k))]
-            to += 12
-        at += vertex_size * len(places)
-    writes += [anything(at, vertex_size * snapped.CORNERS), *fields(plan_at, "gather_plan", {}, {"list": to}),
-               anything(plan_at + known.struct("gather_plan").fields["placed"]["offset"], 8)]
-    return Trial(Case("mesh_gather", arena, pointers={"a0": plan_at}), title,
-                 near_ends={"d0": first + size * len(done)}, writes=writes)
-
-
-def gather_case(mapper: str):
-    """COUNT triangles of three points."""
-    flags = {"gouraud": LIT, "affine": ENVIRONMENT}.get(mapper, 0)
-    these = Gathered(mapper, [(100, 200), (300, 250), (150, 500)],
-                     [(1 << 16, 2 << 20, 3 << 17), (5 << 19, 0, 1 << 16), (1 << 20, 1 << 21, 1 << 20)],
-                     [(0, [(k, k, 0, 0) for k in range(3)])] * COUNT, flags, room=COUNT + 2)
-    trial = gather_trial(Arena(), these)
-    assert len(these.taken()) == COUNT
-    return trial.row(COUNT)
+def spread_case():
+    """Four times COUNT faces of any depth in a range."""
+    orders = np.random.default_rng(5).integers(1 << 31, (1 << 31) + (1 << 18), 4 * COUNT).tolist()
+    return spread_trial(Arena(), orders).row(4 * COUNT)
 
 
 def cut_trial(arena: Arena, inside: list[int], beyond: list[int], part: int, whole: int,
@@ -267,10 +279,12 @@ def cut_case():
 
 
 #: Names of rows and what makes each: units, case and check.
-CASES = {"mesh_transform": lambda: transform_case(True),
-         "mesh_transform_outside": lambda: transform_case(False),
+CASES = {"mesh_transform": transform_case,
+         "mesh_transform_wide": lambda: wide_case(True),
+         "mesh_transform_wide_outside": lambda: wide_case(False),
          "mesh_attributes": attributes_case,
+         "mesh_mirror": lambda: values_case("mesh_mirror"), "mesh_shade": lambda: values_case("mesh_shade"),
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
-         "mesh_snap": snap_case, "mesh_cut": cut_case} | {
-             f"mesh_gather_{mapper}": lambda mapper=mapper: gather_case(mapper)
-             for mapper in snapped.VALUES}
+         "mesh_faces_wide": lambda: faces_wide_case(True),
+         "mesh_faces_wide_back": lambda: faces_wide_case(False),
+         "mesh_spread": spread_case, "mesh_snap": snap_case, "mesh_cut": cut_case}

@@ -12,6 +12,7 @@ from itertools import groupby
 import numpy as np
 
 from tmap.base.paths import SCENES
+from tmap.compiler import views16
 from tmap.compiler.scene import compile_scene
 from tmap.guest import guest_frames
 from tmap.guest.emulator import CYCLES_PER_TICK, MEASURED, PATIENT_SECONDS
@@ -56,11 +57,12 @@ def some_frames(scene: Scene, numbers: list[int]) -> Scene:
     """A scene of these frames alone, in this order; a frame may be there twice."""
     objects, poses, places = cut(scene.objects, scene.poses, "pose", numbers)
     instances, views, _ = cut(scene.instances, scene.views, "view", numbers)
-    instances = [replace(each, before=places[each.before]) for each in instances]
+    instances = [replace(each, before=places[each.before], view16=-1) for each in instances]
     units, lists = cut_lists(scene, numbers)
-    return replace(scene, frames=len(numbers), objects=objects, instances=instances,
+    made = replace(scene, frames=len(numbers), objects=objects, instances=instances,
                    poses=np.array(poses or scene.poses), views=np.array(views or scene.views),
                    units=np.array(units or scene.units), lists=np.array(lists or scene.lists))
+    return views16.add(made)
 
 
 @cache

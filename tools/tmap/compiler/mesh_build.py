@@ -185,6 +185,10 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
         [(0.0, 0.0, 1.0)] * len(point_of)  # unused
     unit = [np.rint(space.unit(n) * UNIT_14).astype(int) for n in turned]
     normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
+    if len(set(zip(point_of, normal_of))) == len(points) and 4 * len(normals) > 3 * len(points):
+        # One normal a point: it gets the point's number, and triangles share vertices on the Amiga.
+        first = dict(zip(point_of, normal_of))
+        normals, normal_of = normals[[first[k] for k in range(len(points))]], point_of
     texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
         [(0.0, 0.0)] * len(point_of)
     corners = [[point, normal, *map(fix, texel)]

@@ -16,7 +16,7 @@ from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
 from tmap.build import layout
 from tmap.compiler import (glide, glide_build, materials, n64_build, objects as scene_space,
-                           primitives, projectors)
+                           primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
 from tmap.scene_file.scene_file import IDENTITY, Object, Scene
@@ -171,7 +171,8 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     objects, vertices, poses = place_objects(spec, count, pixels.ramps, space, where)
     colours, textures, looks = materials.build(spec, pixels, engines | pipes,
                                                 path.parent, where)
-    return Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
+    made = Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
                  **engine_tables, **pipe_tables)
+    return views16.add(made)

@@ -38,7 +38,7 @@ from tmap.base.linear import length, product
 from tmap.compiler.objects import RADIUS
 from tmap.ideal import bounds, bounds_perspective, ideal, mesh as ideal_mesh, perspective
 from tmap.ideal.ideal import UNIT
-from tmap.model import mesh as model_mesh, model
+from tmap.model import mesh as model_mesh, mesh16, model
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
 from tmap.setup import planarity
 from tmap.setup.texturing import Settings
@@ -190,14 +190,26 @@ def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[
     mesh, first, count = scene.meshes[instance.mesh], row[4], row[5]
     corners = scene.corners[mesh.corner + first:mesh.corner + first + count].copy()
     points, normals = scene.points[mesh.point + corners[:, 0]], scene.normals[mesh.normal + corners[:, 1]]
-    corners[:, 0] = corners[:, 1] = np.arange(count)
+    corners[:, 1] = np.arange(count)
+    if instance.view16 < 0:
+        corners[:, 0] = np.arange(count)
+    else:  # all points decide whether they are transformed with 16-bit operands
+        points = scene.points[mesh.point:mesh.point + mesh.points]
     alone = replace(scene, points=points, normals=normals, corners=corners,
                     faces=np.array([[*row[:4], 0, count]]),
-                    meshes=[Mesh(0, count, 0, count, 0, count, 0, 1)])
+                    meshes=[Mesh(0, len(points), 0, count, 0, count, 0, 1)])
     found = model_mesh.faces_of(alone, replace(instance, mesh=0), number)
     view = scene.views[instance.view + number - instance.first_frame].tolist()
-    cut = any(p.screen is None for p in model_mesh.transform(scene, points.tolist(), view))
+    cut = any(p.screen is None for p in model_mesh.transform(scene, points[corners[:, 0]].tolist(), view))
     return (found[0][1] if found and len(found[0][1]) >= 3 else []), cut
+
+
+def short_row(scene, instance: Instance, number: int) -> list[int] | None:
+    """Returns the view's factors for 16-bit operands if an instance is drawn with them in a frame."""
+    if instance.view16 < 0:
+        return None
+    row = scene.views16[instance.view16 + number - instance.first_frame].tolist()
+    return row if model_mesh.transform16(scene, instance, scene.meshes[instance.mesh], row) else None
 
 
 def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
@@ -327,7 +339,8 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     vertices, cut = drawn_face(scene, instance, row, number)
     longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
     polygons: list[model.Polygon] = []
-    doubt = ideal_mesh.seen_error(camera.eye, reach)
+    short = short_row(scene, instance, number)
+    doubt = ideal_mesh.seen_error(camera.eye, reach, short and short[mesh16.SEEN_SHIFT])
     if vertices:
         pieces = planarity.parts(vertices, material, scene.frame_shape, longer, planarity.ALL)
         made = [model.prepare_polygon(scene, instance.material, piece) for piece in pieces]
@@ -344,7 +357,8 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     e = ideal_mesh.corner_error(reach, cut)
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
     if settings.edges != "integer" and settings.clip == "scissor":
-        rounded = {"subpixel": (camera.height + 1) * UNIT / 2, "snapped": 1 / 32}.get(settings.edges, 0.0)
+        rounded = {"subpixel": (camera.height + 1) * UNIT / 2,
+                   "snapped": 1 / 32 + ideal_mesh.SHORT * bool(short)}.get(settings.edges, 0.0)
         check_pixels(face, vertices, polygons, [o + rounded for o in off], out)
     if not polygons:
         return out

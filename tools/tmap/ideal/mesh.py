@@ -27,6 +27,22 @@ coordinates and 3 reach from the eye, so the eye's height over the face is off b
 
 If the eye is nearer to the face's plane than that, the face may be seen or not.
 
+With 16-bit operands (struct scene_view16) points P and factors F are whole numbers, each off by half a
+unit. A sum of three such products is off by at most
+
+    sum_error16 = (sum of |F| + sum of |P|) / 2 + 3/4 + 1/2,
+
+the last for its move. The depth is that of w's sum, shifted, and rounded to half a unit. x and y in
+1/16 pixel are the quotients of such sums and the depth v; x is off by at most
+
+    place_error16 = (sum_error16 of x + x depth_error16) / v.
+
+The tools write such a view if that is at most SHORT = 1/32 pixel in truth, for all points on the
+screen. Normals lose the lower words of their coordinates, less than 2^-14 each, and the eye has a
+unit of its own, 2^(cut - 16), so the eye's height over a face is off by
+
+    seen_error16 = seen_error + (sum of |e|) 2^-14 + 3 2^(cut - 17) + 2^-16.
+
 A border cuts an edge at a place computed from both ends, each of which is near the exact point. So
 the new corner is as near to a place on the exact edge as the ends are to theirs, plus the rounding
 of its numbers by half a unit. There are five borders: x, y and w of a corner are within
@@ -42,6 +58,7 @@ from fractions import Fraction
 
 from tmap.base.fixed import ONE
 
+SHORT = 1 / 32  # pixels by which 16-bit operands may move a point, before it is snapped
 CUT = 5 * 2.0 ** -17  # error that cutting at all borders adds to a corner's numbers
 
 
@@ -66,9 +83,19 @@ def look_error(radius: float) -> float:
         + 2.0 ** -16
 
 
-def seen_error(eye, reach: float) -> float:
-    """The largest distance of the eye from a face's plane at which the face may be seen or not."""
-    return (sum(abs(float(c)) for c in eye) + 3 * reach) * 2.0 ** -31 + (math.sqrt(3) + 3) * 2.0 ** -17
+def seen_error(eye, reach: float, seen_shift: int | None = None) -> float:
+    """The largest distance of the eye from a face's plane at which the face may be seen or not;
+    ``seen_shift``: of the view16, if it decides."""
+    sides = sum(abs(float(c)) for c in eye)
+    error = (sides + 3 * reach) * 2.0 ** -31 + (math.sqrt(3) + 3) * 2.0 ** -17
+    if seen_shift is None:
+        return error
+    return error + sides * 2.0 ** -14 + 3 * 2.0 ** (14 - seen_shift - 17) + 2.0 ** -16
+
+
+def sum_error16(factors, point) -> Fraction:
+    """Returns the error of a sum of products of 16-bit operands."""
+    return Fraction(sum(map(abs, (*factors, *point))), 2) + Fraction(5, 4)
 
 
 def corner_error(reach: float, is_cut: bool) -> float:

@@ -5,7 +5,8 @@ Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 
 from dataclasses import dataclass
 
-from tmap.base.fixed import ONE, mul_div, signed
+from tmap.base.fixed import M32, ONE, mul_div, signed
+from tmap.model import mesh16
 from tmap.scene_file.meshes import ENVIRONMENT, LIT
 from tmap.scene_file.scene_file import vertices_at
 from tmap.setup import planarity
@@ -33,7 +34,7 @@ def depths(x: int, y: int, w: int, near: int) -> tuple[int, ...]:
 
 
 def transform(scene, points, view) -> list[Point]:
-    """mesh_transform: rows of x, y, z; ``view``: a row of the views."""
+    """mesh_transform_wide: rows of x, y, z; ``view``: a row of the views."""
     rows = [(*view[3 * k:3 * k + 3], view[9 + k]) for k in range(3)]
     made = []
     for px, py, pz in points:
@@ -113,6 +114,23 @@ def polygons_of(material, vertices: list[tuple]) -> list[list[tuple]]:
     return planarity.fan(vertices)
 
 
+def transform16(scene, instance, mesh, row) -> mesh16.Places | None:
+    """Returns the places of an instance with 16-bit operands; None if it has no such factors (``row`` is
+    None, or not for its material) or a point is behind the eye."""
+    if row is None or not mesh16.is_used(scene.materials[instance.material], row):
+        return None
+    points = mesh16.all_points(scene)[mesh.point:mesh.point + mesh.points]
+    return mesh16.transform(points, row, (scene.width, scene.height))
+
+
+def with_places(points: list[Point], places: mesh16.Places, row) -> list[Point]:
+    """Returns the points with the places of those that are on the screen."""
+    made = []
+    for point, x, y, w, is_shown in zip(points, *(column.tolist() for column in vars(places).values())):
+        made.append(Point(0, 0, w << row[mesh16.DEPTH_SHIFT], (x << 12, y << 12)) if is_shown else point)
+    return made
+
+
 def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
     """Returns the faces of an instance that may be seen in a frame: greatest depth, drawn vertices
     (fewer than 3 if nothing is left)."""
@@ -120,18 +138,23 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
     if not 0 <= age < instance.views:
         return []
     mesh, view = scene.meshes[instance.mesh], scene.views[instance.view + age].tolist()
-    points = transform(scene, scene.points[mesh.point:mesh.point + mesh.points].tolist(), view)
+    row = scene.views16[instance.view16 + age].tolist() if instance.view16 >= 0 else None
+    wide = points = transform(scene, scene.points[mesh.point:mesh.point + mesh.points].tolist(), view)
+    places = transform16(scene, instance, mesh, row)
+    if places:
+        points = with_places(wide, places, row)
     normals = scene.normals[mesh.normal:mesh.normal + mesh.normals].tolist()
     made_s, made_t, shades = looks_of(instance, normals, view)
     made = []
     for face in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
-        if not is_seen(face, view):
+        if not (mesh16.is_seen(face, row) if places else is_seen(face, view)):
             continue
         first = mesh.corner + face[4]
         corners = scene.corners[first:first + face[5]].tolist()
         used = [points[point] for point, *_ in corners]
-        borders = zip(*(depths(p.x, p.y, p.w, scene.near_plane) for p in used))
-        if any(max(border) < 0 for border in borders):
+        cut = [wide[point] for point, *_ in corners]
+        borders = zip(*(depths(p.x, p.y, p.w, scene.near_plane) for p in cut))
+        if not places and any(max(border) < 0 for border in borders):
             continue
         rests = [(made_s[n] if made_s else s, made_t[n] if made_t else t,
                   shades[n] if shades else 0) for _, n, s, t in corners]
@@ -139,8 +162,10 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
             vertices = [(*p.screen, *rest, p.w) for p, rest in zip(used, rests)]
         else:
             vertices = [(*project(scene, v[0], v[1], v[5]), *v[2:]) for v in clip(
-                [(p.x, p.y, *rest, p.w) for p, rest in zip(used, rests)], scene.near_plane)]
-        made.append((max(0, *(p.w for p in used)), vertices))
+                [(p.x, p.y, *rest, p.w) for p, rest in zip(cut, rests)], scene.near_plane)]
+        order = max(0, *(p.w for p in used)) if not places else \
+            max(int(places.depth[point]) for point, *_ in corners) << row[mesh16.DEPTH_SHIFT] & M32
+        made.append((order, vertices))
     return made
 
 

@@ -34,7 +34,7 @@ ASM_ROOMS = (*contracts.KERNELS, "gen")
 LISTS = {"polygon_draw": ("polygon_draw",),
          "perspective": ("reciprocals_make", "logarithms_make"),
          "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
-         "mesh": ("mesh_draw",), "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
+         "mesh": ("mesh_draw", "mesh_points16"), "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "triangles.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')

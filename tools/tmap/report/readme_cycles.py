@@ -163,14 +163,22 @@ def dithered_tables(baseline: dict) -> str:
 
 
 #: Meshes: title of a line, bench row.
-MESH_LINES = (("a point, to the camera and the screen", "mesh_transform"),
-              ("a point outside the borders", "mesh_transform_outside"),
-              ("a point, snapped", "mesh_snap"),
-              ("a normal: one of s, t and shade", "mesh_attributes"),
+MESH_LINES = (("a point, to the screen, 16-bit operands", "mesh_transform"),
+              ("a point, to the camera and the screen, 32-bit operands", "mesh_transform_wide"),
+              ("... outside the borders", "mesh_transform_wide_outside"),
+              ("... snapped", "mesh_snap"),
+              ("a face seen from the back, 16-bit operands", "mesh_faces_back"),
               ("a face of four corners that is seen", "mesh_faces"),
-              ("a face seen from the back", "mesh_faces_back"),
-              ("a triangle's corners into a batch, environment", "mesh_gather_affine"),
-              ("a triangle's corners into a batch, light", "mesh_gather_gouraud"),
+              ("a face seen from the back, 32-bit operands", "mesh_faces_wide_back"),
+              ("a face of four corners that is seen", "mesh_faces_wide"),
+              ("a normal: s and t, to a vertex", "mesh_mirror"),
+              ("a normal: the shade, to a vertex", "mesh_shade"),
+              ("a normal: one of s, t and shade, to a table", "mesh_attributes"),
+              ("a face sorted by depth", "mesh_spread"),
+              ("a triangle of shared vertices into a batch", "mesh_link"),
+              ("a triangle of copied vertices: flat", "mesh_gather_flat"),
+              ("... shades", "mesh_gather_gouraud"),
+              ("... environment", "mesh_gather_affine"),
               ("a new corner where a border cuts", "mesh_cut"))
 
 

@@ -71,6 +71,8 @@ FORMATS = (
            "c/triangle/triangles.h", "tests/kernels/trials/triangle.py"),
     Format("2.14", "logarithms of 1/q, in octaves", 16, 14, True, "nearest", "c/span/logarithm.h",
            "tests/kernels/trials/logarithm.py"),
+    Format("14.0", "points of a mesh and factors of its view for 16-bit operands, in units of their own", 15,
+           0, True, "nearest", "c/mesh/records.h", "tests/mesh/test_mesh16.py"),
     Format("2.30", "factors of a mesh's view", 32, 30, True, "nearest", "c/scene/scene_file.h",
            "tests/mesh/test_mesh_ideal.py"),
     Format("9.7", "factors of normals: environment, light", 16, 7, True, "nearest",

@@ -19,7 +19,9 @@ COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
            "faces": ("x", "y", "z", "distance", "corner", "corners"),
            "views": ("xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz", "x0", "y0", "z0",
                      "eye_x", "eye_y", "eye_z", "s_x", "s_y", "s_z", "t_x", "t_y", "t_z",
-                     "light_x", "light_y", "light_z", "spare")}
+                     "light_x", "light_y", "light_z", "spare"),
+           "views16": ("w_move", "wx", "wy", "wz", "divisor_shift", "x_move", "xx", "xy", "xz", "depth_shift",
+                       "y_move", "yx", "yy", "yz", "seen_shift", "eye_x", "eye_y", "eye_z", "is_used")}
 ENVIRONMENT, LIT = 1, 2  # MESH_ENVIRONMENT, MESH_LIT
 UNIT_14, UNIT_30 = 1 << 14, 1 << 30  # 1.0 in 2.14 and 2.30
 
@@ -51,6 +53,7 @@ class Instance:
     flags: int = 0
     dark: int = 0
     bright: int = 0
+    view16: int = -1  # NO_VIEW16
 
 
 def empty(table: str) -> np.ndarray:
@@ -117,6 +120,9 @@ def check(scene, name: str) -> None:
     require_all(name, "faces", scene.faces, "xyz", -UNIT_30, UNIT_30)
     require_all(name, "views", scene.views, COLUMNS["views"][:9], -UNIT_30, UNIT_30)
     require_all(name, "views", scene.views, ("x0", "y0", "z0"), -away, away)
+    factor, shift = limits["MESH_FACTOR16"], limits["MESH_SHIFT16"]
+    require_all(name, "views16", scene.views16, [f"{row}{c}" for row in "wxy" for c in "xyz"], -factor, factor)
+    require_all(name, "views16", scene.views16, ("divisor_shift", "depth_shift", "seen_shift"), 0, shift)
     for i, mesh in enumerate(scene.meshes):
         check_mesh(scene, mesh, name, f"meshes[{i}]")
     if scene.instances:
@@ -131,6 +137,8 @@ def check(scene, name: str) -> None:
         before = instance.before
         require(name, f"{where}.views", instance.views, 1, limits["SCENE_COUNT_MAX"])
         require(name, f"{where}.view", instance.view, 0, len(scene.views) - instance.views)
+        if instance.view16 != limits["NO_VIEW16"]:
+            require(name, f"{where}.view16", instance.view16, 0, len(scene.views16) - instance.views)
         require(name, f"{where}.first_frame", instance.first_frame, 0, scene.frames - 1)
         require(name, f"{where}.flags", instance.flags, 0, limits["MESH_FLAGS"] - 1)
         check_look(scene, instance, name, where)

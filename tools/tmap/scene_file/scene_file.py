@@ -73,6 +73,7 @@ class Scene:
     meshes: list[Mesh] = field(default_factory=list)
     instances: list[Instance] = field(default_factory=list)
     views: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views"), repr=False)
+    views16: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views16"), repr=False)
     units: np.ndarray = field(default_factory=lambda: scene_units.empty("units"), repr=False)
     lists: np.ndarray = field(default_factory=lambda: scene_units.empty("lists"), repr=False)
     words: np.ndarray = field(default_factory=lambda: scene_units.empty("words"), repr=False)
