@@ -136,19 +136,15 @@ triangle_small macro
 ; d3 = the first line, d7 = the middle vertex's, d4 = the one below the last. Goes to \1 if there is
 ; no line.
 triangle_lines macro
-        moveq   #0,d3
-        move.w  d0,d3
-        moveq   #0,d4
-        move.w  d3,d4
+        bfextu  d0{16:12},d3
+        move.w  d0,d4
         add.w   d2,d4
-        lsr.w   #4,d4
-        moveq   #0,d7
-        move.w  d3,d7
-        lsr.w   #4,d3
+        bfextu  d4{16:12},d4
         cmp.w   d3,d4
         beq     \1
+        move.w  d0,d7
         add.w   d1,d7
-        lsr.w   #4,d7
+        bfextu  d7{16:12},d7
         endm
 
 ; d4 = the step a pixel away from the long edge of the value at \1 in a vertex, 16.16, towards zero;

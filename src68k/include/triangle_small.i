@@ -27,11 +27,11 @@ small_sizeof    rs.l    0
 ; reciprocals, d5 = 15. Uses d6.
 edge_small macro
         move.l  \1,d4
-        asr.l   d5,d4                   ; 2 dx
-        muls.l  (a4,\1.w*4),d6:d4       ; 32.32
-        move.w  d6,d4                   ; ff:whole
-        move.l  d4,d6
-        swap    d6                      ; 16.16
+        clr.w   d4
+        add.l   d4,d4                   ; 2^17 dx
+        muls.l  (a4,\1.w*4),d6:d4       ; 16.48
+        move.l  d6,d4
+        swap    d4                      ; ff:whole
         add.w   batch_pitch+2(a5),d4
         move.w  \2,d3
         not.w   d3

@@ -32,11 +32,12 @@ wide_list       rs.l    1
 wide_sizeof     rs.l    0
 
 TALL            equ     $80             ; batch_room's first byte: it overflows where it is doubled
+; Their lowest six bits are also what shifts the values' steps (value_start_wide).
 BELOW           equ     64              ; 2^-21 pixel
 BELOW_FINER     equ     8               ; from FINER_HEIGHT on
 
 ; \1:\2 = the slope dx:dy of \3, whole pixels and a fraction, 0.32. d3 = the slope as 15.17, d7 = how
-; far below x + 1 the edge begins. \4: dy's reciprocal. d5 = 15.
+; far below x + 1 the edge begins, 11.21. \4: dy's reciprocal. d5 = 15.
 slope_wide macro
         move.l  \3,\2
         clr.w   \2
@@ -60,7 +61,8 @@ slope_wide macro
         ext.l   \1
         endm
 
-; d6 = x where an edge crosses its first line, 11.21, from the vertex x:y \1, the prestep \2, d3 and d7.
+; d6 = x of the edge on its first line, 11.21, from the vertex x:y \1, the prestep \2, the slope d3 and
+; d7, which is taken off.
 place_wide macro
         muls.l  \2,d3
         move.l  \1,d6

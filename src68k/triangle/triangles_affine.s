@@ -70,6 +70,7 @@ affine_enter macro
         jmp     (a2,d4.w*8)
         endm
 
+; A line's pixels in a triangle of the class \2.
 affine_block macro
 affine_\2_\1
         rept    16
@@ -82,7 +83,8 @@ affine_\2_end_\1
         endc
         endm
 
-; A line's last round has 16 pixels, not none: it is counted from 1 less.
+; Goes to the line's pixels. Unless the triangle is narrow, the first round has those that whole rounds
+; leave, 0 to 15: d4 becomes one below minus their number.
 affine_go macro
         ifc     '\2','narrow'
         affine_enter affine_\2_end_\1

@@ -70,6 +70,7 @@ gouraud_enter macro
         jmp     \1(pc,\2.w*4)
         endm
 
+; A line's pixels in a triangle of the class \2.
 gouraud_block macro
 gouraud_\2_\1
         ifc     '\2','narrow'
@@ -87,7 +88,8 @@ gouraud_\2_end_\1
         endc
         endm
 
-; A line's last round has 32 pixels, not none: it is counted from 1 less.
+; Goes to the line's pixels. Unless the triangle is narrow, the first round has those that whole rounds
+; leave, 0 to 31: d7 becomes one below minus their number.
 gouraud_go macro
         ifc     '\2','narrow'
         gouraud_enter gouraud_\2_end_\1,d7

@@ -46,7 +46,7 @@ PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_rounded"}
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
 #: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
 #: linked.
-MOST = {"spans": 1_500, "example": 51_000, "triangles": 74_000}
+MOST = {"spans": 1_500, "example": 51_000, "triangles": 78_000}
 #: Names of sections, by linker: of code, and of tables.
 SECTIONS = {"vlink": {Hunk.HUNK_CODE: "CODE", Hunk.HUNK_DATA: "DATA"},
             "gcc": {Hunk.HUNK_CODE: ".text", Hunk.HUNK_DATA: ".data"}}
