@@ -128,24 +128,37 @@ static void set_cuts(struct texturing *t, enum mapper mapper)
     t->v_cut = mapper == MAPPER_TILED ? CUT_TILED_V : t->u_cut;
 }
 
+/* Finds the plane of a polygon that has its outline. Materials of texture units have the units' plane,
+   to the last bit. */
+static void set_plane(struct setup *s)
+{
+    struct texturing *t = &s->texturing;
+    enum chain chain = chain_of(s);
+
+    set_cuts(t, s->material->mapper);
+    if (s->material->whole) {
+        texturing_plane(t, &s->sides, &s->box, chain);
+        texturing_starts(t, s->edges.left, s->edges.lefts);
+    } else {
+        plane_find(s, (int32)chain);
+    }
+}
+
 /* Finds the outline and, unless the polygon is flat or has no plane of u and v, the plane. */
 static enum polygon_result set_outline(struct setup *s)
 {
-    int32 chain = OUTLINE_ALONE;
+    const int32 has_plane = !is_flat(s) && s->kind != SPAN_PERSPECTIVE
+        && s->material->gradients == GRADIENTS_PLANE;
+    enum polygon_result result;
 
-    if (!is_flat(s) && s->kind != SPAN_PERSPECTIVE
-        && s->material->gradients == GRADIENTS_PLANE) {
+    if (has_plane && !s->material->whole) {
         set_cuts(&s->texturing, s->material->mapper);
-        chain = (int32)chain_of(s);
+        return outline_find(s, (int32)chain_of(s));
     }
-    return outline_find(s, chain);
-}
-
-/* Finds the plane of a polygon that has its outline. */
-static void set_plane(struct setup *s)
-{
-    set_cuts(&s->texturing, s->material->mapper);
-    plane_find(s, (int32)chain_of(s));
+    result = outline_find(s, OUTLINE_ALONE);
+    if (has_plane && result == POLYGON_DRAWN)
+        set_plane(s);
+    return result;
 }
 
 /* Finds the polygon's steps and the starts on its left edges; a plane is there already. */

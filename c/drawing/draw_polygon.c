@@ -4,7 +4,7 @@
 static int32 is_plain(const struct material *material)
 {
     return material->edges != EDGES_SNAPPED && material->mapper <= MAPPER_AFFINE
-        && material->gradients != GRADIENTS_SCANLINE && !material->perspective
+        && material->gradients != GRADIENTS_SCANLINE && !material->perspective && !material->whole
         && material->clip == CLIP_SCISSOR;
 }
 

@@ -31,8 +31,7 @@ static int32 chain_of(struct texturing *t, const struct material *material)
         return OUTLINE_ALONE;
     if (material->mapper == MAPPER_GOURAUD)
         return CHAIN_SHADES;
-    return material->start != START_SUBTEXEL ? CHAIN_ANYWHERE
-         : material->whole ? CHAIN_WHOLE : CHAIN_PLANE;
+    return material->start == START_SUBTEXEL ? CHAIN_PLANE : CHAIN_ANYWHERE;
 }
 
 /* Finds steps, and the starts on left edges, where the plane alone does not give them. */

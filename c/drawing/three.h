@@ -4,8 +4,8 @@
 
 #include "polygon/polygon.h"
 
-/* Triangles by flat, Gouraud's or affine spans without perspective; not EDGES_SNAPPED, CLIP_VERTICES or
-   GRADIENTS_SCANLINE. The rules that such triangles do not need would take a quarter of a small one's
+/* Triangles by flat, Gouraud's or affine spans without perspective; not EDGES_SNAPPED, CLIP_VERTICES,
+   GRADIENTS_SCANLINE or `whole`. The rules that such triangles do not need would take a quarter of a small one's
    time. */
 polygon_routine polygon_draw_three;
 

@@ -170,8 +170,9 @@ typedef enum polygon_result polygon_routine(struct renderer *renderer,
 struct material {
     uint8 mapper, edges, gradients, start, clip;
     uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
-    uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: u's lowest bit counts even
-                                   where v wraps in a line, for 2 cycles a pixel there */
+    uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: the plane of texture units to
+                                   the last bit. u's lowest counts even where v wraps in a line,
+                                   for 2 cycles a pixel there */
     uint8 spare[3];
     uint16 number;              /* its index in the renderer's counts */
     fix16 tolerance;            /* texels that u and v may be off for cheaper perspective, in

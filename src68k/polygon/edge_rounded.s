@@ -33,9 +33,13 @@
         swap    d1
         clr.w   d1
         sub.l   d5,d1                   ; prestep
+        beq.s   .on_line                ; no prestep: as with integer edges
         muls.l  d1,d5:d0
         nearest d5,d0
-        add.l   vertex_x(a1),d0
+        bra.s   .x
+.on_line
+        moveq   #0,d0
+.x      add.l   vertex_x(a1),d0
         add.l   #(EDGE_BIAS<<16)+$ffff,d0
         cmp.l   #$10000,d3
         bls.s   .one_line               ; unsigned: up to 32,768 lines

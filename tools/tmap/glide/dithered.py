@@ -48,7 +48,7 @@ def lines(units, frame: np.ndarray, vertices, settings: Settings):
         return None
     height, width = frame.shape
     polygon = set_up(corners, width, height, True, replace(settings, mapper="dithered"),
-                     level_size(modes, level))
+                     level_size(modes, level), for_unit=True)
     if polygon is None:
         return None, []
     return polygon, [colours(units[0], level, lod, line, y)

@@ -198,14 +198,14 @@ def plane_lines(polygon: Polygon, columns: list[int], settings: Settings) -> Non
 
 
 def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settings,
-                  size: tuple[int, int] | None) -> bool:
+                  size: tuple[int, int] | None, for_unit: bool) -> bool:
     """Sets u, v and steps of a polygon's lines; returns False if its corners have no area."""
     groups = [[line] for line in polygon.lines if line.right > line.left]
     if settings.gradients == "scanline":
         scanline_lines(polygon.left_edges, polygon.right_edges, polygon.lines, settings)
     else:
         corners, box = outline.corners, outline.box
-        polygon.texturing = plane(vertices, corners, box, settings, True) \
+        polygon.texturing = plane(vertices, corners, box, settings, not for_unit) \
             if settings.gradients == "plane" else longest(vertices, corners, box, settings)
         if polygon.texturing is None:
             return False
@@ -242,11 +242,13 @@ def may_be_written(vertices, settings: Settings) -> bool:
 
 
 def set_up(vertices, width: int, height: int, textured: bool, settings: Settings = Settings(),
-           size: tuple[int, int] | None = None, pixel_bytes: int = 1) -> Polygon | None:
+           size: tuple[int, int] | None = None, pixel_bytes: int = 1,
+           for_unit: bool = False) -> Polygon | None:
     """Sets a polygon up for a frame; returns None if it is refused or covers no pixel.
 
     ``vertices``: a list of (x, y, u, v), with a perspective (x, y, u, v, w), 16.16, lit ones
-    with their level last, as ``adapt`` returns them; ``size``: the map's, in texels.
+    with their level last, as ``adapt`` returns them; ``size``: the map's, in texels; ``for_unit``: a
+    texture unit's planes, all gradients in 32.32.
     """
     n = len(vertices)
     if not 3 <= n <= CORNERS_MAX or any(not -FAR <= c < FAR for v in vertices for c in v[:4]):
@@ -265,7 +267,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     if settings.perspective != "none" and not is_flat(vertices, settings.tolerance) \
             and set_perspective(polygon, vertices, outline, settings):
         return polygon
-    if textured and not set_texturing(polygon, vertices, outline, settings, size):
+    if textured and not set_texturing(polygon, vertices, outline, settings, size, for_unit):
         return None
     by_code = settings.mapper != "generated" or all(map(stays_in_row, polygon.lines))
     polygon.mapper = settings.mapper if by_code else "affine"

@@ -70,7 +70,7 @@ def set_up_pair(points: Sequence[tuple[int, int]], pair: Sequence[tuple[int, int
     bases = [min(c) + max(c) >> 1 for c in zip(*pair)]
     moved = [(*point, *(value - base for value, base in zip(values, bases)))
              for point, values in zip(points, pair)]
-    polygon = set_up(moved, width, height, True, settings)
+    polygon = set_up(moved, width, height, True, settings, for_unit=True)
     if polygon is None:
         return None
     at, t = spans(polygon), polygon.texturing
