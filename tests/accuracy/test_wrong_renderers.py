@@ -91,8 +91,8 @@ WRONG = {
         polygon, "plane", lambda right: lambda vertices, corners, *rest: right(
             vertices, (0, 1, 2), *rest), "rotation reversal"),
     "u and v are computed relative to the frame's corner, not to the polygon": (
-        polygon, "plane", lambda right: lambda vertices, corners, box, settings: right(
-            vertices, corners, (0, 0, *box[2:]), settings), "translation"),
+        polygon, "plane", lambda right: lambda vertices, corners, box, *rest: right(
+            vertices, corners, (0, 0, *box[2:]), *rest), "translation"),
     "s and t are clamped to the map's borders instead of repeating": (
         model, "adapt", lambda right: lambda *given: [
             (x, y, *(min(max(c, 0), SIDE - 1) for c in uv)) for x, y, *uv in right(*given)],

@@ -73,12 +73,12 @@ HEAD_32 = HEAD.replace("frames", 'format = "rgba8888"\nframes')
 
 
 @pytest.mark.parametrize("text, material", [
-    (FLAT, Material("flat", colour=1)),
+    (FLAT, Material("flat", "snapped", colour=1)),
     (FLAT + ', edges = "exact", gradients = "polygon", start = "truncated"',
      Material("flat", "exact", "polygon", "truncated", colour=1)),
     (RAMP + ', edges = "integer"', Material("gouraud", "integer")),
-    (FLAT + ', clip = "vertices"', Material(clip="vertices", colour=1)),
-    ('texture = "square"', Material("affine", texture=0)),
+    (FLAT + ', clip = "vertices"', Material("flat", "snapped", clip="vertices", colour=1)),
+    ('texture = "square"', Material("affine", "snapped", texture=0)),
     ('texture = "square", gradients = "scanline"', Material("affine", gradients="scanline", texture=0)),
     ('texture = "small", mapper = "columns"', Material("columns", texture=0)),
     ('texture = "odd", mapper = "arbitrary"', Material("arbitrary", texture=0)),
@@ -87,7 +87,7 @@ HEAD_32 = HEAD.replace("frames", 'format = "rgba8888"\nframes')
     ('texture = "tall", mapper = "columns"', Material("columns", texture=0)),
     ('texture = "small", mapper = "lit", gradients = "scanline"',
      Material("lit", gradients="scanline", texture=0, light=1)),
-    ('texture = "square", mapper = "lit_gouraud"', Material("lit_gouraud", texture=0, light=1)),
+    ('texture = "square", mapper = "lit_gouraud"', Material("lit_gouraud", "snapped", texture=0, light=1)),
     ('texture = "small", mapper = "dithered"', Material("dithered", texture=0)),
 ])
 def test_settings(folder, text, material):
@@ -215,7 +215,7 @@ def test_formats_with_alpha(folder, name, background, red, white):
         "[textures]", '[textures]\nalpha = {image = "alpha.png", width = 8, height = 8}', 1)
     made = make(folder, 'texture = "alpha"', head=head + 'red.colour = "#ff0000"\n')
     assert (made.format, made.background) == (name, background)
-    assert made.materials == [Material(colour=red), Material("affine", texture=0)]
+    assert made.materials == [Material("flat", "snapped", colour=red), Material("affine", "snapped", texture=0)]
     texels = made.textures[0].texels
     assert texels.dtype == made.pixel.dtype and (texels[:4] == white).all()
     assert not (texels[4:] & (1 if name == "rgba5551" else 255)).any()

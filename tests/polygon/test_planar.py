@@ -35,16 +35,16 @@ odd = {{ image = "noise.png", width = 96, height = 64 }}
 NOISE = 'image = "noise.png", format = "rgb565"'
 #: The material's fields and four corners that are on no plane; below, the frame's format.
 SCENES = {
-    "affine": ('texture = "noise"', "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
+    "affine": ('texture = "noise", edges = "exact"', "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
     "integer": ('texture = "noise", edges = "integer"',
                 "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
     "arbitrary": ('texture = "odd", mapper = "arbitrary"',
                   "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 200, 170], [6, 40, 90, 20]]"),
     "tiled": ('texture = "noise", mapper = "tiled"',
               "[[4, 4, 0, 0], [60, 6, 255, 0], [56, 44, 255, 255], [6, 40, 90, 160]]"),
-    "gouraud": ('shades = ["#000000", "#ffff00"]',
+    "gouraud": ('shades = ["#000000", "#ffff00"], edges = "exact"',
                 "[[4, 4, 0], [60, 6, 255], [56, 44, 10], [6, 40, 200]]"),
-    "lit_gouraud": ('texture = "noise", mapper = "lit_gouraud"',
+    "lit_gouraud": ('texture = "noise", mapper = "lit_gouraud", edges = "exact"',
                     "[[4, 4, 0, 0, 0], [60, 6, 200, 0, 255], [56, 44, 200, 136, 10], [6, 40, 0, 128, 250]]"),
     "perspective": ('texture = "noise", perspective = "every8"',
                     "[[4, 4, 0, 0, 1], [60, 6, 255, 0, 2], [56, 44, 255, 255, 2], [6, 40, 0, 255, 2]]"),

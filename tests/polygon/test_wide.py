@@ -28,7 +28,7 @@ background = "#102030"
 [textures]
 wall.image = "noise.png"
 [materials]
-it = {{texture = "wall"}}
+it = {{texture = "wall", edges = "subpixel"}}
 """
 #: Vertices [x, y, s, t] of upright pictures, one texel a pixel: inside the map, across its sides,
 #: more than twice round it, mirrored in t.

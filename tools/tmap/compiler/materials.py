@@ -68,7 +68,8 @@ def has_shades(material: dict) -> bool:
 def is_for_triangles(material: dict) -> bool:
     """Returns true if routines for triangles draw a checked material."""
     settings = material["gradients"], material["start"], material["perspective"]
-    return mapper_of(material) == "flat" or mapper_of(material) in snapped.VALUES \
+    mapper = mapper_of(material)
+    return mapper == "flat" or mapper in snapped.VALUES and mapper != "arbitrary" \
         and settings == ("plane", "subtexel", "none")
 
 
