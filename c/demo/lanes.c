@@ -96,7 +96,7 @@ void lanes_probe(struct player *player)
         struct lane *lane = &player->lane[i];
 
         draw(player, i, player->part->pane[i].worst);
-        lane->worst = lane->last + lane->last / 16;
+        lane->worst = lane->last + lane->last / 8;
         lane_draw(player, i);
     }
 }

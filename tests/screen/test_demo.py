@@ -16,7 +16,7 @@ from tmap.guest import emulator
 from tmap.run import demo
 from tmap.run.governor import Governor
 
-FRAMES = 40
+FRAMES = 48
 MOST = 50  # most pictures of a form in the race's frames
 WHOLE = 2  # frames, one for each set of planes, until panes are whole after a step's change
 FIELDS = 2  # a frame, for 25 a second
