@@ -145,7 +145,7 @@ void mesh_points16(struct mesh_point16 *to, const struct scene_point *from, int3
 
 enum {
     MESH_SORT_BUCKETS = 256,
-    MESH_SORT_STEPS_LOG = 4     /* of so many steps a face, log2, sorting by buckets is given up */
+    MESH_SORT_STEPS_LOG = 4     /* log2: with more steps a face than this, a merge sort is used */
 };
 
 struct mesh_face *mesh_spread(struct mesh_face *faces, int32 count, struct mesh_face **at);

@@ -5,7 +5,7 @@
 #include "polygon/scratch.h"
 #include "polygon/shading.h"
 
-/* Sets what triangles_spans needs besides. */
+/* Sets the fields that only triangles_spans reads. */
 static void triangle_spans_set(struct triangle_plan *plan, enum span_kind kind,
                                struct triangle_lines *to, const struct renderer *renderer,
                                const struct material *material)

@@ -25,7 +25,7 @@ enum snapped_limits {
     SNAPPED_TALL = 128,
     TALL_RAISED = 160,
 
-    /* What is not higher, in 1/16 line, may be drawn in 16 bits: as small. */
+    /* The greatest height of small triangles, 1/16 line: their edges have 16 bits of fraction. */
     SMALL_HEIGHT = 224,
 
     /* Reciprocals: 2^31 / dy, from FINER_HEIGHT sixteenths of a line on 2^39 / dy. */
