@@ -8,6 +8,7 @@
    polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
    arithmetic. */
 #include "drawing/clamp.h"
+#include "drawing/draw.h"
 #include "drawing/fan.h"
 #include "drawing/generated.h"
 #include "drawing/lower.h"

@@ -1,17 +1,17 @@
-#include "drawing/three.h"
+#include "drawing/draw.h"
 
-/* Returns non-zero if the plain spans draw a triangle of the material, without perspective. */
-static int32 is_plain(const struct material *material)
-{
-    return material->edges != EDGES_SNAPPED && material->mapper <= MAPPER_AFFINE
-        && material->gradients != GRADIENTS_SCANLINE && !material->perspective && !material->whole
-        && material->clip == CLIP_SCISSOR;
-}
+#include "drawing/three.h"
 
 enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon *polygon,
                                  const struct material *material)
 {
-    return polygon->count == 3 && is_plain(material)
-         ? polygon_draw_three(renderer, polygon, material)
-         : polygon_draw_any(renderer, polygon, material);
+    struct three three;
+
+    if (polygon->count == 3 && three_set(&three, renderer, material)) {
+        const enum polygon_result result = three_polygon(&three, polygon->vertices);
+
+        if ((int32)result != THREE_OTHER)
+            return result;
+    }
+    return polygon_draw_any(renderer, polygon, material);
 }

@@ -67,20 +67,26 @@ const struct vertex *material_made(struct vertex *to, const struct vertex *from,
     return to;
 }
 
+uint32 material_steep(const struct material *material, int32 lines)
+{
+    const uint32 rounded = (uint32)EDGES_32 / (uint32)(lines + 1);
+
+    if (material->gradients != GRADIENTS_PLANE)
+        return 0;
+    if (EDGES_ARE_EXACT(material->edges))
+        return STEEP_256;
+    return material->clip == CLIP_VERTICES ? STEEP_4
+         : rounded < STEEP_256 >> 16 ? rounded << 16 : STEEP_256;
+}
+
 /* Returns non-zero if the error of edges or of gradients may move u or v by more than INSET
    allows. */
 static int32 is_steep(const struct setup *s)
 {
     const uint32 u = fix_magnitude(s->span.dudx);
     const uint32 v = s->material->mapper == MAPPER_GOURAUD ? 0 : fix_magnitude(s->span.dvdx);
-    const uint32 steep = u > v ? u : v;
 
-    if (s->material->gradients != GRADIENTS_PLANE || steep >= STEEP_256)
-        return 1;
-    if (EDGES_ARE_EXACT(s->material->edges))
-        return 0;
-    return s->material->clip == CLIP_VERTICES ? steep >= STEEP_4
-         : ((steep >> 16) + 1) * (uint32)(s->span.count + 1) > EDGES_32;
+    return (u > v ? u : v) >= material_steep(s->material, s->span.count);
 }
 
 /* Finds the least and the greatest value of a coordinate's stepped plane at the vertices. Each

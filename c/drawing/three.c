@@ -5,12 +5,13 @@
 #include "drawing/material.h"
 #include "drawing/outline.h"
 
-/* Returns non-zero if all rules are on, nothing is counted and the first vertex is inside the frame. */
-static int32 is_usual(const struct renderer *renderer, const struct vertex *first)
+/* Returns non-zero if triangles of the material are drawn this way with all rules on. */
+static int32 is_plain(const struct renderer *renderer, const struct material *material)
 {
-    return !renderer->counts && !renderer->off && renderer->form == FORM_ADDX
-        && (uint32)first->x < (uint32)renderer->frame->width << 16
-        && (uint32)first->y < (uint32)renderer->frame->height << 16;
+    return material->edges != EDGES_SNAPPED && material->mapper <= MAPPER_AFFINE
+        && material->gradients != GRADIENTS_SCANLINE && !material->perspective && !material->whole
+        && material->clip == CLIP_SCISSOR
+        && !renderer->counts && !renderer->off && renderer->form == FORM_ADDX;
 }
 
 /* Returns non-zero if the mapper can draw the material's map to the frame. */
@@ -23,15 +24,60 @@ static int32 has_map(const struct material *material, const struct frame *frame)
          : material->mapper == MAPPER_FLAT || frame->pixel_bytes == 1;
 }
 
-/* Returns what polygon_find needs to know of the plane, and sets the texturing's cuts. */
-static int32 chain_of(struct texturing *t, const struct material *material)
+/* Returns how the plane is found, if it is. */
+static int32 chain_of(const struct material *material)
 {
-    t->u_cut = t->v_cut = 0;
-    if (material->gradients != GRADIENTS_PLANE)
+    if (material->mapper == MAPPER_FLAT || material->gradients != GRADIENTS_PLANE)
         return OUTLINE_ALONE;
     if (material->mapper == MAPPER_GOURAUD)
         return CHAIN_SHADES;
     return material->start == START_SUBTEXEL ? CHAIN_PLANE : CHAIN_ANYWHERE;
+}
+
+static enum three_way way_of(const struct three *three, const struct material *material)
+{
+    if (material->mapper == MAPPER_FLAT)
+        return THREE_FLAT;
+    if (material->gradients != GRADIENTS_PLANE || material->start != START_SUBTEXEL)
+        return THREE_REST;
+    return material->mapper == MAPPER_GOURAUD ? THREE_SHADES
+         : three->s.kind == SPAN_AFFINE_ADDX_WRAP ? THREE_TEXELS : THREE_REST;
+}
+
+static void set_lines(struct three *three)
+{
+    const struct line_routines *routines = &line_routines[kind_lines[three->s.kind]];
+
+    three->lines = three->exact ? routines->exact_edges : routines->edges;
+}
+
+int32 three_set(struct three *three, const struct renderer *renderer, const struct material *material)
+{
+    const struct frame *frame = renderer->frame;
+    struct setup *s = &three->s;
+
+    if (!is_plain(renderer, material) || !has_map(material, frame))
+        return 0;
+    s->scratch = renderer->scratch;
+    s->frame = frame;
+    s->material = material;
+    s->off = s->applied = 0;
+    s->count = 3;
+    s->kind = (enum span_kind)mappers[material->mapper].kind[frame->pixel_bytes >> 1];
+    s->texturing.u_cut = s->texturing.v_cut = 0;
+    s->span.lines = s->scratch->lines;
+    s->span.pitch = frame->pitch;
+    s->span.map = material->map ? material->map->texels : 0;
+    s->span.colour = material->colour;
+    three->exact = EDGES_ARE_EXACT(material->edges);
+    three->chain = chain_of(material);
+    three->way = way_of(three, material);
+    set_lines(three);
+    three->row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
+    three->right = (uint32)frame->width << 16;
+    three->below = (uint32)frame->height << 16;
+    three->steep = material_steep(material, frame->height);
+    return 1;
 }
 
 /* Finds steps, and the starts on left edges, where the plane alone does not give them. */
@@ -61,49 +107,58 @@ static void set_steps(struct setup *s, const struct material *material)
     s->edges.dvdx = at_pixels ? s->span.dvdx : 0;
 }
 
-enum polygon_result polygon_draw_three(struct renderer *renderer, const struct polygon *polygon,
-                                       const struct material *material)
+void three_rest(struct three *three)
 {
-    const struct frame *frame = renderer->frame;
-    const int32 exact = EDGES_ARE_EXACT(material->edges);
+    struct setup *s = &three->s;
+    const struct material *material = s->material;
+    const enum span_kind kind = s->kind;
     const struct line_routines *routines;
-    enum polygon_result result;
-    struct setup s;
 
-    if (!is_usual(renderer, polygon->vertices))
-        return polygon_draw_any(renderer, polygon, material);
-    s.scratch = renderer->scratch;
-    s.frame = frame;
-    s.material = material;
-    s.off = s.applied = 0;
-    s.count = 3;
-    s.given = polygon->vertices;
-    s.kind = (enum span_kind)mappers[material->mapper].kind[frame->pixel_bytes >> 1];
-    s.vertices = material_vertices(s.scratch->vertices, s.given, 3, material);
-    if (s.kind == SPAN_GOURAUD)
-        lower_by_vertices(&s);
-    result = polygon_find(&s, exact, s.kind <= SPAN_FILL_32 ? OUTLINE_ALONE
-                                                            : chain_of(&s.texturing, material));
-    if (result != POLYGON_DRAWN)
-        return result;
-    if (!has_map(material, frame))
-        return POLYGON_WRONG_MAP;
-    s.span.lines = s.edges.lines;
-    s.span.count = s.box.bottom - s.box.top;
-    s.span.row = frame->pixels + s.box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
-    s.span.pitch = frame->pitch;
-    if (s.kind > SPAN_FILL_32) {
-        s.span.map = material->map ? material->map->texels : 0;
-        set_steps(&s, material);
-        lower_by_steps(&s);
-    } else {
-        s.span.colour = material->mapper == MAPPER_FLAT ? material->colour
-                                                        : (uint32)s.given->shade >> 16;
+    if (three->way != THREE_FLAT) {
+        set_steps(s, material);
+        lower_by_steps(s);
     }
-    routines = &line_routines[kind_lines[s.kind]];
-    outline_lines(&s, exact ? routines->exact_edges : routines->edges, routines->scissor);
-    if (material->mapper == MAPPER_GOURAUD && s.kind > SPAN_FILL_32)
-        clamp_lines(&s);
-    kind_spans[s.kind](&s.span);
-    return POLYGON_DRAWN;
+    routines = &line_routines[kind_lines[s->kind]];
+    outline_lines(s, three->exact ? routines->exact_edges : routines->edges, routines->scissor);
+    if (material->mapper == MAPPER_GOURAUD && three->way != THREE_FLAT)
+        clamp_lines(s);
+    kind_spans[s->kind](&s->span);
+    s->kind = kind;
+}
+
+static void set_way(struct three *three, enum span_kind kind, int32 chain, enum three_way way)
+{
+    three->s.kind = kind;
+    three->chain = chain;
+    three->way = way;
+    set_lines(three);
+}
+
+/* Draws a Gouraud triangle of one shade. */
+static enum polygon_result draw_flat(struct three *three, const struct vertex *vertices,
+                                     uint32 colour)
+{
+    const int32 chain = three->chain;
+    const enum three_way way = (enum three_way)three->way;
+    enum polygon_result result;
+
+    three->s.span.colour = colour;
+    set_way(three, SPAN_FILL, OUTLINE_ALONE, THREE_FLAT);
+    result = three_draw(three, vertices);
+    set_way(three, SPAN_GOURAUD, chain, way);
+    return result;
+}
+
+enum polygon_result three_polygon(struct three *three, const struct vertex *vertices)
+{
+    const struct material *material = three->s.material;
+    const struct vertex *made = material_vertices(three->s.scratch->vertices, vertices, 3, material);
+    uint32 top;
+
+    if (material->mapper == MAPPER_GOURAUD) {
+        top = (uint32)vertices->shade >> 16;
+        if (top == (uint32)vertices[1].shade >> 16 && top == (uint32)vertices[2].shade >> 16)
+            return draw_flat(three, made, top);
+    }
+    return three_draw(three, made);
 }

@@ -1,7 +1,7 @@
         include "routine.i"
 
         xref    sides_find,sides_three,edges_make,edges_three
-        xref    texturing_gentle,texturing_starts
+        xref    texturing_gentle
 
 ; Rounds \1 up to a whole number.
 upwards macro
@@ -10,25 +10,22 @@ upwards macro
         ext.l   \1
         endm
 
-; polygon_find - a polygon's sides, box, edges and, if it is textured, its plane
+; polygon_outline - a polygon's sides, box, edges and, if it is textured, its plane
 ;
-; in:      a0  setup*  the polygon; with a chain, the cuts of its texturing are set
+; in:      a6  setup*  the polygon; with a chain, the cuts of its texturing are set
 ;          d0  int32   1: exact edges, 0: rounded ones
-;          d1  int32   enum chain: plane_find is to follow; below 0: it is not
+;          d1  int32   enum chain; below 0: the plane is not found
 ; out:     d0  int32   POLYGON_DRAWN; POLYGON_EMPTY: no pixel of the frame may be covered; or as
 ;                      sides_find
+; trashes: d1-d7/a0-a5
 ; reads:   vertices, count, frame and scratch of the setup
 ; writes:  its sides, box, outline_sides; lines, left, right, lefts, rights of its edges, and these;
-;          as plane_find
+;          as texturing_gentle
 ; formats: the box is the part of the frame that edges may cover, EDGE_ERROR being their error in x
 ; error:   that of the edges and of the plane
-; cost:    about 1,500 cycles for a triangle with exact edges and a cold cache; with its plane 3,500
-
-; One routine, as calls from C would save and restore all registers four times.
-        routine polygon_find,a0,d0,d1
-        save_all
+; cost:    about 2,000 cycles for a triangle with exact edges and a cold cache; with its plane 4,000
+        routine polygon_outline
         movem.l d0-d1,-(sp)
-        movea.l a0,a6
         lea     setup_sides(a6),a0
         move.l  a0,setup_outline_sides(a6)
         movea.l setup_vertices(a6),a1
@@ -80,12 +77,13 @@ upwards macro
         bne.s   .edges
         move.l  (sp),d0
         jsr     edges_three
+        lea     -setup_box(a4),a6
 .made   addq.l  #4,sp
         move.l  (sp)+,d1
         bmi.s   .drawn
-        bsr.s   plane
+        jsr     texturing_gentle
 .drawn  moveq   #POLYGON_DRAWN,d0
-        return_all
+        rts
 
 .many   jsr     sides_find
         lea     setup_sides(a6),a0
@@ -97,6 +95,21 @@ upwards macro
         bra.s   .made
 .empty  moveq   #POLYGON_EMPTY,d0
 .done   addq.l  #8,sp
+        rts
+
+; polygon_find - what polygon_outline finds
+;
+; in:      a0  setup*  the polygon
+;          d0  int32   1: exact edges, 0: rounded ones
+;          d1  int32   enum chain, or below 0
+; out:     d0  int32   enum polygon_result
+; reads:   as polygon_outline
+; writes:  as polygon_outline
+; cost:    as polygon_outline, and 150
+        routine polygon_find,a0,d0,d1
+        save_all
+        movea.l a0,a6
+        jsr     polygon_outline
         return_all
 
 ; plane_find - a polygon's plane, and u and v where its left edges begin
@@ -104,23 +117,13 @@ upwards macro
 ; in:      a0  setup*  a polygon with sides, box and edges; the cuts of its texturing are set
 ;          d0  int32   enum chain
 ; reads:   sides, box, texturing and edges of the setup
-; writes:  its texturing as texturing_gentle; u, v, du, dv of its left edges as texturing_starts
+; writes:  its texturing; u, v, du, dv of its left edges, as texturing_gentle
 ; formats: theirs
 ; error:   theirs
 ; cost:    about 2,000 cycles with a cold cache and one left edge
         routine plane_find,a0,d0
         save_all
+        movea.l a0,a6
         move.l  d0,d1
-        lea     setup_box(a0),a4
-        bsr.s   plane
-        return_all
-
-; a4: the setup's box, d1: chain
-plane   movea.l a4,a0
-        lea     setup_sides-setup_box(a4),a1
-        lea     setup_texturing-setup_box(a4),a6
         jsr     texturing_gentle
-        movea.l a6,a0
-        movea.l setup_edges+edge_plan_left-setup_texturing(a6),a1
-        move.l  setup_edges+edge_plan_lefts-setup_texturing(a6),d0
-        jmp     texturing_starts
+        return_all

@@ -1,11 +1,16 @@
-        include "routine.i"
+        include "starts.i"
 
-        xref    texturing_plane,texturing_wrap
+        xref    texturing_plane,texturing_starts,texturing_wrap
 
-; Pushes the vector (x, y, s, t) from the vertex in d4-d7 to the vertex \1 of the sides a1;
+texturing       equ     setup_texturing
+edges           equ     setup_edges
+sides           equ     setup_sides
+box             equ     setup_box
+
+; Pushes the vector (x, y, s, t) from the vertex in d4-d7 to the vertex \1 of the setup's sides;
 ; \2 = its address. Uses d0-d3/a2.
 vector  macro
-        movea.l sides_\1(a1),a2
+        movea.l sides+sides_\1(a6),a2
         movem.l (a2),d0-d3
         sub.l   d4,d0
         sub.l   d5,d1
@@ -15,25 +20,21 @@ vector  macro
         movea.l sp,\2
         endm
 
-; \3 = the pixel in the middle of the box a0, from \1 to \2, and \5 = its distance from the
-; coordinate \4, 11.21. Goes to .far if that has no room. \6 = whole pixels of the distance,
-; rounded down. Uses d0.
-middle  macro
-        move.l  rectangle_\1(a0),d0
-        add.l   rectangle_\2(a0),d0
-        asr.l   #1,d0
-        move.l  d0,texturing_\3(a6)
+; \3 = the distance from the coordinate \2 to the pixel \1, 11.21. Goes to .far if that has no room.
+; \2 = its whole pixels, rounded down. Uses d0.
+distance macro
+        move.l  \1,d0
         swap    d0
         clr.w   d0
-        sub.l   \4,d0
+        sub.l   \2,d0
         asl.l   #5,d0
         bvs     .far
-        movea.l d0,\5
+        movea.l d0,\3
         minus   <neg.l d0>
         clr.w   d0
         swap    d0
         lsr.w   #5,d0
-        move.l  d0,\6
+        move.l  d0,\2
         endm
 
 ; d1 = (p1 q2 - p2 q1) / D in 5.27, cut towards zero; p, q: the fields \1, \2. Goes to .steep if it
@@ -67,118 +68,118 @@ rise    macro
         endm
 
 ; Puts the gradient d1 into the field \1 as a step, rounded to the nearest multiple of 1 << cut
-; units, a1 being half of that. Adds to a0 the magnitude of the rounding error over \2 pixels, in
-; 2^-27. Uses d0-d2.
+; units, a1 being half of that. Uses d1.
 step    macro
-        move.l  a1,d0
-        add.l   d0,d1
-        move.l  d0,d2
-        add.l   d2,d2
-        subq.l  #1,d2
-        and.l   d1,d2
-        sub.l   d2,d0
-        minus   <neg.l d0>
-        mulu.w  \2+2(sp),d0
-        adda.l  d0,a0
+        add.l   a1,d1
         asr.l   #8,d1
         asr.l   #3,d1
         and.l   mask(sp),d1
-        move.l  d1,texturing_\1(a6)
+        move.l  d1,texturing+texturing_\1(a6)
         endm
 
 ; Finds \1, u or v, and its steps from the plane of \2, s or t.
 axis    macro
-        move.l  texturing_\1_cut(a6),d3
+        move.l  texturing+texturing_\1_cut(a6),d3
         moveq   #-1,d0
         lsl.l   d3,d0
         move.l  d0,mask(sp)
         move.l  #1<<10,d0
         lsl.l   d3,d0
         movea.l d0,a1
-        movea.l ways_all(sp),a0         ; the gradients' errors, 2 in 2^27 a pixel
-        move.l  texturing_\1(a6),d4
+        move.l  ways(sp),d4
+        lsl.l   d3,d4
+        add.l   way(sp),d4
+        lsr.l   #8,d4
+        lsr.l   #3,d4
+        addq.l  #2,d4
+        add.l   texturing+texturing_\1(a6),d4
         gradient vertex_\2,vertex_y
         rise    a4
-        step    d\1dx,ways_x
+        step    d\1dx
         gradient vertex_x,vertex_\2
         rise    a5
-        step    d\1dy,ways_y
-        move.l  a0,d0
-        lsr.l   #8,d0
-        lsr.l   #3,d0
-        addq.l  #2,d0
-        add.l   d4,d0
-        move.l  mask(sp),d1
-        sub.l   d1,d0
-        subq.l  #1,d0
-        and.l   d1,d0                   ; up to a multiple of 1 << cut
-        move.l  d0,texturing_\1(a6)
+        step    d\1dy
+        move.l  mask(sp),d0
+        sub.l   d0,d4
+        subq.l  #1,d4
+        and.l   d0,d4                   ; up to a multiple of 1 << cut
+        move.l  d4,texturing+texturing_\1(a6)
         endm
 
-; \4 = travel of v by step \1 over half the box a0, from the middle \2 to \3, 8.8, rounded up; goes
-; to .wraps if it is 256 texels or more. Uses d1.
-travel  macro
-        move.l  texturing_\1(a6),\4
-        minus   <neg.l \4>
-        lsr.l   #8,\4
-        addq.w  #1,\4
-        move.l  rectangle_\3(a0),d1
-        sub.l   texturing_\2(a6),d1
-        mulu.w  d1,\4
-        swap    \4
-        tst.w   \4
-        bne     .wraps
-        swap    \4
-        endm
+; How far v of a pixel may be outside the vertices' range: 1/4 texel. Edges are within 1/64 pixel, and
+; clipping adds as much: 1/4 at less than 8 texels a pixel in x and in y would be 2 * 8 / 64, but both
+; move along one edge only. Steps, over 1,024 pixels in x and in y, are off by 1/64, and u and v raised
+; by as much; corners beyond three may be off the plane by 1/64.
+MARGIN          equ     1<<14
 
 ; On the stack:
-ways_all        equ     0               ; twice the pixels from the first vertex to the
-                                        ; farthest pixel, x and y added
-ways_x          equ     4               ; pixels from the middle to the box's sides
-ways_y          equ     8
-mask            equ     12              ; -(1 << cut)
-limit           equ     16              ; of a numerator's upper half
-vectors         equ     20
+mask            equ     0               ; -(1 << cut)
+limit           equ     4               ; of a numerator's upper half
+ways            equ     8               ; the pixels from (i, j) to the box's farthest sides, x and y
+                                        ; added, times half a unit of a step in 2^-27
+way             equ     12              ; twice the pixels from the first vertex to the farthest one
+vectors         equ     16
 chain           equ     vectors+2*16
-box             equ     chain+4
-outline         equ     box+4
-size            equ     outline+4
+size            equ     chain+4
 
-; texturing_gentle - the plane of a polygon whose texels are not small
+; texturing_gentle - the plane of a polygon, relative to the first pixel on its left side
 ;
-; in:      a6  texturing*  to fill in; its cuts are set: 0 to 8, 0 for a chain
-;          a1  sides*      the polygon, its area not 0
-;          a0  rectangle*  the pixels that it may cover
-;          d1  int32       enum chain
+; in:      a6  setup*  the polygon, with sides of an area that is not 0, box and edges; the cuts of
+;                      its texturing are set: 0 to 8, 0 for a chain
+;          d1  int32   enum chain
 ; trashes: d0-d7/a0-a5
-; reads:   u_cut, v_cut; *sides, top, bottom and middle vertex, the rectangle
-; writes:  *texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES v and its
-;          steps are 0
-; formats: as texturing_plane, but with gradients in 5.27. It does all of texturing_plane's work
-;          itself if they are below 8 texels a pixel, twice the area is 1/2 to 2^20 square pixels,
-;          and the top vertex is within 1,024 pixels of the middle of the box, in x and in y.
-;          texturing_plane finds other planes. u is raised by the most that it may be below the
-;          plane at any pixel of the box, as there
+; reads:   sides and their vertices, box, left edges, u_cut, v_cut
+; writes:  texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES v and its steps
+;          are 0; u, v, du, dv of the left edges as texturing_starts
+; formats: as texturing_plane, but with gradients in 5.27, and (i, j) is the first pixel right of the
+;          left side. It does all the work itself if gradients are below 8 texels a pixel, twice the
+;          area is 1/2 to 2^20 square pixels, and the top vertex is within 1,024 pixels of (i, j), in
+;          x and in y. texturing_plane and texturing_starts do it otherwise. u is raised by the most
+;          that it may be below the plane at any pixel of the box. v does not wrap if MARGIN around
+;          the range of its vertices is between two multiples of 256
 ; error:   of a gradient: e = 2 / 2^27 texels a pixel: D keeps 31 bits (cut: 1 in 2^30 of 8
-;          texels), the quotient is cut. Raised by |step - dsdx| over half the box, by e over the
-;          way from the first vertex to the farthest pixel, and by 1 for the two products
-; cost:    about 1,700 cycles with a cold cache, 1,000 for CHAIN_SHADES
+;          texels), the quotient is cut. Raised by half of 1 << cut units a pixel over the box, by e
+;          over the way from the first vertex to the farthest pixel, by 1 for the two products and by
+;          1 for rounding up
+; cost:    about 1,700 cycles with a cold cache, 900 for CHAIN_SHADES
         routine texturing_gentle
-        movem.l d1/a0-a1,-(sp)
-        movea.l sides_top(a1),a2
+        move.l  d1,-(sp)
+        movea.l sides+sides_top(a6),a2
         movem.l (a2),d4-d7
-        move.l  d6,texturing_u(a6)
-        move.l  d7,texturing_v(a6)
+        move.l  d6,texturing+texturing_u(a6)
+        move.l  d7,texturing+texturing_v(a6)
         vector  middle,a3
         vector  bottom,a2
-        tst.b   sides_middle_right(a1)
+        tst.b   sides+sides_middle_right(a6)
         beq.s   .turned
         exg     a2,a3                   ; now D is positive
-.turned
-        middle  left,right,i,d4,a4,d2   ; from the first vertex to (i, j)
-        middle  top,bottom,j,d5,a5,d3
-        move.l  sides_area+number64_hi(a1),d0
-        move.l  sides_area+number64_lo(a1),d7
+.turned movea.l edges+edge_plan_left(a6),a0
+        move.l  edge_x(a0),d2
+        sub.l   #EDGE_BIAS,d2
+        move.l  box+rectangle_top(a6),d3
+        movem.l d2-d3,texturing+texturing_i(a6)         ; and j
+        distance d2,d4,a4
+        distance d3,d5,a5
+        move.l  box+rectangle_right(a6),d0
+        sub.l   d2,d0
+        sub.l   box+rectangle_left(a6),d2
+        cmp.l   d2,d0
+        bge.s   .farther
+        move.l  d2,d0
+.farther
+        add.l   box+rectangle_bottom(a6),d0
+        sub.l   d3,d0
+        add.l   d0,d4
+        add.l   d5,d4
+        addq.l  #2,d4
+        add.l   d4,d4
+        moveq   #10,d1
+        lsl.l   d1,d0
+        move.l  d4,-(sp)
+        move.l  d0,-(sp)
+
+        move.l  sides+sides_area+number64_hi(a6),d0
+        move.l  sides+sides_area+number64_lo(a6),d7
         bfffo   d0{0:32},d5
         move.l  d7,d1
         rol.l   #3,d1
@@ -188,10 +189,10 @@ size            equ     outline+4
         or.w    d1,d4                   ; D >> 29
         moveq   #12,d1
         cmp.l   d1,d5
-        blo     .far
+        blo     .large
         moveq   #4,d1
         cmp.l   d1,d4
-        blo     .far
+        blo     .large
         move.l  d4,-(sp)
         subq.l  #4,sp
         moveq   #33,d6
@@ -204,65 +205,86 @@ size            equ     outline+4
         moveq   #32,d6
         sub.l   d5,d6
 
-        move.l  d2,d0
-        add.l   d3,d0
-        move.l  texturing_i(a6),d2
-        sub.l   rectangle_left(a0),d2
-        move.l  texturing_j(a6),d3
-        sub.l   rectangle_top(a0),d3
-        add.l   d2,d0
-        add.l   d3,d0
-        addq.l  #2,d0
-        add.l   d0,d0
-        movem.l d0/d2-d3,-(sp)
-
         move.l  chain(sp),d0
         subq.l  #CHAIN_SHADES,d0
         beq     .shades
         axis    v,t
-
-        ; texturing_wrap's first test, with steps below 8 texels
-        movea.l box(sp),a0
-        travel  dvdx,i,right,d2
-        travel  dvdy,j,bottom,d0
-        add.w   d2,d0                   ; below 2^16: v's range in the box, 8.8
-        bcs     .wraps
-        addq.w  #1,d0
-        bcs     .wraps
-        move.l  texturing_v(a6),d1
-        lsr.l   #8,d1
-        cmp.w   d0,d1
-        blo     .wraps
-        add.w   d0,d1
-        bcs     .wraps
-        moveq   #CHAIN_ANYWHERE,d0
-        cmp.l   chain(sp),d0
-        beq     .wraps
-.whole  clr.l   texturing_wraps(a6)
-        clr.l   texturing_wrap_bit(a6)
-.u      axis    u,s
-        move.l  texturing_wrap_bit(a6),d0
-        or.l    d0,texturing_u(a6)
-        lea     size(sp),sp
-        rts
-.shades clr.l   texturing_v(a6)
-        clr.l   texturing_dvdx(a6)
-        clr.l   texturing_dvdy(a6)
-        bra     .whole
-.wraps  movea.l a6,a0
-        movea.l box(sp),a1
         move.l  chain(sp),d0
-        jsr     texturing_wrap
+        beq.s   .whole
+        subq.l  #CHAIN_ANYWHERE,d0
+        beq     .wraps
+        movea.l sides+sides_first(a6),a0
+        movea.l sides+sides_last(a6),a1
+        move.l  vertex_t(a0),d0
+        move.l  d0,d1
+.vertex lea     vertex_sizeof(a0),a0
+        move.l  vertex_t(a0),d2
+        cmp.l   d2,d0
+        ble.s   .not_least
+        move.l  d2,d0
+.not_least
+        cmp.l   d2,d1
+        bge.s   .not_greatest
+        move.l  d2,d1
+.not_greatest
+        cmpa.l  a1,a0
+        bne.s   .vertex
+        sub.l   #MARGIN,d0
+        add.l   #MARGIN,d1
+        eor.l   d0,d1
+        cmp.l   #1<<24,d1
+        bhs     .wraps
+.whole  clr.l   texturing+texturing_wraps(a6)
+        clr.l   texturing+texturing_wrap_bit(a6)
+.u      axis    u,s
+        move.l  texturing+texturing_wrap_bit(a6),d0
+        or.l    d0,texturing+texturing_u(a6)
+        lea     size(sp),sp
+
+        movea.l edges+edge_plan_left(a6),a1
+        move.l  edge_whole(a1),d4
+        lea     texturing(a6),a0
+        start_step u
+        move.l  texturing_u(a0),edge_u(a1)
+        start_step v
+        move.l  texturing_v(a0),edge_v(a1)
+        move.l  edges+edge_plan_lefts(a6),d0
+        subq.l  #1,d0
+        beq.s   .done
+        lea     edge_sizeof(a1),a1
+        jmp     texturing_starts
+.done   rts
+
+.shades clr.l   texturing+texturing_v(a6)
+        clr.l   texturing+texturing_dvdx(a6)
+        clr.l   texturing+texturing_dvdy(a6)
+        bra     .whole
+.wraps  lea     texturing(a6),a0
+        lea     box(a6),a1
+        moveq   #CHAIN_ANYWHERE,d0      ; of CHAIN_PLANE, v is not at the middle
+        moveq   #CHAIN_WHOLE,d1
+        cmp.l   chain(sp),d1
+        bne.s   .once
+        moveq   #1,d0
+        move.l  d0,texturing_wraps(a0)
+        clr.l   texturing_wrap_bit(a0)
+        bra     .u
+.once   jsr     texturing_wrap
         bra     .u
 
-.steep  lea     chain-ways_all(sp),sp
-        bra.s   .other
-.far    lea     chain-vectors(sp),sp
-.other  movem.l (sp)+,d1/a0-a1
-        tst.l   d1
+.steep  addq.l  #8,sp
+.large  addq.l  #8,sp
+.far    lea     2*16(sp),sp
+        move.l  (sp)+,d1
         beq.s   .unchained
-        clr.l   texturing_u_cut(a6)
+        clr.l   texturing+texturing_u_cut(a6)
 .unchained
-        move.l  a0,d0
-        movea.l a6,a0
-        jmp     texturing_plane
+        lea     texturing(a6),a0
+        lea     sides(a6),a1
+        move.l  a6,d0
+        add.l   #box,d0
+        jsr     texturing_plane
+        lea     texturing(a6),a0
+        movea.l edges+edge_plan_left(a6),a1
+        move.l  edges+edge_plan_lefts(a6),d0
+        jmp     texturing_starts

@@ -1,23 +1,10 @@
-        include "routine.i"
+        include "starts.i"
 
-; Finds \1 (u or v) and its step where the edge begins: d2, d3 = its distance from pixel
-; (i, j), d4 = whole pixels a line: mostly 0 or -1. Uses d0-d1/d5-d6.
+; Finds \1, u or v, and its step where the edge a1 begins: d2, d3 = its distance from pixel (i, j),
+; d4 = its whole pixels a line. Uses d0-d1/d5-d6.
 start   macro
-        move.l  texturing_d\1dx(a0),d0
+        start_step \1
         move.l  texturing_d\1dy(a0),d5
-        move.l  d5,d1
-        tst.l   d4
-        beq.s   .upright\@
-        move.l  d4,d6
-        addq.l  #1,d6
-        beq.s   .back\@
-        move.l  d0,d6
-        muls.l  d4,d6
-        add.l   d6,d1
-        bra.s   .upright\@
-.back\@ sub.l   d0,d1
-.upright\@
-        move.l  d1,edge_d\1(a1)
         muls.l  d2,d0
         muls.l  d3,d5
         add.l   d5,d0

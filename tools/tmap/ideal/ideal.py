@@ -204,7 +204,7 @@ class Plane:
         """Returns e(g), a gradient's largest error before it is rounded to a step."""
         return 2 / 2**27 if gentle else abs(gradient) / 2**31 + 3 / 2**32
 
-    def rounding(self, cut: int, gentle: bool) -> list[float]:
+    def rounding(self, cut: int, gentle: bool = False) -> list[float]:
         """The largest errors of steps per pixel and per line, texels; ``cut``: low bits of 0."""
         whole, found = abs(self.d) << cut, []
         for n in (self.nx, self.ny):
@@ -215,12 +215,15 @@ class Plane:
 
     def raised(self, t: model.Texturing, cut: int) -> float:
         """The most by which set-up raises the values, in texels; ``cut``: low bits that are 0."""
+        to_pixel = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT)
+        if t.gentle:
+            ways = max(t.box[2] - t.i, t.i - t.box[0]) + t.box[3] - t.j
+            return (UNIT * (ways * (1 << cut) / 2 + 2 + (1 << cut))
+                    + (to_pixel + ways + 2) * self.cut(0, True))
         ways = t.i - t.box[0], t.j - t.box[1]
-        away = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT) + sum(ways) + 2
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
-        steps = sum(way * off for way, off in zip(ways, self.rounding(cut, t.gentle)))
-        return steps + UNIT * (2 + (1 << cut)) + away * 2 / 2**27 if t.gentle \
-            else steps + UNIT * (3 + (1 << cut)) + steep * away * 2 / 2**32
+        steps = sum(way * off for way, off in zip(ways, self.rounding(cut)))
+        return steps + UNIT * (3 + (1 << cut)) + steep * (to_pixel + sum(ways) + 2) * 2 / 2**32
 
     def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
         """Returns how far set-up's value may be above the exact one at pixel (i, j), in texels."""

@@ -205,7 +205,9 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
         scanline_lines(polygon.left_edges, polygon.right_edges, polygon.lines, settings)
     else:
         corners, box = outline.corners, outline.box
-        polygon.texturing = plane(vertices, corners, box, settings, not for_unit) \
+        edge = polygon.left_edges[0]
+        first = None if for_unit else (edge.column(edge.top), edge.top)
+        polygon.texturing = plane(vertices, corners, box, settings, first) \
             if settings.gradients == "plane" else longest(vertices, corners, box, settings)
         if polygon.texturing is None:
             return False

@@ -13,6 +13,9 @@ CHAINED = ("affine", "lit")
 STEEP_256 = 256
 #: Bits of the fraction of gentle gradients.
 GENTLE = 27
+#: How far v of a gentle plane's pixels may be outside the range of the vertices' v, units: MARGIN of
+#: src68k/polygon/texturing_gentle.s.
+MARGIN = ONE // 4
 #: Low bits of u and v that a mapper's spans drop; "levels": those of levels of light.
 CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 
@@ -78,7 +81,7 @@ class Texturing:
     i: int = 0
     j: int = 0
     box: tuple[int, int, int, int] = (0, 0, 0, 0)  # the box of pixels around (i, j)
-    gentle: bool = False  # the plane is one of ``gentle_gradients``
+    gentle: bool = False  # the plane is one of ``gentle_plane``
 
     @property
     def cuts(self) -> tuple[int, int]:
@@ -94,6 +97,13 @@ def inside_period(dvdx: int, dvdy: int, v: int, box) -> bool:
               + (travel_y + 1) * ((bottom - top + 1) >> 1) + 1)
     return (travel_x < 0x10000 and travel_y < 0x10000
             and travel <= v >> 8 & 0xFFFF < 0x10000 - travel)
+
+
+def inside_vertices(vertices) -> bool:
+    """Returns true if v of the vertices, and of all pixels of a gentle plane, is between the same two
+    multiples of 256 texels."""
+    vs = [v[3] for v in vertices]
+    return signed(min(vs) - MARGIN) >> 24 == signed(max(vs) + MARGIN) >> 24
 
 
 def wrap_bits(dvdx: int, width: int, wraps: bool) -> tuple[int, int, bool]:
@@ -148,43 +158,71 @@ def gentle_gradients(corners, key: int) -> tuple[int, int] | None:
     return tuple(cut_quotient(n << GENTLE - cut, d >> cut) for n in numerators)
 
 
-def gentle_shortfall(found: tuple[int, int], steps: tuple[int, int], ways: tuple[int, int],
-                     way: int) -> int:
-    """Returns ``shortfall`` for gradients in 5.27: they are off by 2 in 2^27, the value in the middle
-    by a unit."""
-    low = GENTLE - 16
-    off = sum(abs((s << low) - g) * w for g, s, w in zip(found, steps, ways)) + 2 * way
-    return (off >> low) + 2
+def gentle_shortfall(ways: int, way: int, cut: int) -> int:
+    """Returns the units by which a coordinate may be below its plane at any pixel of a box, rounded up,
+    with gradients in 5.27.
+
+    ``ways``: pixels from the first pixel to the box's farthest sides, the sum of x and y; ``way``: as
+    in ``shortfall``. Steps are off by half of 2^cut units, gradients by 2 in 2^27, the value at the
+    first pixel by a unit.
+    """
+    return ((ways << GENTLE - 17 + cut) + 2 * way >> GENTLE - 16) + 2
 
 
-def gentle_axis(corner: int, both: tuple[int, int], away, ways, way: int, cut: int) -> tuple[int, int, int]:
+def gentle_axis(corner: int, both: tuple[int, int], away, ways: int, way: int,
+                cut: int) -> tuple[int, int, int]:
     """Returns steps and raised value of a coordinate with gradients in 5.27; ``corner``: its value
     at the first corner."""
     low = GENTLE - 16 + cut
     steps = [g + (1 << low - 1) >> low << cut for g in both]
     at = corner + sum(g * (a << 5) + (1 << 31) >> 32 for g, a in zip(both, away))
-    at += gentle_shortfall(both, steps, ways, way)
-    return *(s & M32 for s in steps), raised(at, cut)
+    return *(s & M32 for s in steps), raised(at + gentle_shortfall(ways, way, cut), cut)
 
 
-def plane(vertices, corners, box, settings: Settings, for_spans: bool = False) -> Texturing | None:
+def gentle_plane(vertices, corners, box, settings: Settings, first: tuple[int, int]) -> Texturing | None:
+    """Returns ``plane`` relative to the pixel ``first``, the first one right of the left side; None if
+    it is not gentle."""
+    three = [vertices[k] for k in corners]
+    found = [gentle_gradients(three, key) for key in (2, 3)]
+    away = [signed((at << 16) - corner) for at, corner in zip(first, three[0])]
+    if None in found or not all(-1 << 26 <= a < 1 << 26 for a in away):
+        return None
+    left, _, right, bottom = box
+    i, j = first
+    ways = max(right - i, i - left) + bottom - j
+    way = sum(abs(a) >> 16 for a in away) + ways + 2
+
+    def coordinate(key: int, cut: int) -> tuple[int, int, int]:
+        return gentle_axis(three[0][2 + key], found[key], away, ways, way, cut)
+
+    u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
+    dvdx, dvdy, v = coordinate(1, v_cut)
+    inside = settings.start == "subtexel" and inside_vertices(vertices)
+    has_wrap_bit, wrap_bit, wraps = wrap_bits(dvdx, right - left,
+                                              settings.mapper in CHAINED and not inside)
+    dudx, dudy, u = coordinate(0, u_cut or has_wrap_bit)
+    return Texturing(dudx, dvdx, u_cut or has_wrap_bit, wrap_bit, wraps, v_cut, dudy, dvdy,
+                     u | wrap_bit, v, i, j, box, True)
+
+
+def plane(vertices, corners, box, settings: Settings,
+          first: tuple[int, int] | None = None) -> Texturing | None:
     """Returns the texture plane through three corners (indices), relative to the box's middle; None
-    if the corners have no area. ``for_spans``: gentle gradients may be found in fewer bits."""
+    if the corners have no area. ``first``: the pixel for ``gentle_plane``, which is tried before."""
     three = [vertices[k] for k in corners]
     found = [gradients(three, key) for key in (2, 3)]
     if None in found:
         return None
+    gentle = first and gentle_plane(vertices, corners, box, settings, first)
+    if gentle:
+        return gentle
     left, top, right, bottom = box
     i, j = (left + right) >> 1, (top + bottom) >> 1
-    away = [signed((at << 16) - first) for at, first in zip((i, j), three[0])]
+    away = [signed((at << 16) - corner) for at, corner in zip((i, j), three[0])]
     ways = i - left, j - top
     way = sum(abs(a) >> 16 for a in away) + sum(ways) + 2
-    gentle = [gentle_gradients(three, key) for key in (2, 3)]
-    is_gentle = for_spans and None not in gentle and all(-1 << 26 <= a < 1 << 26 for a in away)
 
     def coordinate(key: int, cut: int) -> tuple[int, int, int]:
-        if is_gentle:
-            return gentle_axis(three[0][2 + key], gentle[key], away, ways, way, cut)
         both = found[key]
         steps = [step(g, cut) for g in both]
         at = three[0][2 + key] + sum(wide_mul(g, a) for g, a in zip(both, away))
@@ -198,7 +236,7 @@ def plane(vertices, corners, box, settings: Settings, for_spans: bool = False) -
     has_wrap_bit, wrap_bit, wraps = wrap_bits(dvdx, right - left, chained and not inside)
     dudx, dudy, u = coordinate(0, u_cut or has_wrap_bit)
     return Texturing(dudx, dvdx, u_cut or has_wrap_bit, wrap_bit, wraps, v_cut, dudy, dvdy,
-                     u | wrap_bit, v, i, j, box, is_gentle)
+                     u | wrap_bit, v, i, j, box)
 
 
 def saturated_step(part: int, whole: int) -> int:

@@ -1,0 +1,99 @@
+        include "routine.i"
+
+        xref    polygon_outline,_kind_spans,_three_rest
+
+; three_draw - draws a triangle by the plan of its material
+;
+; in:      a0  three*   the plan
+;          a1  vertex*  the three vertices, as material_vertices makes them
+; out:     d0  int32    enum polygon_result; THREE_OTHER if the first vertex is outside the frame
+; reads:   the plan, the vertices, the map
+; writes:  the plan's setup, scratch memory; pixels
+; formats: those of polygon_outline and of the spans
+; error:   theirs
+; cost:    bench rows polygon_*_exact
+
+; Spans and lines are called as from C: the tables are C's.
+        routine three_draw,a0,a1
+        save_all
+        movea.l a0,a6
+        move.l  (a1),d0
+        cmp.l   three_right(a6),d0
+        bhs     .other
+        move.l  vertex_y(a1),d0
+        cmp.l   three_below(a6),d0
+        bhs     .other
+        move.l  a1,setup_vertices(a6)
+        movem.l three_exact(a6),d0-d1   ; and chain
+        jsr     polygon_outline
+        tst.l   d0
+        bne     .done
+
+        movem.l setup_box(a6),d4-d7
+        sub.l   d5,d7
+        move.l  d7,setup_span+span_plan_count(a6)
+        muls.l  setup_span+span_plan_pitch(a6),d5
+        add.l   three_row(a6),d5
+        move.l  d5,setup_span+span_plan_row(a6)
+        movem.l setup_sides+sides_x_low(a6),d0-d1       ; and x_high
+        tst.l   d0
+        bmi     .rest
+        add.l   #EDGE_ERROR,d1
+        cmp.l   three_right(a6),d1
+        bhi     .rest
+        sub.l   d4,d6                   ; width
+        moveq   #SPAN_FILL,d3
+        move.l  three_way(a6),d2
+        beq     .lines
+        cmp.w   #THREE_REST,d2
+        beq     .rest
+
+        movem.l setup_texturing+texturing_dudx(a6),d0-d1        ; and dvdx
+        movem.l d0-d1,setup_span+span_plan_dudx(a6)
+        movem.l d0-d1,setup_edges+edge_plan_dudx(a6)
+        subq.w  #THREE_SHADES,d2
+        beq.s   .shades
+        lsl.l   #8,d0
+        beq     .rest                   ; still: a row or a column
+        lsl.l   #8,d1
+        beq.s   .rest
+        moveq   #SPAN_AFFINE_ADDX,d3
+        tst.l   setup_texturing+texturing_wraps(a6)
+        bne.s   .wraps
+        moveq   #SHORT_AFFINE,d0
+        cmp.l   d0,d6
+        bgt.s   .lines
+        moveq   #SPAN_AFFINE_SHORT,d3
+        bra.s   .lines
+.wraps  moveq   #SPAN_AFFINE_ADDX_WRAP,d3
+        moveq   #SHORT_AFFINE_WRAP,d0
+        cmp.l   d0,d6
+        bgt.s   .lines
+        moveq   #SPAN_AFFINE_SHORT_WRAP,d3
+        bra.s   .lines
+.shades tst.l   d0
+        minus   <neg.l d0>
+        cmp.l   three_steep(a6),d0
+        bhs.s   .rest
+        moveq   #SPAN_GOURAUD,d3
+        moveq   #SHORT_GOURAUD,d0
+        cmp.l   d0,d6
+        bgt.s   .lines
+        moveq   #SPAN_GOURAUD_SHORT,d3
+
+.lines  pea     setup_edges(a6)
+        movea.l three_lines(a6),a0
+        jsr     (a0)
+        lea     _kind_spans,a0
+        movea.l (a0,d3.w*4),a0
+        pea     setup_span(a6)
+        jsr     (a0)
+        addq.l  #8,sp
+.drawn  moveq   #POLYGON_DRAWN,d0
+.done   return_all
+.rest   move.l  a6,-(sp)
+        jsr     _three_rest
+        addq.l  #4,sp
+        bra     .drawn
+.other  moveq   #THREE_OTHER,d0
+        return_all
