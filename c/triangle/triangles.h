@@ -78,8 +78,8 @@ struct triangle_plan {
 
     /* triangles_spans, whose row is the pixel -EDGE_BIAS: */
     const struct triangle *(*lines)(struct triangle_plan *plan);        /* triangle_lines_<form> */
-    int32 kind;                 /* enum span_kind of the lines; set to what the last triangle's were
-                                   lowered to */
+    int32 kind;                 /* enum span_kind of the lines */
+    int32 lowered;              /* set to what the last triangle's were lowered to */
     int32 only_counts;          /* 1: nothing is drawn */
     uint32 off;                 /* the renderer's: rules that are off */
     const uint8 *light;         /* the light table, or 0 */
