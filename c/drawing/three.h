@@ -12,4 +12,7 @@ polygon_routine polygon_draw_three;
 /* All others; draws those too. */
 polygon_routine polygon_draw_any;
 
+/* The same without routines for triangles. */
+polygon_routine polygon_draw_exact;
+
 #endif

@@ -53,30 +53,53 @@ static const struct vertex *place(struct vertex *room, const struct vertex *from
     return room;
 }
 
-/* Draws objects first to end (excluded). */
+/* Draws the run up to `end`, if it has any polygons. */
+static enum polygon_result draw_run(struct renderer *renderer, const struct polygon *run,
+                                    const struct polygon *end, const struct material *material)
+{
+    const int32 count = (int32)(end - run);
+
+    return !count ? POLYGON_DRAWN
+         : count == 1 ? material->draw(renderer, run, material)
+         : polygons_draw(renderer, run, count, material);
+}
+
+/* Draws objects first to end (excluded). Those that polygon_draw draws and that have the same material
+   are drawn together if no other is between them. */
 static enum polygon_result draw_objects(struct renderer *renderer, const struct scene *scene,
                                         int32 number, uint32 first, uint32 end)
 {
-    enum polygon_result refused = POLYGON_DRAWN;
+    enum polygon_result result, refused = POLYGON_DRAWN;
     const struct scene_object *object = &scene->objects[first];
+    struct scene_scratch *const scratch = scene->scratch;
+    struct polygon *last = scratch->run;
+    struct vertex *room = scratch->placed;
+    const struct material *material = 0;
 
     for (; first < end; first++, object++) {
         uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
-        const struct material *material;
-        enum polygon_result result;
-        struct polygon polygon;
+        const struct material *const next = &scene->drawn[object->material];
 
         if (age >= object->poses)
             continue;
-        polygon_set(&polygon, place(scene->scratch->placed, &scene->vertices[object->vertex],
-                                    object->vertices, &scene->poses[object->pose + age]),
+        if (next != material || last == &scratch->run[RUN_POLYGONS]
+            || object->vertices > (uint32)(&scratch->placed[POLYGON_VERTICES_MAX] - room)
+            || next->draw != polygon_draw) {
+            result = draw_run(renderer, scratch->run, last, material);
+            refused = result > POLYGON_EMPTY ? result : refused;
+            last = scratch->run;
+            room = scratch->placed;
+            material = next;
+        }
+        polygon_set(last, place(room, &scene->vertices[object->vertex], object->vertices,
+                                &scene->poses[object->pose + age]),
                     (int32)object->vertices, object->planar);
-        material = &scene->drawn[object->material];
-        result = material->draw(renderer, &polygon, material);
-        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
-            refused = result;
+        if (last->vertices == room)
+            room += object->vertices;
+        last++;
     }
-    return refused;
+    result = draw_run(renderer, scratch->run, last, material);
+    return result > POLYGON_EMPTY ? result : refused;
 }
 
 /* Draws all objects and instances. */

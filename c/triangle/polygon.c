@@ -1,80 +1,9 @@
 #include "triangle/polygon.h"
 
+#include "limits.h"
 #include "polygon/counts.h"
+#include "polygon/scratch.h"
 #include "polygon/shading.h"
-
-/* Returns a value in 1/2^20, raised. */
-static int32 triangle_value(fix16 value)
-{
-    return (int32)((uint32)(value + SNAPPED_RAISED) << 4);
-}
-
-/* Sets a vertex's place and, with a map, u and v. Returns 0 if it is out of range. */
-static int32 triangle_vertex(struct snapped_vertex *to, const struct triangle_range *range,
-                             fix16 scale, const struct vertex *from)
-{
-    const uint32 reach = (uint32)SNAPPED_TEXELS << 16;
-    const int32 x = (from->x + SNAPPED_HALF) >> (16 - SNAPPED_BITS);
-    const int32 y = (from->y + SNAPPED_HALF) >> (16 - SNAPPED_BITS);
-    fix16 s = from->s, t = from->t;
-
-    if ((uint32)x > range->right || (uint32)y > range->bottom)
-        return 0;
-    to->x = (int16)(x + SNAPPED_ONE);
-    to->y = (int16)(y + SNAPPED_ONE - 1);
-    if (!scale)
-        return 1;
-    if (scale != 65536) {
-        s = mul_round(s, scale);
-        t = mul_round(t, scale);
-    }
-    to->u = triangle_value(s);
-    to->v = triangle_value(t);
-    return (uint32)s + reach < 2 * reach && (uint32)t + reach < 2 * reach;
-}
-
-/* Returns non-zero if vertices cover fewer than SNAPPED_LINES lines. */
-static int32 triangle_is_low(const struct snapped_vertex *v, int32 count)
-{
-    int32 top = v->y, low = top;
-
-    while (--count > 0) {
-        v++;
-        top = v->y < top ? v->y : top;
-        low = v->y > low ? v->y : low;
-    }
-    return low - top < SNAPPED_LINES * SNAPPED_ONE;
-}
-
-int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, int32 count,
-                        const struct frame *frame, const struct material *material)
-{
-    const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
-    const int32 is_lit = material->light != 0;
-    const fix16 scale = material->map ? material->map->scale : 0;
-    struct triangle_range range;
-    int32 all = 1;
-
-    triangle_range_set(&range, frame);
-    for (; count > 0; count--, to++, from++) {
-        fix16 low = from->shade, high = low;
-
-        if (!triangle_vertex(to, &range, scale, from)) {
-            to->x = -1;
-            all = 0;
-        } else if (is_shaded) {
-            shade_limits(&low, &high);
-            to->u = triangle_value(shade_limited(from->shade, low, high));
-        } else if (is_lit) {
-            const fix16 level = SHADE_LEVEL(from->shade);
-
-            low = high = level;
-            shade_limits(&low, &high);
-            to->level = shade_limited(level, low, high) << 4;
-        }
-    }
-    return all;
-}
 
 /* Returns non-zero if u or v may be the same along lines: the triangles of the polygon have a level edge,
    are not small, and a level edge has equal ends. Triangles have the same picture in either way of
@@ -151,39 +80,67 @@ static int32 triangle_stays_in_map(const struct snapped_vertex *v, const struct 
     return (area < 0 ? -area : area) >= SLIVER_MAP * (most - least);
 }
 
+/* Converts the vertices of a polygon of up to TRIANGLE_CORNERS_MAX corners to those of the plan. Returns
+   the kind that draws it and sets *colour; SPAN_KINDS if no routine for triangles can. */
+static enum span_kind triangle_convert(struct vertices_plan *to, enum span_kind kind,
+                                       uint32 *colour, const struct renderer *renderer,
+                                       const struct polygon *polygon,
+                                       const struct material *material)
+{
+    const int32 count = polygon->count;
+
+    to->count = count;
+    to->from = polygon->vertices;
+    if (!triangle_vertices(to))
+        return SPAN_KINDS;
+    *colour = material->colour;
+    if (kind == SPAN_TRIANGLES_AFFINE) {
+        if (material->mapper == MAPPER_ARBITRARY
+            && (count > 3 || !triangle_stays_in_map(to->to, material->map)))
+            return SPAN_KINDS;
+        return triangle_may_be_still(to->to, count) ? SPAN_AFFINE_ADDX : kind;
+    }
+    return material->mapper == MAPPER_FLAT
+         ? kind : triangle_by_vertices(kind, colour, renderer, polygon, material);
+}
+
+/* Makes the triangles of a polygon, all with its first corner; returns the place behind them. */
+static struct triangle *triangle_fan(struct triangle *to, const struct snapped_vertex *vertices,
+                                     int32 count)
+{
+    const struct snapped_vertex *v = &vertices[1];
+
+    for (; count > 2; count--, to++) {
+        to->a = vertices;
+        to->b = v++;
+        to->c = v;
+    }
+    return to;
+}
+
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
                                 const struct material *material)
 {
     enum span_kind kind = triangle_kind(renderer->frame, material);
-    const int32 count = polygon->count;
     struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX];
     struct triangle list[TRIANGLE_CORNERS_MAX - 2];
+    struct vertices_plan made;
     struct triangle_plan plan;
     struct triangle_lines lines;
     triangle_drawer *routine;
-    uint32 colour = material->colour;
-    int32 i;
+    uint32 colour;
 
-    if (kind == SPAN_KINDS || count > TRIANGLE_CORNERS_MAX
-        || !triangle_vertices(vertices, polygon->vertices, count, renderer->frame, material)
-        || !triangle_is_low(vertices, count))
+    if (kind == SPAN_KINDS || polygon->count > TRIANGLE_CORNERS_MAX)
         return SPAN_KINDS;
-    if (material->mapper == MAPPER_ARBITRARY
-        && (count > 3 || !triangle_stays_in_map(vertices, material->map)))
+    vertices_plan_set(&made, renderer->frame, material);
+    made.to = vertices;
+    kind = triangle_convert(&made, kind, &colour, renderer, polygon, material);
+    if (kind == SPAN_KINDS)
         return SPAN_KINDS;
-    if (material->mapper != MAPPER_FLAT && kind != SPAN_TRIANGLES_AFFINE)
-        kind = triangle_by_vertices(kind, &colour, renderer, polygon, material);
-    else if (kind == SPAN_TRIANGLES_AFFINE && triangle_may_be_still(vertices, count))
-        kind = SPAN_AFFINE_ADDX;
-    for (i = 2; i < count; i++) {
-        list[i - 2].a = vertices;
-        list[i - 2].b = &vertices[i - 1];
-        list[i - 2].c = &vertices[i];
-    }
     routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
     plan.colour = colour * 0x01010101;
     plan.list = list;
-    plan.end = &list[count - 2];
+    plan.end = triangle_fan(list, vertices, polygon->count);
     if (routine == triangles_spans) {
         routine(&plan);
         return plan.lowered;
@@ -191,4 +148,74 @@ enum span_kind triangle_polygon(const struct renderer *renderer, const struct po
     if (!renderer->counts || !renderer->only_counts)
         routine(&plan);
     return kind;
+}
+
+enum { RUN_VERTICES = 128 };    /* drawn together */
+
+/* Use of the scratch room by a run. */
+struct run_room {
+    uint32 shades[FRAME_SIDE_MAX];              /* of triangle_plan_set */
+    struct snapped_vertex vertices[RUN_VERTICES];
+    struct triangle list[RUN_VERTICES];
+};
+
+SCRATCH_FITS(struct run_room);
+
+/* Draws the triangles from the plan's list up to `end`; returns the list. */
+static struct triangle *triangle_flush(struct triangle_plan *plan, triangle_drawer *routine,
+                                       struct run_room *room, const struct triangle *end)
+{
+    plan->list = room->list;
+    plan->end = end;
+    if (end != room->list)
+        routine(plan);
+    return room->list;
+}
+
+enum polygon_result triangle_run(struct renderer *renderer, const struct polygon *polygons,
+                                 int32 count, const struct material *material,
+                                 polygon_routine *other)
+{
+    const enum span_kind kind = triangle_kind(renderer->frame, material);
+    struct run_room *const room = (struct run_room *)renderer->scratch->room;
+    struct triangle *last = room->list;
+    enum span_kind of_plan = SPAN_KINDS;
+    uint32 colour = 0, colour_of_plan = 0;
+    enum polygon_result refused = POLYGON_DRAWN;
+    triangle_drawer *routine = 0;
+    struct vertices_plan made;
+    struct triangle_plan plan;
+    struct triangle_lines lines;
+
+    vertices_plan_set(&made, renderer->frame, material);
+    made.to = room->vertices;
+    for (; count > 0; count--, polygons++) {
+        enum span_kind found = SPAN_KINDS;
+
+        if (kind != SPAN_KINDS && (uint32)polygons->count - 3 <= TRIANGLE_CORNERS_MAX - 3)
+            found = triangle_convert(&made, kind, &colour, renderer, polygons, material);
+        if (found != of_plan || colour != colour_of_plan) {
+            last = triangle_flush(&plan, routine, room, last);
+            of_plan = found;
+            colour_of_plan = colour;
+            if (found != SPAN_KINDS) {
+                routine = triangle_plan_set(&plan, found, &lines, renderer, material);
+                plan.colour = colour * 0x01010101;
+            }
+        }
+        if (found == SPAN_KINDS) {
+            const enum polygon_result result = other(renderer, polygons, material);
+
+            refused = result > POLYGON_EMPTY ? result : refused;
+            continue;
+        }
+        last = triangle_fan(last, made.to, polygons->count);
+        made.to += polygons->count;
+        if (made.to > &room->vertices[RUN_VERTICES - TRIANGLE_CORNERS_MAX]) {
+            last = triangle_flush(&plan, routine, room, last);
+            made.to = room->vertices;
+        }
+    }
+    triangle_flush(&plan, routine, room, last);
+    return refused;
 }

@@ -44,10 +44,22 @@ static inline void triangle_range_set(struct triangle_range *range, const struct
     range->bottom = (uint32)frame->height * SNAPPED_ONE;
 }
 
-/* Converts vertices; x of those that are out of range becomes -1. Returns non-zero if all are in
-   range. */
-int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, int32 count,
-                        const struct frame *frame, const struct material *material);
+/* Sets what the frame and the material decide. */
+static inline void vertices_plan_set(struct vertices_plan *plan, const struct frame *frame,
+                                     const struct material *material)
+{
+    const int32 mapper = material->mapper;
+    struct triangle_range range;
+
+    triangle_range_set(&range, frame);
+    plan->right = range.right;
+    plan->bottom = range.bottom;
+    plan->scale = material->map && material->map->scale != 65536 ? material->map->scale : 0;
+    plan->values = mapper == MAPPER_FLAT ? VALUES_NONE
+                 : mapper == MAPPER_GOURAUD ? VALUES_SHADES
+                 : mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD ? VALUES_LEVELS
+                 : VALUES_TEXELS;
+}
 
 /* Draws the polygon as a fan of triangles; with renderer->only_counts it only says how it would.
    Vertices and steps may allow a cheaper kind, with the same picture. Returns the kind; SPAN_KINDS, and
@@ -55,5 +67,12 @@ int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, in
    vertex out of range (enum snapped_limits). */
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
                        const struct material *material);
+
+/* Draws polygons in their order, as many as possible in one batch; those for which triangle_polygon
+   returns SPAN_KINDS by `other`. The renderer counts nothing. Returns POLYGON_DRAWN, or why `other`
+   refused one. */
+enum polygon_result triangle_run(struct renderer *renderer, const struct polygon *polygons,
+                                 int32 count, const struct material *material,
+                                 polygon_routine *other);
 
 #endif

@@ -60,6 +60,21 @@ struct triangle {
     const struct snapped_vertex *a, *b, *c;
 };
 
+/* What vertices of triangles are interpolated with. */
+enum vertex_values {
+    VALUES_NONE, VALUES_SHADES, VALUES_TEXELS,
+    VALUES_LEVELS               /* texels and levels of light */
+};
+
+struct vertices_plan {
+    int32 count;
+    uint32 right, bottom;       /* largest x and y, 1/16 pixel */
+    const struct vertex *from;
+    struct snapped_vertex *to;
+    fix16 scale;                /* of the map; 0 for 1 */
+    int32 values;               /* enum vertex_values */
+};
+
 /* Room for what triangles_spans makes. */
 struct triangle_lines {
     struct span_plan span;
@@ -92,10 +107,17 @@ struct triangle_plan {
 struct triangle_tables {
     enum span_kind (*draw)(const struct renderer *renderer, const struct polygon *polygon,
                            const struct material *material);    /* triangle_polygon */
+    enum polygon_result (*run)(struct renderer *renderer, const struct polygon *polygons,
+                               int32 count, const struct material *material,
+                               polygon_routine *other);         /* triangle_run */
     int32 reciprocals[SNAPPED_RECIPROCALS];
 };
 
 void triangle_tables_make(struct triangle_tables *tables);
+
+/* Converts vertices; returns non-zero if all are in range and cover fewer than SNAPPED_LINES lines.
+   src68k/triangle has the contract. */
+int32 triangle_vertices(const struct vertices_plan *plan);
 
 /* They draw the list up to the first triangle that they cannot draw, and return its address, or the
    list's end. src68k/triangle has contracts. triangles_spans, in C, makes a scanline table for each
