@@ -62,9 +62,14 @@ enum polygon_result triangles_draw(struct renderer *renderer, const struct trian
     struct triangle_plan plan;
     struct triangle_lines lines;
     struct vertices_plan vertices;
+    struct triangle_range range;
 
     if (kind != SPAN_KINDS) {
-        vertices_plan_set(&vertices, renderer->frame, material);
+        triangle_range_set(&range, renderer->frame);
+        vertices.right = range.right;
+        vertices.bottom = range.bottom;
+        vertices.scale = triangle_scale(material);
+        vertices.values = triangle_values(material->mapper);
         vertices.count = list->vertex_count;
         vertices.from = list->vertices;
         vertices.to = list->room;

@@ -80,28 +80,21 @@ static int32 triangle_stays_in_map(const struct snapped_vertex *v, const struct 
     return (area < 0 ? -area : area) >= SLIVER_MAP * (most - least);
 }
 
-/* Converts the vertices of a polygon of up to TRIANGLE_CORNERS_MAX corners to those of the plan. Returns
-   the kind that draws it and sets *colour; SPAN_KINDS if no routine for triangles can. */
-static enum span_kind triangle_convert(struct vertices_plan *to, enum span_kind kind,
-                                       uint32 *colour, const struct renderer *renderer,
-                                       const struct polygon *polygon,
-                                       const struct material *material)
+/* Returns the kind that draws a polygon whose vertices are converted; sets *colour if that is flat.
+   SPAN_KINDS if no routine for triangles can draw it. */
+static enum span_kind triangle_judged(enum span_kind kind, uint32 *colour,
+                                      const struct snapped_vertex *vertices,
+                                      const struct renderer *renderer,
+                                      const struct polygon *polygon,
+                                      const struct material *material)
 {
-    const int32 count = polygon->count;
-
-    to->count = count;
-    to->from = polygon->vertices;
-    if (!triangle_vertices(to))
-        return SPAN_KINDS;
-    *colour = material->colour;
     if (kind == SPAN_TRIANGLES_AFFINE) {
         if (material->mapper == MAPPER_ARBITRARY
-            && (count > 3 || !triangle_stays_in_map(to->to, material->map)))
+            && (polygon->count > 3 || !triangle_stays_in_map(vertices, material->map)))
             return SPAN_KINDS;
-        return triangle_may_be_still(to->to, count) ? SPAN_AFFINE_ADDX : kind;
+        return triangle_may_be_still(vertices, polygon->count) ? SPAN_AFFINE_ADDX : kind;
     }
-    return material->mapper == MAPPER_FLAT
-         ? kind : triangle_by_vertices(kind, colour, renderer, polygon, material);
+    return triangle_by_vertices(kind, colour, renderer, polygon, material);
 }
 
 /* Makes the triangles of a polygon, all with its first corner; returns the place behind them. */
@@ -118,29 +111,50 @@ static struct triangle *triangle_fan(struct triangle *to, const struct snapped_v
     return to;
 }
 
+/* Sets all but the polygons. */
+static void fans_set(struct fans_plan *plan, struct snapped_vertex *vertices, struct triangle *list,
+                     const struct frame *frame, const struct material *material)
+{
+    struct triangle_range range;
+
+    triangle_range_set(&range, frame);
+    plan->right = range.right;
+    plan->bottom = range.bottom;
+    plan->vertices = vertices;
+    plan->scale = triangle_scale(material);
+    plan->last = list;
+    plan->values = triangle_values(material->mapper);
+    plan->judged = material->mapper == MAPPER_ARBITRARY;
+}
+
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
                                 const struct material *material)
 {
     enum span_kind kind = triangle_kind(renderer->frame, material);
     struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX];
     struct triangle list[TRIANGLE_CORNERS_MAX - 2];
-    struct vertices_plan made;
+    uint32 colour = material->colour;
+    struct fans_plan fans;
     struct triangle_plan plan;
     struct triangle_lines lines;
     triangle_drawer *routine;
-    uint32 colour;
 
-    if (kind == SPAN_KINDS || polygon->count > TRIANGLE_CORNERS_MAX)
-        return SPAN_KINDS;
-    vertices_plan_set(&made, renderer->frame, material);
-    made.to = vertices;
-    kind = triangle_convert(&made, kind, &colour, renderer, polygon, material);
     if (kind == SPAN_KINDS)
         return SPAN_KINDS;
+    fans_set(&fans, vertices, list, renderer->frame, material);
+    fans.from = polygon;
+    fans.end = polygon + 1;
+    if (triangle_fans(&fans) == polygon) {
+        if (fans.is_odd)
+            kind = triangle_judged(kind, &colour, vertices, renderer, polygon, material);
+        if (!fans.is_odd || kind == SPAN_KINDS)
+            return SPAN_KINDS;
+        fans.last = triangle_fan(list, vertices, polygon->count);
+    }
     routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
     plan.colour = colour * 0x01010101;
     plan.list = list;
-    plan.end = triangle_fan(list, vertices, polygon->count);
+    plan.end = fans.last;
     if (routine == triangles_spans) {
         routine(&plan);
         return plan.lowered;
@@ -150,26 +164,82 @@ enum span_kind triangle_polygon(const struct renderer *renderer, const struct po
     return kind;
 }
 
-enum { RUN_VERTICES = 128 };    /* drawn together */
+enum { BATCH_POLYGONS = 32 };
 
 /* Use of the scratch room by a run. */
 struct run_room {
     uint32 shades[FRAME_SIDE_MAX];              /* of triangle_plan_set */
-    struct snapped_vertex vertices[RUN_VERTICES];
-    struct triangle list[RUN_VERTICES];
+    struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX * BATCH_POLYGONS];
+    struct triangle list[(TRIANGLE_CORNERS_MAX - 2) * BATCH_POLYGONS];
 };
 
 SCRATCH_FITS(struct run_room);
 
-/* Draws the triangles from the plan's list up to `end`; returns the list. */
-static struct triangle *triangle_flush(struct triangle_plan *plan, triangle_drawer *routine,
-                                       struct run_room *room, const struct triangle *end)
+/* A run being drawn. */
+struct triangle_run {
+    struct fans_plan fans;
+    struct triangle_plan plan;
+    struct triangle_lines lines;
+    triangle_drawer *routine;
+    struct run_room *room;
+    enum span_kind kind;        /* of the plan */
+    uint32 colour;              /* the same */
+};
+
+/* Draws the triangles that were made. */
+static void run_flush(struct triangle_run *run)
 {
-    plan->list = room->list;
-    plan->end = end;
-    if (end != room->list)
-        routine(plan);
-    return room->list;
+    run->plan.list = run->room->list;
+    run->plan.end = run->fans.last;
+    run->fans.last = run->room->list;
+    if (run->plan.end != run->plan.list)
+        run->routine(&run->plan);
+}
+
+static void run_set(struct triangle_run *run, enum span_kind kind, uint32 colour,
+                    const struct renderer *renderer, const struct material *material)
+{
+    run->kind = kind;
+    run->colour = colour;
+    run->routine = triangle_plan_set(&run->plan, kind, &run->lines, renderer, material);
+    run->plan.colour = colour * 0x01010101;
+}
+
+/* Draws a polygon that triangle_fans did not take. */
+static enum polygon_result run_odd(struct triangle_run *run, enum span_kind kind,
+                                   struct renderer *renderer, const struct polygon *polygon,
+                                   const struct material *material, polygon_routine *other)
+{
+    struct fans_plan *const fans = &run->fans;
+    uint32 colour = material->colour;
+
+    kind = fans->is_odd ? triangle_judged(kind, &colour, fans->vertices, renderer, polygon, material)
+                        : SPAN_KINDS;
+    if (kind == SPAN_KINDS) {
+        run_flush(run);
+        return other(renderer, polygon, material);
+    }
+    if (kind != run->kind || colour != run->colour) {
+        run_flush(run);
+        run_set(run, kind, colour, renderer, material);
+    }
+    fans->last = triangle_fan(fans->last, fans->vertices, polygon->count);
+    fans->vertices += polygon->count;
+    return POLYGON_DRAWN;
+}
+
+/* Draws polygons of a material for which there is no routine for triangles. */
+static enum polygon_result run_others(struct renderer *renderer, const struct polygon *polygons,
+                                      int32 count, const struct material *material,
+                                      polygon_routine *other)
+{
+    enum polygon_result result, refused = POLYGON_DRAWN;
+
+    for (; count > 0; count--, polygons++) {
+        result = other(renderer, polygons, material);
+        refused = result > POLYGON_EMPTY ? result : refused;
+    }
+    return refused;
 }
 
 enum polygon_result triangle_run(struct renderer *renderer, const struct polygon *polygons,
@@ -177,45 +247,32 @@ enum polygon_result triangle_run(struct renderer *renderer, const struct polygon
                                  polygon_routine *other)
 {
     const enum span_kind kind = triangle_kind(renderer->frame, material);
-    struct run_room *const room = (struct run_room *)renderer->scratch->room;
-    struct triangle *last = room->list;
-    enum span_kind of_plan = SPAN_KINDS;
-    uint32 colour = 0, colour_of_plan = 0;
-    enum polygon_result refused = POLYGON_DRAWN;
-    triangle_drawer *routine = 0;
-    struct vertices_plan made;
-    struct triangle_plan plan;
-    struct triangle_lines lines;
+    const struct polygon *const end = polygons + count;
+    enum polygon_result result, refused = POLYGON_DRAWN;
+    struct triangle_run run;
 
-    vertices_plan_set(&made, renderer->frame, material);
-    made.to = room->vertices;
-    for (; count > 0; count--, polygons++) {
-        enum span_kind found = SPAN_KINDS;
+    if (kind == SPAN_KINDS)
+        return run_others(renderer, polygons, count, material, other);
+    run.room = (struct run_room *)renderer->scratch->room;
+    fans_set(&run.fans, run.room->vertices, run.room->list, renderer->frame, material);
+    run_set(&run, kind, material->colour, renderer, material);
+    while (polygons < end) {
+        const int32 room = (int32)(&run.room->vertices[TRIANGLE_CORNERS_MAX * BATCH_POLYGONS]
+                                   - run.fans.vertices) / TRIANGLE_CORNERS_MAX;
 
-        if (kind != SPAN_KINDS && (uint32)polygons->count - 3 <= TRIANGLE_CORNERS_MAX - 3)
-            found = triangle_convert(&made, kind, &colour, renderer, polygons, material);
-        if (found != of_plan || colour != colour_of_plan) {
-            last = triangle_flush(&plan, routine, room, last);
-            of_plan = found;
-            colour_of_plan = colour;
-            if (found != SPAN_KINDS) {
-                routine = triangle_plan_set(&plan, found, &lines, renderer, material);
-                plan.colour = colour * 0x01010101;
-            }
-        }
-        if (found == SPAN_KINDS) {
-            const enum polygon_result result = other(renderer, polygons, material);
-
-            refused = result > POLYGON_EMPTY ? result : refused;
+        run.fans.from = polygons;
+        run.fans.end = end - polygons < room ? end : polygons + room;
+        run.fans.judged = run.kind != kind || material->mapper == MAPPER_ARBITRARY;
+        polygons = triangle_fans(&run.fans);
+        if (polygons == run.fans.end) {
+            run_flush(&run);
+            run.fans.vertices = run.room->vertices;
             continue;
         }
-        last = triangle_fan(last, made.to, polygons->count);
-        made.to += polygons->count;
-        if (made.to > &room->vertices[RUN_VERTICES - TRIANGLE_CORNERS_MAX]) {
-            last = triangle_flush(&plan, routine, room, last);
-            made.to = room->vertices;
-        }
+        result = run_odd(&run, kind, renderer, polygons, material, other);
+        refused = result > POLYGON_EMPTY ? result : refused;
+        polygons++;
     }
-    triangle_flush(&plan, routine, room, last);
+    run_flush(&run);
     return refused;
 }

@@ -44,21 +44,19 @@ static inline void triangle_range_set(struct triangle_range *range, const struct
     range->bottom = (uint32)frame->height * SNAPPED_ONE;
 }
 
-/* Sets what the frame and the material decide. */
-static inline void vertices_plan_set(struct vertices_plan *plan, const struct frame *frame,
-                                     const struct material *material)
+/* Returns the map's scale for plans; 0 for 1. */
+static inline fix16 triangle_scale(const struct material *material)
 {
-    const int32 mapper = material->mapper;
-    struct triangle_range range;
+    return material->map && material->map->scale != 65536 ? material->map->scale : 0;
+}
 
-    triangle_range_set(&range, frame);
-    plan->right = range.right;
-    plan->bottom = range.bottom;
-    plan->scale = material->map && material->map->scale != 65536 ? material->map->scale : 0;
-    plan->values = mapper == MAPPER_FLAT ? VALUES_NONE
-                 : mapper == MAPPER_GOURAUD ? VALUES_SHADES
-                 : mapper == MAPPER_LIT || mapper == MAPPER_LIT_GOURAUD ? VALUES_LEVELS
-                 : VALUES_TEXELS;
+/* Returns the enum vertex_values of a mapper that has routines for triangles. */
+static inline int32 triangle_values(int32 mapper)
+{
+    return mapper == MAPPER_AFFINE || mapper == MAPPER_ARBITRARY ? VALUES_TEXELS
+         : mapper == MAPPER_FLAT ? VALUES_NONE
+         : mapper == MAPPER_GOURAUD ? VALUES_SHADES
+         : mapper == MAPPER_LIT ? VALUES_LEVEL : VALUES_LEVELS;
 }
 
 /* Draws the polygon as a fan of triangles; with renderer->only_counts it only says how it would.

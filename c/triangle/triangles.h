@@ -63,7 +63,8 @@ struct triangle {
 /* What vertices of triangles are interpolated with. */
 enum vertex_values {
     VALUES_NONE, VALUES_SHADES, VALUES_TEXELS,
-    VALUES_LEVELS               /* texels and levels of light */
+    VALUES_LEVEL,               /* texels, and the first vertex's level of light */
+    VALUES_LEVELS
 };
 
 struct vertices_plan {
@@ -73,6 +74,18 @@ struct vertices_plan {
     struct snapped_vertex *to;
     fix16 scale;                /* of the map; 0 for 1 */
     int32 values;               /* enum vertex_values */
+};
+
+struct fans_plan {
+    uint32 right, bottom;       /* as above */
+    struct snapped_vertex *vertices;    /* free places; set behind those of the last triangle */
+    const struct polygon *from;
+    fix16 scale;
+    struct triangle *last;      /* free places of the list; set behind the last triangle */
+    const struct polygon *end;
+    int32 values;
+    int32 judged;               /* 1: no polygon is taken before it is judged */
+    int32 is_odd;               /* set to 1: the returned polygon's vertices are there, to be judged */
 };
 
 /* Room for what triangles_spans makes. */
@@ -115,13 +128,12 @@ struct triangle_tables {
 
 void triangle_tables_make(struct triangle_tables *tables);
 
-/* Converts vertices; returns non-zero if all are in range and cover fewer than SNAPPED_LINES lines.
-   src68k/triangle has the contract. */
-int32 triangle_vertices(const struct vertices_plan *plan);
+/* src68k/triangle has contracts of these and the following. */
+void triangle_vertices(const struct vertices_plan *plan);
+const struct polygon *triangle_fans(struct fans_plan *plan);
 
 /* They draw the list up to the first triangle that they cannot draw, and return its address, or the
-   list's end. src68k/triangle has contracts. triangles_spans, in C, makes a scanline table for each
-   triangle and calls a span. */
+   list's end. triangles_spans, in C, makes a scanline table for each triangle and calls a span. */
 const struct triangle *triangles_flat(struct triangle_plan *plan);
 const struct triangle *triangles_gouraud(struct triangle_plan *plan);
 const struct triangle *triangles_affine(struct triangle_plan *plan);
