@@ -61,31 +61,21 @@ level_test macro
         beq     fans_odd
         endm
 
-; An edge between the vertices at \1 and \2.
-texels_edge macro
-        move.w  snapped_vertex_y+\1(a1),d0
-        cmp.w   snapped_vertex_y+\2(a1),d0
-        bne.s   .other\@
-        move.l  snapped_vertex_u+\1(a1),d0
-        cmp.l   snapped_vertex_u+\2(a1),d0
-        beq     fans_odd
-        move.l  snapped_vertex_v+\1(a1),d0
-        cmp.l   snapped_vertex_v+\2(a1),d0
-        beq     fans_odd
-.other\@
-        endm
-
 texels_test macro
         movea.l fans_plan_vertices(a0),a1
-        texels_edge 0,snapped_vertex_sizeof
-        texels_edge snapped_vertex_sizeof,2*snapped_vertex_sizeof
+        move.w  snapped_vertex_y(a1),d0
+        move.w  snapped_vertex_sizeof+snapped_vertex_y(a1),d1
+        cmp.w   d1,d0
+        beq     fans_level
+        cmp.w   2*snapped_vertex_sizeof+snapped_vertex_y(a1),d1
+        beq     fans_level
+        move.w  snapped_vertex_y-snapped_vertex_sizeof(a2),d1
+        cmp.w   d1,d0
+        beq     fans_level
         cmpi.l  #3,polygon_count(a3)
-        beq.s   .three\@
-        texels_edge 2*snapped_vertex_sizeof,3*snapped_vertex_sizeof
-        texels_edge 0,3*snapped_vertex_sizeof
-        bra.s   texels_taken
-.three\@
-        texels_edge 0,2*snapped_vertex_sizeof
+        beq.s   texels_taken
+        cmp.w   2*snapped_vertex_sizeof+snapped_vertex_y(a1),d1
+        beq     fans_level
         endm
 
 ; The polygons with \1_values.
@@ -102,8 +92,7 @@ fans    macro
         bne     fans_done
         lea     snapped_vertex_sizeof(a6),a6
 \1_begin
-        move.w  #$7fff,d2
-        moveq   #0,d3
+        moveq   #0,d2
 \1_vertex
         vertex_place fans
         \1_values fans
@@ -111,9 +100,11 @@ fans    macro
         lea     snapped_vertex_sizeof(a2),a2
         cmpa.l  a6,a2
         bne     \1_vertex
-        sub.w   d2,d3
-        cmp.w   #SNAPPED_LINES*SNAPPED_ONE,d3
+        cmp.w   #SNAPPED_LINES*SNAPPED_ONE,d2
+        bcs.s   \1_low
+        bsr     fans_tall
         bge     fans_done
+\1_low
         tst.l   fans_plan_judged(a0)
         bne     fans_odd
         \1_test \1
@@ -137,8 +128,7 @@ fans    macro
         save_all
         clr.l   fans_plan_is_odd(a0)
         movem.l fans_plan_right(a0),d6-d7/a2-a5
-        move.l  #SNAPPED_HALF,d4
-        moveq   #16-SNAPPED_BITS,d5
+        vertices_begin
         move.l  fans_plan_values(a0),d0
         beq     none_polygon
         subq.l  #VALUES_TEXELS,d0
@@ -151,6 +141,45 @@ fans    macro
         fans    texels
         fans    shades
         fans    none
+        texels_scale
+; A polygon with texels a1 that has a level edge. a6 the vertex before a1.
+fans_level
+        lea     -snapped_vertex_sizeof(a2),a6
+.edge   move.w  snapped_vertex_y(a1),d0
+        cmp.w   snapped_vertex_y(a6),d0
+        bne.s   .next
+        move.l  snapped_vertex_u(a1),d0
+        cmp.l   snapped_vertex_u(a6),d0
+        beq.s   fans_odd
+        move.l  snapped_vertex_v(a1),d0
+        cmp.l   snapped_vertex_v(a6),d0
+        beq.s   fans_odd
+.next   movea.l a1,a6
+        lea     snapped_vertex_sizeof(a1),a1
+        cmpa.l  a2,a1
+        bne.s   .edge
+        bra     texels_taken
+
+; Compares a polygon's height with SNAPPED_LINES. Uses d0-d2/a1.
+fans_tall
+        movea.l fans_plan_vertices(a0),a1
+        move.w  snapped_vertex_y(a1),d0
+        move.w  d0,d1
+.vertex lea     snapped_vertex_sizeof(a1),a1
+        cmpa.l  a2,a1
+        beq.s   .range
+        move.w  snapped_vertex_y(a1),d2
+        cmp.w   d2,d0
+        ble.s   .not_least
+        move.w  d2,d0
+.not_least
+        cmp.w   d2,d1
+        bge.s   .vertex
+        move.w  d2,d1
+        bra.s   .vertex
+.range  sub.w   d0,d1
+        cmp.w   #SNAPPED_LINES*SNAPPED_ONE,d1
+        rts
 fans_odd
         addq.l  #1,fans_plan_is_odd(a0)
 fans_out

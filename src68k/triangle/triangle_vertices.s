@@ -34,8 +34,7 @@ vertices macro
         beq     vertices_done
         lea     (a1,d3.l),a3
         lea     (a3,d3.l*2),a3          ; vertex_sizeof
-        move.l  #SNAPPED_HALF,d4
-        moveq   #16-SNAPPED_BITS,d5
+        vertices_begin
         move.l  vertices_plan_values(a0),d0
         beq     none_vertex
         subq.l  #VALUES_TEXELS,d0
@@ -45,6 +44,7 @@ vertices macro
         vertices levels
         vertices shades
         vertices none
+        texels_scale
 vertices_done
         movem.l (sp)+,d2-d7/a2-a4
         rts
