@@ -38,4 +38,7 @@ enum polygon_result three_draw(struct three *three, const struct vertex *vertice
 /* Draws a triangle whose sides, box, edges and, with a chain, plane are found. */
 void three_rest(struct three *three);
 
+/* The same without routines for triangles. */
+polygon_routine polygon_draw_exact;
+
 #endif

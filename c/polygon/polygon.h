@@ -191,4 +191,9 @@ struct material {
    fan of triangles from its first vertex, so that the picture has the values of every vertex. */
 polygon_routine polygon_draw;
 
+/* Draws polygons of one material in their order, with the picture of polygon_draw; snapped ones (EDGES_SNAPPED,
+   renderer->triangles) in batches, for less. Returns POLYGON_DRAWN, or why one of them was refused. */
+enum polygon_result polygons_draw(struct renderer *renderer, const struct polygon *polygons,
+                                  int32 count, const struct material *material);
+
 #endif

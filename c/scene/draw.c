@@ -29,15 +29,12 @@ static void clear(const struct renderer *renderer, uint32 colour)
         span_fill(&plan);
 }
 
-/* Returns the vertices moved by a pose, in room; or `from` itself if the pose moves nothing. */
-static const struct vertex *place(struct vertex *room, const struct vertex *from, uint32 count,
-                                  const struct scene_pose *pose)
+/* Moves vertices by a pose. */
+static void place(struct vertex *to, const struct vertex *from, uint32 count,
+                  const struct scene_pose *pose)
 {
-    int32 upright = pose->xx == 65536 && pose->yy == 65536 && !pose->xy && !pose->yx;
-    struct vertex *to = room;
+    const int32 upright = pose->xx == 65536 && pose->yy == 65536 && !pose->xy && !pose->yx;
 
-    if (upright && !pose->x0 && !pose->y0)
-        return from;
     for (; count; count--, from++, to++) {
         to->x = from->x + pose->x0;
         to->y = from->y + pose->y0;
@@ -50,33 +47,67 @@ static const struct vertex *place(struct vertex *room, const struct vertex *from
         to->shade = from->shade;
         to->w = from->w;
     }
-    return room;
 }
 
-/* Draws objects first to end (excluded). */
+/* Returns non-zero if a pose moves nothing. */
+static int32 is_still(const struct scene_pose *pose)
+{
+    return !(pose->x0 | pose->y0 | pose->xy | pose->yx) && pose->xx == 65536 && pose->yy == 65536;
+}
+
+/* Draws the run up to `end`, if it has any polygons. */
+static enum polygon_result draw_run(struct renderer *renderer, const struct polygon *run,
+                                    const struct polygon *end, const struct material *material)
+{
+    const int32 count = (int32)(end - run);
+
+    return !count ? POLYGON_DRAWN
+         : count == 1 ? material->draw(renderer, run, material)
+         : polygons_draw(renderer, run, count, material);
+}
+
+/* Draws objects first to end (excluded). Those that polygon_draw draws and that have the same material
+   are drawn together if no other is between them. */
 static enum polygon_result draw_objects(struct renderer *renderer, const struct scene *scene,
                                         int32 number, uint32 first, uint32 end)
 {
-    enum polygon_result refused = POLYGON_DRAWN;
+    enum polygon_result result, refused = POLYGON_DRAWN;
     const struct scene_object *object = &scene->objects[first];
+    const struct scene_object *const objects_end = &scene->objects[end];
+    struct polygon *const run = scene->scratch->run;
+    struct polygon *last = run, *full = run;
+    struct vertex *room = scene->scratch->placed;
+    uint32 left = 0;            /* places in the room */
+    uint32 of_run = 0;
 
-    for (; first < end; first++, object++) {
+    for (; object < objects_end; object++) {
         uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
-        const struct material *material;
-        enum polygon_result result;
-        struct polygon polygon;
+        const struct vertex *vertices;
+        const struct scene_pose *pose;
 
         if (age >= object->poses)
             continue;
-        polygon_set(&polygon, place(scene->scratch->placed, &scene->vertices[object->vertex],
-                                    object->vertices, &scene->poses[object->pose + age]),
-                    (int32)object->vertices, object->planar);
-        material = &scene->drawn[object->material];
-        result = material->draw(renderer, &polygon, material);
-        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
-            refused = result;
+        if (object->material != of_run || last == full || object->vertices > left) {
+            result = draw_run(renderer, run, last, &scene->drawn[of_run]);
+            refused = result > POLYGON_EMPTY ? result : refused;
+            last = run;
+            room = scene->scratch->placed;
+            left = POLYGON_VERTICES_MAX;
+            of_run = object->material;
+            full = &run[scene->drawn[of_run].draw == polygon_draw ? RUN_POLYGONS : 1];
+        }
+        vertices = &scene->vertices[object->vertex];
+        pose = &scene->poses[object->pose + age];
+        if (!is_still(pose)) {
+            place(room, vertices, object->vertices, pose);
+            vertices = room;
+            room += object->vertices;
+            left -= object->vertices;
+        }
+        polygon_set(last++, vertices, (int32)object->vertices, object->planar);
     }
-    return refused;
+    result = draw_run(renderer, run, last, &scene->drawn[of_run]);
+    return result > POLYGON_EMPTY ? result : refused;
 }
 
 /* Draws all objects and instances. */

@@ -8,8 +8,11 @@
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
 
-/* Memory for the vertices of one polygon or face at a time. */
+enum { RUN_POLYGONS = 21 };     /* objects of a material that are drawn together at most */
+
+/* Memory for the vertices of a run of objects, or of one face. */
 struct scene_scratch {
+    struct polygon run[RUN_POLYGONS];
     struct vertex placed[POLYGON_VERTICES_MAX];
     struct vertex face[MESH_CORNERS_MAX], cut[2 * POLYGON_VERTICES_MAX];
     struct mesh_face *buckets[MESH_SORT_BUCKETS];

@@ -61,9 +61,19 @@ enum polygon_result triangles_draw(struct renderer *renderer, const struct trian
     struct triangle room[LIST_TRIANGLES];
     struct triangle_plan plan;
     struct triangle_lines lines;
+    struct vertices_plan vertices;
+    struct triangle_range range;
 
     if (kind != SPAN_KINDS) {
-        triangle_vertices(list->room, list->vertices, list->vertex_count, renderer->frame, material);
+        triangle_range_set(&range, renderer->frame);
+        vertices.right = range.right;
+        vertices.bottom = range.bottom;
+        vertices.scale = triangle_scale(material);
+        vertices.values = triangle_values(material->mapper);
+        vertices.count = list->vertex_count;
+        vertices.from = list->vertices;
+        vertices.to = list->room;
+        triangle_vertices(&vertices);
         routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
         plan.cull = list->cull;
     }

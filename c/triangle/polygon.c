@@ -1,186 +1,9 @@
 #include "triangle/polygon.h"
 
+#include "limits.h"
 #include "polygon/counts.h"
-#include "polygon/kind.h"
 #include "polygon/scratch.h"
 #include "polygon/shading.h"
-
-/* Sets the fields that only triangles_spans reads. */
-static void triangle_spans_set(struct triangle_plan *plan, enum span_kind kind,
-                               struct triangle_lines *to, const struct renderer *renderer,
-                               const struct material *material)
-{
-    const struct frame *const frame = renderer->frame;
-    const int32 has_levels = kind == SPAN_LIT_GOURAUD;
-
-    plan->row -= EDGE_BIAS * frame->pixel_bytes;
-    plan->lines = material->mapper == MAPPER_FLAT ? triangle_lines_flat
-                : has_levels ? triangle_lines_levels : triangle_lines_addx;
-    plan->kind = kind;
-    plan->only_counts = renderer->counts && renderer->only_counts;
-    plan->off = renderer->off;
-    plan->light = kind == SPAN_LIT || kind == SPAN_LIT_WRAP || has_levels
-                ? material->light->texels : 0;
-    plan->shades = has_levels ? renderer->scratch->room : 0;
-    plan->span = &to->span;
-    plan->shade = &to->shade;
-    to->span.lines = to->shade.lines = renderer->scratch->lines;
-    to->span.pitch = frame->pitch;
-    to->span.map = plan->map;
-    to->span.colour = material->colour;
-    to->span.light = plan->light;
-    to->span.shades = to->shade.shades = plan->shades;
-    to->shade.inside = 1;
-}
-
-triangle_drawer *triangle_plan_set(struct triangle_plan *plan, enum span_kind kind,
-                                   struct triangle_lines *to, const struct renderer *renderer,
-                                   const struct material *material)
-{
-    plan->row = renderer->frame->pixels;
-    plan->pitch = renderer->frame->pitch;
-    plan->map = material->map ? material->map->texels : 0;
-    plan->reciprocals = renderer->triangles->reciprocals;
-    plan->colour = material->colour * 0x01010101;
-    plan->cull = 0;
-    if (kind == SPAN_TRIANGLES_AFFINE)
-        return triangles_affine;
-    if (kind == SPAN_TRIANGLES_FLAT)
-        return triangles_flat;
-    if (kind == SPAN_TRIANGLES_GOURAUD)
-        return triangles_gouraud;
-    triangle_spans_set(plan, kind, to, renderer, material);
-    return triangles_spans;
-}
-
-/* Sets the levels of a triangle's lines. */
-static void triangle_levels(struct span_plan *span, struct shade_plan *shade)
-{
-    shade->count = span->count;
-    shade->added = (uint32)span->light & 0xffff;
-    if (span->dvdx & 0x800000)
-        shade->added += SHADE_FALLS;
-    edge_shade(shade);
-    span->dcdx = shade->dcdx;
-}
-
-/* Returns the cheapest span for the steps of a triangle's lines. */
-static enum span_kind triangle_lowered(const struct triangle_plan *plan)
-{
-    const fix16 dudx = plan->span->dudx, dvdx = plan->span->dvdx;
-    const int32 row = STEP_IS_STILL(dvdx) && STEP_IS_SLOW(dudx) && RULE_IS_ON(plan, STILL_V);
-    const int32 copy = row && STEP_IS_STILL(dudx - 65536) && RULE_IS_ON(plan, UNIT_STEP);
-
-    switch (plan->kind) {
-    case SPAN_AFFINE_ADDX:
-    case SPAN_AFFINE_ADDX_WRAP:
-        return copy ? SPAN_AFFINE_COPY : row ? SPAN_AFFINE_ROW
-             : STEP_IS_STILL(dudx) && STEP_IS_SLOW(dvdx) && RULE_IS_ON(plan, STILL_U)
-             ? SPAN_AFFINE_COLUMN : (enum span_kind)plan->kind;
-    case SPAN_AFFINE_16:
-        return copy ? SPAN_AFFINE_16_COPY : row ? SPAN_AFFINE_16_ROW : SPAN_AFFINE_16;
-    case SPAN_AFFINE_32:
-        return row ? SPAN_AFFINE_32_ROW : SPAN_AFFINE_32;
-    default:
-        return plan->kind;
-    }
-}
-
-const struct triangle *triangles_spans(struct triangle_plan *plan)
-{
-    struct span_plan *const span = plan->span;
-    enum span_kind kind = plan->kind;
-
-    for (;;) {
-        const struct triangle *const next = plan->lines(plan);
-
-        if (!span->count) {
-            plan->kind = kind;
-            return next;
-        }
-        if (plan->shades)
-            triangle_levels(span, plan->shade);
-        else if (plan->light)
-            span->light = plan->light + 256 * (next[-1].a->level >> 20);
-        kind = triangle_lowered(plan);
-        if (!plan->only_counts)
-            kind_spans[kind](span);
-        plan->list = next;
-    }
-}
-
-/* Returns a value in 1/2^20, raised. */
-static int32 triangle_value(fix16 value)
-{
-    return (int32)((uint32)(value + SNAPPED_RAISED) << 4);
-}
-
-/* Sets a vertex's place and, with a map, u and v. Returns 0 if it is out of range. */
-static int32 triangle_vertex(struct snapped_vertex *to, const struct triangle_range *range,
-                             fix16 scale, const struct vertex *from)
-{
-    const uint32 reach = (uint32)SNAPPED_TEXELS << 16;
-    const int32 x = (from->x + SNAPPED_HALF) >> (16 - SNAPPED_BITS);
-    const int32 y = (from->y + SNAPPED_HALF) >> (16 - SNAPPED_BITS);
-    fix16 s = from->s, t = from->t;
-
-    if ((uint32)x > range->right || (uint32)y > range->bottom)
-        return 0;
-    to->x = (int16)(x + SNAPPED_ONE);
-    to->y = (int16)(y + SNAPPED_ONE - 1);
-    if (!scale)
-        return 1;
-    if (scale != 65536) {
-        s = mul_round(s, scale);
-        t = mul_round(t, scale);
-    }
-    to->u = triangle_value(s);
-    to->v = triangle_value(t);
-    return (uint32)s + reach < 2 * reach && (uint32)t + reach < 2 * reach;
-}
-
-/* Returns non-zero if vertices cover fewer than SNAPPED_LINES lines. */
-static int32 triangle_is_low(const struct snapped_vertex *v, int32 count)
-{
-    int32 top = v->y, low = top;
-
-    while (--count > 0) {
-        v++;
-        top = v->y < top ? v->y : top;
-        low = v->y > low ? v->y : low;
-    }
-    return low - top < SNAPPED_LINES * SNAPPED_ONE;
-}
-
-int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, int32 count,
-                        const struct frame *frame, const struct material *material)
-{
-    const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
-    const int32 is_lit = material->light != 0;
-    const fix16 scale = material->map ? material->map->scale : 0;
-    struct triangle_range range;
-    int32 all = 1;
-
-    triangle_range_set(&range, frame);
-    for (; count > 0; count--, to++, from++) {
-        fix16 low = from->shade, high = low;
-
-        if (!triangle_vertex(to, &range, scale, from)) {
-            to->x = -1;
-            all = 0;
-        } else if (is_shaded) {
-            shade_limits(&low, &high);
-            to->u = triangle_value(shade_limited(from->shade, low, high));
-        } else if (is_lit) {
-            const fix16 level = SHADE_LEVEL(from->shade);
-
-            low = high = level;
-            shade_limits(&low, &high);
-            to->level = shade_limited(level, low, high) << 4;
-        }
-    }
-    return all;
-}
 
 /* Returns non-zero if u or v may be the same along lines: the triangles of the polygon have a level edge,
    are not small, and a level edge has equal ends. Triangles have the same picture in either way of
@@ -257,44 +80,199 @@ static int32 triangle_stays_in_map(const struct snapped_vertex *v, const struct 
     return (area < 0 ? -area : area) >= SLIVER_MAP * (most - least);
 }
 
+/* Returns the kind that draws a polygon whose vertices are converted; sets *colour if that is flat.
+   SPAN_KINDS if no routine for triangles can draw it. */
+static enum span_kind triangle_judged(enum span_kind kind, uint32 *colour,
+                                      const struct snapped_vertex *vertices,
+                                      const struct renderer *renderer,
+                                      const struct polygon *polygon,
+                                      const struct material *material)
+{
+    if (kind == SPAN_TRIANGLES_AFFINE) {
+        if (material->mapper == MAPPER_ARBITRARY
+            && (polygon->count > 3 || !triangle_stays_in_map(vertices, material->map)))
+            return SPAN_KINDS;
+        return triangle_may_be_still(vertices, polygon->count) ? SPAN_AFFINE_ADDX : kind;
+    }
+    return triangle_by_vertices(kind, colour, renderer, polygon, material);
+}
+
+/* Makes the triangles of a polygon, all with its first corner; returns the place behind them. */
+static struct triangle *triangle_fan(struct triangle *to, const struct snapped_vertex *vertices,
+                                     int32 count)
+{
+    const struct snapped_vertex *v = &vertices[1];
+
+    for (; count > 2; count--, to++) {
+        to->a = vertices;
+        to->b = v++;
+        to->c = v;
+    }
+    return to;
+}
+
+/* Sets all but the polygons. */
+static void fans_set(struct fans_plan *plan, struct snapped_vertex *vertices, struct triangle *list,
+                     const struct frame *frame, const struct material *material)
+{
+    struct triangle_range range;
+
+    triangle_range_set(&range, frame);
+    plan->right = range.right;
+    plan->bottom = range.bottom;
+    plan->vertices = vertices;
+    plan->scale = triangle_scale(material);
+    plan->last = list;
+    plan->values = triangle_values(material->mapper);
+    plan->judged = material->mapper == MAPPER_ARBITRARY;
+}
+
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
                                 const struct material *material)
 {
     enum span_kind kind = triangle_kind(renderer->frame, material);
-    const int32 count = polygon->count;
     struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX];
     struct triangle list[TRIANGLE_CORNERS_MAX - 2];
+    uint32 colour = material->colour;
+    struct fans_plan fans;
     struct triangle_plan plan;
     struct triangle_lines lines;
     triangle_drawer *routine;
-    uint32 colour = material->colour;
-    int32 i;
 
-    if (kind == SPAN_KINDS || count > TRIANGLE_CORNERS_MAX
-        || !triangle_vertices(vertices, polygon->vertices, count, renderer->frame, material)
-        || !triangle_is_low(vertices, count))
+    if (kind == SPAN_KINDS)
         return SPAN_KINDS;
-    if (material->mapper == MAPPER_ARBITRARY
-        && (count > 3 || !triangle_stays_in_map(vertices, material->map)))
-        return SPAN_KINDS;
-    if (material->mapper != MAPPER_FLAT && kind != SPAN_TRIANGLES_AFFINE)
-        kind = triangle_by_vertices(kind, &colour, renderer, polygon, material);
-    else if (kind == SPAN_TRIANGLES_AFFINE && triangle_may_be_still(vertices, count))
-        kind = SPAN_AFFINE_ADDX;
-    for (i = 2; i < count; i++) {
-        list[i - 2].a = vertices;
-        list[i - 2].b = &vertices[i - 1];
-        list[i - 2].c = &vertices[i];
+    fans_set(&fans, vertices, list, renderer->frame, material);
+    fans.from = polygon;
+    fans.end = polygon + 1;
+    if (triangle_fans(&fans) == polygon) {
+        if (fans.is_odd)
+            kind = triangle_judged(kind, &colour, vertices, renderer, polygon, material);
+        if (!fans.is_odd || kind == SPAN_KINDS)
+            return SPAN_KINDS;
+        fans.last = triangle_fan(list, vertices, polygon->count);
     }
     routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
     plan.colour = colour * 0x01010101;
     plan.list = list;
-    plan.end = &list[count - 2];
+    plan.end = fans.last;
     if (routine == triangles_spans) {
         routine(&plan);
-        return plan.kind;
+        return plan.lowered;
     }
     if (!renderer->counts || !renderer->only_counts)
         routine(&plan);
     return kind;
+}
+
+enum { BATCH_POLYGONS = 32 };
+
+/* Use of the scratch room by a run. */
+struct run_room {
+    uint32 shades[FRAME_SIDE_MAX];              /* of triangle_plan_set */
+    struct snapped_vertex vertices[TRIANGLE_CORNERS_MAX * BATCH_POLYGONS];
+    struct triangle list[(TRIANGLE_CORNERS_MAX - 2) * BATCH_POLYGONS];
+};
+
+SCRATCH_FITS(struct run_room);
+
+/* A run being drawn. */
+struct triangle_run {
+    struct fans_plan fans;
+    struct triangle_plan plan;
+    struct triangle_lines lines;
+    triangle_drawer *routine;
+    struct run_room *room;
+    enum span_kind kind;        /* of the plan */
+    uint32 colour;              /* the same */
+};
+
+/* Draws the triangles that were made. */
+static void run_flush(struct triangle_run *run)
+{
+    run->plan.list = run->room->list;
+    run->plan.end = run->fans.last;
+    run->fans.last = run->room->list;
+    if (run->plan.end != run->plan.list)
+        run->routine(&run->plan);
+}
+
+static void run_set(struct triangle_run *run, enum span_kind kind, uint32 colour,
+                    const struct renderer *renderer, const struct material *material)
+{
+    run->kind = kind;
+    run->colour = colour;
+    run->routine = triangle_plan_set(&run->plan, kind, &run->lines, renderer, material);
+    run->plan.colour = colour * 0x01010101;
+}
+
+/* Draws a polygon that triangle_fans did not take. */
+static enum polygon_result run_odd(struct triangle_run *run, enum span_kind kind,
+                                   struct renderer *renderer, const struct polygon *polygon,
+                                   const struct material *material, polygon_routine *other)
+{
+    struct fans_plan *const fans = &run->fans;
+    uint32 colour = material->colour;
+
+    kind = fans->is_odd ? triangle_judged(kind, &colour, fans->vertices, renderer, polygon, material)
+                        : SPAN_KINDS;
+    if (kind == SPAN_KINDS) {
+        run_flush(run);
+        return other(renderer, polygon, material);
+    }
+    if (kind != run->kind || colour != run->colour) {
+        run_flush(run);
+        run_set(run, kind, colour, renderer, material);
+    }
+    fans->last = triangle_fan(fans->last, fans->vertices, polygon->count);
+    fans->vertices += polygon->count;
+    return POLYGON_DRAWN;
+}
+
+/* Draws polygons of a material for which there is no routine for triangles. */
+static enum polygon_result run_others(struct renderer *renderer, const struct polygon *polygons,
+                                      int32 count, const struct material *material,
+                                      polygon_routine *other)
+{
+    enum polygon_result result, refused = POLYGON_DRAWN;
+
+    for (; count > 0; count--, polygons++) {
+        result = other(renderer, polygons, material);
+        refused = result > POLYGON_EMPTY ? result : refused;
+    }
+    return refused;
+}
+
+enum polygon_result triangle_run(struct renderer *renderer, const struct polygon *polygons,
+                                 int32 count, const struct material *material,
+                                 polygon_routine *other)
+{
+    const enum span_kind kind = triangle_kind(renderer->frame, material);
+    const struct polygon *const end = polygons + count;
+    enum polygon_result result, refused = POLYGON_DRAWN;
+    struct triangle_run run;
+
+    if (kind == SPAN_KINDS)
+        return run_others(renderer, polygons, count, material, other);
+    run.room = (struct run_room *)renderer->scratch->room;
+    fans_set(&run.fans, run.room->vertices, run.room->list, renderer->frame, material);
+    run_set(&run, kind, material->colour, renderer, material);
+    while (polygons < end) {
+        const int32 room = (int32)(&run.room->vertices[TRIANGLE_CORNERS_MAX * BATCH_POLYGONS]
+                                   - run.fans.vertices) / TRIANGLE_CORNERS_MAX;
+
+        run.fans.from = polygons;
+        run.fans.end = end - polygons < room ? end : polygons + room;
+        run.fans.judged = run.kind != kind || material->mapper == MAPPER_ARBITRARY;
+        polygons = triangle_fans(&run.fans);
+        if (polygons == run.fans.end) {
+            run_flush(&run);
+            run.fans.vertices = run.room->vertices;
+            continue;
+        }
+        result = run_odd(&run, kind, renderer, polygons, material, other);
+        refused = result > POLYGON_EMPTY ? result : refused;
+        polygons++;
+    }
+    run_flush(&run);
+    return refused;
 }

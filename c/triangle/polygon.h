@@ -44,10 +44,20 @@ static inline void triangle_range_set(struct triangle_range *range, const struct
     range->bottom = (uint32)frame->height * SNAPPED_ONE;
 }
 
-/* Converts vertices; x of those that are out of range becomes -1. Returns non-zero if all are in
-   range. */
-int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, int32 count,
-                        const struct frame *frame, const struct material *material);
+/* Returns the map's scale for plans; 0 for 1. */
+static inline fix16 triangle_scale(const struct material *material)
+{
+    return material->map && material->map->scale != 65536 ? material->map->scale : 0;
+}
+
+/* Returns the enum vertex_values of a mapper that has routines for triangles. */
+static inline int32 triangle_values(int32 mapper)
+{
+    return mapper == MAPPER_AFFINE || mapper == MAPPER_ARBITRARY ? VALUES_TEXELS
+         : mapper == MAPPER_FLAT ? VALUES_NONE
+         : mapper == MAPPER_GOURAUD ? VALUES_SHADES
+         : mapper == MAPPER_LIT ? VALUES_LEVEL : VALUES_LEVELS;
+}
 
 /* Draws the polygon as a fan of triangles; with renderer->only_counts it only says how it would.
    Vertices and steps may allow a cheaper kind, with the same picture. Returns the kind; SPAN_KINDS, and
@@ -55,5 +65,12 @@ int32 triangle_vertices(struct snapped_vertex *to, const struct vertex *from, in
    vertex out of range (enum snapped_limits). */
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
                        const struct material *material);
+
+/* Draws polygons in their order, as many as possible in one batch; those for which triangle_polygon
+   returns SPAN_KINDS by `other`. The renderer counts nothing. Returns POLYGON_DRAWN, or why `other`
+   refused one. */
+enum polygon_result triangle_run(struct renderer *renderer, const struct polygon *polygons,
+                                 int32 count, const struct material *material,
+                                 polygon_routine *other);
 
 #endif

@@ -6,6 +6,7 @@ void triangle_tables_make(struct triangle_tables *tables)
     const uint32 one = 0x80000000;
 
     tables->draw = triangle_polygon;
+    tables->run = triangle_run;
     table[0] = 0;
     for (uint32 dy = 1; dy < SNAPPED_RECIPROCALS; dy++) {
         uint32 half = dy >> 1;

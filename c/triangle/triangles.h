@@ -60,6 +60,34 @@ struct triangle {
     const struct snapped_vertex *a, *b, *c;
 };
 
+/* What vertices of triangles are interpolated with. */
+enum vertex_values {
+    VALUES_NONE, VALUES_SHADES, VALUES_TEXELS,
+    VALUES_LEVEL,               /* texels, and the first vertex's level of light */
+    VALUES_LEVELS
+};
+
+struct vertices_plan {
+    int32 count;
+    uint32 right, bottom;       /* largest x and y, 1/16 pixel */
+    const struct vertex *from;
+    struct snapped_vertex *to;
+    fix16 scale;                /* of the map; 0 for 1 */
+    int32 values;               /* enum vertex_values */
+};
+
+struct fans_plan {
+    uint32 right, bottom;       /* as above */
+    struct snapped_vertex *vertices;    /* free places; set behind those of the last triangle */
+    const struct polygon *from;
+    fix16 scale;
+    struct triangle *last;      /* free places of the list; set behind the last triangle */
+    const struct polygon *end;
+    int32 values;
+    int32 judged;               /* 1: no polygon is taken before it is judged */
+    int32 is_odd;               /* set to 1: the returned polygon's vertices are there, to be judged */
+};
+
 /* Room for what triangles_spans makes. */
 struct triangle_lines {
     struct span_plan span;
@@ -78,8 +106,8 @@ struct triangle_plan {
 
     /* triangles_spans, whose row is the pixel -EDGE_BIAS: */
     const struct triangle *(*lines)(struct triangle_plan *plan);        /* triangle_lines_<form> */
-    int32 kind;                 /* enum span_kind of the lines; set to what the last triangle's were
-                                   lowered to */
+    int32 kind;                 /* enum span_kind of the lines */
+    int32 lowered;              /* set to what the last triangle's were lowered to */
     int32 only_counts;          /* 1: nothing is drawn */
     uint32 off;                 /* the renderer's: rules that are off */
     const uint8 *light;         /* the light table, or 0 */
@@ -92,14 +120,20 @@ struct triangle_plan {
 struct triangle_tables {
     enum span_kind (*draw)(const struct renderer *renderer, const struct polygon *polygon,
                            const struct material *material);    /* triangle_polygon */
+    enum polygon_result (*run)(struct renderer *renderer, const struct polygon *polygons,
+                               int32 count, const struct material *material,
+                               polygon_routine *other);         /* triangle_run */
     int32 reciprocals[SNAPPED_RECIPROCALS];
 };
 
 void triangle_tables_make(struct triangle_tables *tables);
 
+/* src68k/triangle has contracts of these and the following. */
+void triangle_vertices(const struct vertices_plan *plan);
+const struct polygon *triangle_fans(struct fans_plan *plan);
+
 /* They draw the list up to the first triangle that they cannot draw, and return its address, or the
-   list's end. src68k/triangle has contracts. triangles_spans, in C, makes a scanline table for each
-   triangle and calls a span. */
+   list's end. triangles_spans, in C, makes a scanline table for each triangle and calls a span. */
 const struct triangle *triangles_flat(struct triangle_plan *plan);
 const struct triangle *triangles_gouraud(struct triangle_plan *plan);
 const struct triangle *triangles_affine(struct triangle_plan *plan);

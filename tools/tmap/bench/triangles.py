@@ -22,7 +22,7 @@ COLOUR = 0xA7
 COUNT = 32  # of a row
 BIAS = layout.load().constants["EDGE_BIAS"]
 #: Fields of a plan that only triangles_spans reads.
-UNUSED = dict.fromkeys(("lines", "kind", "only_counts", "off", "light", "shades", "span", "shade"), 0)
+UNUSED = dict.fromkeys(("lines", "kind", "lowered", "only_counts", "off", "light", "shades", "span", "shade"), 0)
 ROUTINES = {"flat": "triangles_flat", "gouraud": "triangles_gouraud", "affine": "triangles_affine"}
 #: Makers of tables of lines, and a mapper whose lines they are.
 LINERS = {"triangle_lines_flat": ("flat", "flat", 4), "triangle_lines_addx": ("lit", "addx", 1),

@@ -1,0 +1,17 @@
+#include "drawing/three.h"
+#include "triangle/triangles.h"
+
+enum polygon_result polygons_draw(struct renderer *renderer, const struct polygon *polygons,
+                                  int32 count, const struct material *material)
+{
+    enum polygon_result refused = POLYGON_DRAWN;
+
+    if (material->edges == EDGES_SNAPPED && renderer->triangles && !renderer->counts)
+        return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_exact);
+    for (; count > 0; count--, polygons++) {
+        const enum polygon_result result = polygon_draw(renderer, polygons, material);
+
+        refused = result > POLYGON_EMPTY ? result : refused;
+    }
+    return refused;
+}
