@@ -24,6 +24,7 @@
         cmp.l   three_below(a6),d0
         bhs     .other
         move.l  a1,setup_vertices(a6)
+        clr.l   setup_texturing+texturing_u_cut(a6)
         movem.l three_exact(a6),d0-d1   ; and chain
         jsr     polygon_outline
         tst.l   d0
