@@ -59,13 +59,15 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     if (!is_plain(renderer, material) || !has_map(material, frame))
         return 0;
     s->scratch = renderer->scratch;
+    setup_edges_set(s);
     s->frame = frame;
     s->material = material;
     s->off = s->applied = 0;
     s->count = 3;
+    s->outline_sides = &s->sides;
     s->kind = (enum span_kind)mappers[material->mapper].kind[frame->pixel_bytes >> 1];
     s->texturing.u_cut = s->texturing.v_cut = 0;
-    s->span.lines = s->scratch->lines;
+    s->span.lines = s->edges.lines;
     s->span.pitch = frame->pitch;
     s->span.map = material->map ? material->map->texels : 0;
     s->span.colour = material->colour;

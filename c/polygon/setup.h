@@ -45,12 +45,21 @@ struct setup {
 enum polygon_result polygon_find(struct setup *s, int32 exact, int32 chain);
 void plane_find(struct setup *s, int32 chain);
 
+/* Sets where edges and lines are made. */
+static inline void setup_edges_set(struct setup *s)
+{
+    s->edges.lines = s->scratch->lines;
+    s->edges.left = s->scratch->left;
+    s->edges.right = s->scratch->right;
+}
+
 /* Sets the fields that the caller gives; not `form`, which texture units do not use. */
 static inline void setup_begin(struct setup *s, struct renderer *renderer,
                                const struct polygon *polygon, const struct material *material)
 {
     s->renderer = renderer;
     s->scratch = renderer->scratch;
+    setup_edges_set(s);
     s->frame = renderer->frame;
     s->material = material;
     s->off = renderer->off;

@@ -57,17 +57,16 @@ struct vertex;
    that is 32-bit fixed point. With a height h, x is an exact integer quotient and error its
    remainder: error is in [2^32 - h, 2^32), part in [0, h). */
 struct edge {
+    int32 top;                  /* the first line in the frame; no stepper reads it */
     int32 lines;                /* 1 or more */
-    uint32 x;                   /* of the first line's first pixel + EDGE_BIAS */
-    int32 whole;                /* floor(slope) */
-    uint32 error, part;
     uint32 height;              /* subtracted from error after a carry; 0 for fixed point */
+    uint32 error;
+    int32 whole;                /* floor(slope); with one line, whole and part may be 0 */
+    uint32 part;
+    uint32 x;                   /* of the first line's first pixel + EDGE_BIAS */
     uint32 u, v;                /* left edges: at the first line's first pixel; */
     fix16 du, dv;               /* steps of a line and `whole` pixels; 16.16 modulo 2^32 */
-
-    /* The edge's vertices; no stepper reads these. */
-    const struct vertex *upper, *lower;
-    int32 top;                  /* the first line in the frame */
+    const struct vertex *upper, *lower;         /* no stepper reads these */
 };
 
 /* Everything a scanline stepper needs. */

@@ -7,11 +7,11 @@
 ;          a2  vertex*  lower end, below the upper one
 ;          d1  int32    line, between the two
 ; trashes: d0-d7
-; reads:   x, y of both ends
+; reads:   x, y of both ends; lines of the edge
 ; writes:  edge: x, whole, error, part, height
 ; formats: with W x H the edge's extent and A = ceil(x's fraction * H + W * dy) in
 ;          units of H pixels: x = ceil(A / H) + whole part, error = 2^32 - 1 -
-;          (that ceil * H - A), whole = floor(W / H), part = W modulo H
+;          (that ceil * H - A), whole = floor(W / H), part = W modulo H; both 0 for one line
 ; error:   none: every ceil is the rational one
 ; cost:    about 320 cycles
 
@@ -21,17 +21,33 @@
         routine edge_exact
         swap    d1
         clr.w   d1
-        sub.l   vertex_y(a1),d1         ; dy
-        move.l  vertex_y(a2),d4
-        sub.l   vertex_y(a1),d4         ; H
+        sub.l   vertex_y(a1),d1
+        move.l  vertex_y(a2),d5
+        sub.l   vertex_y(a1),d5
         move.l  vertex_x(a1),d7
-        move.l  vertex_x(a2),d5
-        sub.l   d7,d5                   ; W
-        move.l  d5,d3
+        move.l  vertex_x(a2),d4
+        sub.l   d7,d4
+        move.l  edge_lines(a0),d6
+        jmp     edge_exact_across
+
+; edge_exact_across - the same from the edge's extent
+;
+; in:      a0  edge*   the edge to fill in
+;          d1  int32   from the upper end down to the first line, dy
+;          d4  int32   width, W
+;          d5  int32   height, H, above 0
+;          d6  int32   lines
+;          d7  fix16   x of the upper end
+; trashes: d0-d5/d7
+; writes:  as edge_exact
+; formats: as edge_exact
+; cost:    about 270 cycles, 200 for one line
+        routine edge_exact_across
+        move.l  d4,d3
         muls.l  d1,d2:d3                ; W * dy
         moveq   #0,d0
         move.w  d7,d0
-        mulu.l  d4,d1:d0                ; fraction * H
+        mulu.l  d5,d1:d0                ; fraction * H
         add.l   d0,d3
         addx.l  d1,d2
         moveq   #0,d1
@@ -41,24 +57,30 @@
         swap    d3
         swap    d2
         ext.l   d2
-        divs.l  d4,d2:d3                ; d3 = A / H towards zero, d2 its remainder
+        divs.l  d5,d2:d3                ; d3 = A / H towards zero, d2 its remainder
         tst.l   d2
         ble.s   .ceil
         addq.l  #1,d3
-        sub.l   d4,d2
-.ceil   subq.l  #1,d2                   ; not (ceil * H - A)
-        move.l  d2,edge_error(a0)
-        swap    d7
+        sub.l   d5,d2
+.ceil   swap    d7
         ext.l   d7
-        add.l   d7,d3
-        add.l   #EDGE_BIAS,d3
-        move.l  d3,edge_x(a0)
-        move.l  d4,edge_height(a0)
-        divsl.l d4,d2:d5                ; d5 = W / H towards zero
+        add.l   d3,d7
+        add.l   #EDGE_BIAS,d7
+        move.l  d2,d3
+        subq.l  #1,d3                   ; not (ceil * H - A)
+        moveq   #1,d0
+        cmp.l   d0,d6
+        beq.s   .one
+        divsl.l d5,d2:d4                ; d4 = W / H towards zero
         tst.l   d2
         bpl.s   .floor
-        add.l   d4,d2
-        subq.l  #1,d5
-.floor  move.l  d2,edge_part(a0)
-        move.l  d5,edge_whole(a0)
+        add.l   d5,d2
+        subq.l  #1,d4
+.floor  exg     d2,d5
+        movem.l d2-d5/d7,edge_height(a0)        ; error, whole, part, x
+        rts
+.one    moveq   #0,d4
+        move.l  d5,d2
+        moveq   #0,d5
+        movem.l d2-d5/d7,edge_height(a0)
         rts

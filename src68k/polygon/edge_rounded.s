@@ -1,4 +1,4 @@
-        include "nearest.i"
+        include "routine.i"
 
 ; edge_rounded - an edge in 16.16, from any of its lines on
 ;
@@ -10,59 +10,70 @@
 ; error:   of x, n lines below the given one: (n + 1) / 2^17 pixels
 ; cost:    about 340 cycles
 
-; The slope cannot overflow: two lines or more are more than one pixel high.
-
         routine edge_rounded
-        move.l  vertex_y(a1),d5
-        move.l  vertex_y(a2),d4
-        move.l  d4,d3
-        sub.l   d5,d4                   ; H
-        move.l  vertex_x(a2),d0
-        sub.l   vertex_x(a1),d0         ; W
-        move.l  d4,d7
-        lsr.l   #1,d7
-        moveq   #0,d6
-        move.l  d6,edge_height(a0)
-
-        move.l  d5,d2
-        add.l   #$ffff,d2
-        clr.w   d2                      ; the edge's first line
-        add.l   #$ffff,d3
-        clr.w   d3
-        sub.l   d2,d3                   ; lines
         swap    d1
         clr.w   d1
-        sub.l   d5,d1                   ; prestep
-        beq.s   .on_line                ; no prestep: as with integer edges
-        muls.l  d1,d5:d0
-        nearest d5,d0
-        bra.s   .x
-.on_line
+        sub.l   vertex_y(a1),d1
+        move.l  vertex_y(a2),d5
+        sub.l   vertex_y(a1),d5
+        move.l  vertex_x(a1),d7
+        move.l  vertex_x(a2),d4
+        sub.l   d7,d4
+        move.l  edge_lines(a0),d6
+        jmp     edge_rounded_across
+
+; \1:\2 = its quotient by d5, to the nearest, halves up, in \2. d3 = d5 / 2, d1 = 0.
+nearest macro
+        add.l   d3,\2
+        addx.l  d1,\1
+        divs.l  d5,\1:\2                ; towards zero
+        tst.l   \1
+        minus   <subq.l #1,\2>
+        endm
+
+; edge_rounded_across - the same from the edge's extent
+;
+; like:    edge_exact_across
+; formats: as edge_rounded
+; error:   as edge_rounded
+; cost:    about 290 cycles, 200 for one line
+
+; The slope cannot overflow: an edge of two lines or more is more than one pixel high.
+        routine edge_rounded_across
+        move.l  d5,d3
+        lsr.l   #1,d3
         moveq   #0,d0
-.x      add.l   vertex_x(a1),d0
-        add.l   #(EDGE_BIAS<<16)+$ffff,d0
-        cmp.l   #$10000,d3
-        bls.s   .one_line               ; unsigned: up to 32,768 lines
-        move.l  vertex_x(a2),d3
-        sub.l   vertex_x(a1),d3
+        tst.l   d1
+        beq.s   .on_line                ; as with integer edges
+        move.l  d4,d0
+        muls.l  d1,d2:d0
+        moveq   #0,d1
+        nearest d2,d0
+.on_line
+        add.l   d0,d7
+        add.l   #(EDGE_BIAS<<16)+$ffff,d7
+        moveq   #1,d0
+        cmp.l   d0,d6
+        beq.s   .one
+        swap    d4
+        move.w  d4,d0
+        ext.l   d0
+        clr.w   d4                      ; d0:d4 = W << 16
+        moveq   #0,d1
+        nearest d0,d4
+        move.l  d4,d5
+        swap    d5
+        clr.w   d5
+        swap    d4
+        ext.l   d4
+.place  move.l  d7,d3
         swap    d3
-        move.w  d3,d5
-        ext.l   d5
-        clr.w   d3                      ; d5:d3 = W << 16
-        nearest d5,d3
-        move.w  d3,d6
-        swap    d6
-        move.l  d6,edge_part(a0)
-        swap    d3
-        ext.l   d3
-        move.l  d3,edge_whole(a0)
-        bra.s   .place
-.one_line
-        move.l  d6,edge_part(a0)
-        move.l  d6,edge_whole(a0)
-.place  clr.l   edge_error(a0)
-        move.w  d0,edge_error(a0)
-        clr.w   d0
-        swap    d0
-        move.l  d0,edge_x(a0)
+        clr.w   d3
+        clr.w   d7
+        swap    d7
+        moveq   #0,d2
+        movem.l d2-d5/d7,edge_height(a0)        ; error, whole, part, x
         rts
+.one    moveq   #0,d4
+        moveq   #0,d5
+        bra.s   .place

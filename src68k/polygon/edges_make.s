@@ -1,6 +1,6 @@
         include "routine.i"
 
-        xref    edge_exact,edge_rounded,edges_three
+        xref    edge_exact,edge_rounded
 
 ; edges_make - the edges of a polygon's sides, from its top line to its bottom one
 ;
@@ -23,16 +23,7 @@ bottom  equ     12
         routine edges_make,a0,a1,d0,d1
         save_all
         movea.l d0,a2
-        moveq   #2*vertex_sizeof,d0
-        add.l   sides_first(a1),d0
-        cmp.l   sides_last(a1),d0
-        bne.s   .many
-        movea.l a2,a4
-        movea.l a0,a2
-        move.l  d1,d0
-        jsr     edges_three
-        return_all
-.many   lea     edge_rounded,a5
+        lea     edge_rounded,a5
         tst.l   d1
         beq.s   .chosen
         lea     edge_exact,a5

@@ -1,7 +1,6 @@
         include "routine.i"
 
-        xref    sides_find,sides_three,edges_make,edges_three
-        xref    texturing_gentle
+        xref    sides_find,edges_make,triangle_outline,texturing_gentle
 
 ; Rounds \1 up to a whole number.
 upwards macro
@@ -18,25 +17,28 @@ upwards macro
 ; out:     d0  int32   POLYGON_DRAWN; POLYGON_EMPTY: no pixel of the frame may be covered; or as
 ;                      sides_find
 ; trashes: d1-d7/a0-a5
-; reads:   vertices, count, frame and scratch of the setup
-; writes:  its sides, box, outline_sides; lines, left, right, lefts, rights of its edges, and these;
-;          as texturing_gentle
+; reads:   vertices, count and frame of the setup; left and right of its edges
+; writes:  its sides, box, outline_sides; lefts and rights of its edges, and these; as
+;          texturing_gentle
 ; formats: the box is the part of the frame that edges may cover, EDGE_ERROR being their error in x
 ; error:   that of the edges and of the plane
 ; cost:    about 2,000 cycles for a triangle with exact edges and a cold cache; with its plane 4,000
         routine polygon_outline
-        movem.l d0-d1,-(sp)
         lea     setup_sides(a6),a0
         move.l  a0,setup_outline_sides(a6)
+        moveq   #3,d2
+        cmp.l   setup_count(a6),d2
+        bne.s   .many
+        jmp     triangle_outline
+
+.many   movem.l d0-d1,-(sp)
         movea.l setup_vertices(a6),a1
         move.l  setup_count(a6),d0
-        moveq   #3,d1
-        cmp.l   d1,d0
-        bne     .many
-        jsr     sides_three
-.sides  tst.l   d0
+        jsr     sides_find
+        tst.l   d0
         bne     .done
 
+        lea     setup_sides(a6),a0
         movea.l setup_frame(a6),a3
         movem.l sides_x_low(a0),d0/d2   ; and x_high
         sub.l   #EDGE_ERROR,d0
@@ -66,33 +68,16 @@ upwards macro
         movem.l d0-d3,(a4)              ; left, top, right, bottom
 
         movea.l a0,a1
-        lea     setup_edges(a6),a2
-        movea.l setup_scratch(a6),a0
-        lea     scratch_left(a0),a3
-        movem.l a0/a3,edge_plan_lines(a2)       ; the lines are first in scratch; and left
-        adda.l  #scratch_right,a0
-        move.l  a0,edge_plan_right(a2)
-        moveq   #3,d0
-        cmp.l   setup_count(a6),d0
-        bne.s   .edges
-        move.l  (sp),d0
-        jsr     edges_three
-        lea     -setup_box(a4),a6
-.made   addq.l  #4,sp
+        lea     setup_edges(a6),a0
+        move.l  a4,d0
+        move.l  (sp),d1
+        jsr     edges_make
+        addq.l  #4,sp
         move.l  (sp)+,d1
         bmi.s   .drawn
         jsr     texturing_gentle
 .drawn  moveq   #POLYGON_DRAWN,d0
         rts
-
-.many   jsr     sides_find
-        lea     setup_sides(a6),a0
-        bra     .sides
-.edges  movea.l a2,a0
-        move.l  a4,d0
-        move.l  (sp),d1
-        jsr     edges_make
-        bra.s   .made
 .empty  moveq   #POLYGON_EMPTY,d0
 .done   addq.l  #8,sp
         rts

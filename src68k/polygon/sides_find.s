@@ -1,7 +1,5 @@
         include "routine.i"
 
-        xref    sides_three
-
 ; Goes to .far if \1 is not in -POLYGON_FAR to POLYGON_FAR: the upper two bits
 ; of such a 16.16 number differ. Uses d0.
 in_range macro
@@ -33,16 +31,11 @@ extreme macro
 ; reads:   x, y, s, t of the vertices
 ; writes:  *sides; not all of it if the polygon is refused
 ; formats: 16.16; area 32.32, below 2^63
-; cost:    about 600 cycles for a triangle, 400 a vertex for others, with a cold cache
+; cost:    about 400 cycles a vertex with a cold cache
         routine sides_find,a0,a1,d0
         movem.l d2-d7/a2-a4,-(sp)
-        subq.w  #3,d0
-        bne.s   .many
-        jsr     sides_three
-        movem.l (sp)+,d2-d7/a2-a4
-        rts
-.many   addq.w  #2,d0
         move.w  d0,d7
+        subq.w  #1,d7
         move.l  a1,sides_first(a0)
         movea.l a1,a2                   ; top
         movea.l a1,a3                   ; bottom

@@ -127,7 +127,8 @@ size            equ     chain+4
 ; in:      a6  setup*  the polygon, with sides of an area that is not 0, box and edges; the cuts of
 ;                      its texturing are set: 0 to 8, 0 for a chain
 ;          d1  int32   enum chain
-; trashes: d0-d7/a0-a5
+; out:     d0  int32   POLYGON_DRAWN
+; trashes: d1-d7/a0-a5
 ; reads:   sides and their vertices, box, left edges, u_cut, v_cut
 ; writes:  texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES v and its steps
 ;          are 0; u, v, du, dv of the left edges as texturing_starts
@@ -153,7 +154,25 @@ size            equ     chain+4
         tst.b   sides+sides_middle_right(a6)
         beq.s   .turned
         exg     a2,a3                   ; now D is positive
-.turned movea.l edges+edge_plan_left(a6),a0
+.turned jmp     texturing_gentle_from
+
+; texturing_gentle_from - the same from two vectors
+;
+; in:      a6  setup*  as texturing_gentle takes it; u and v of its texturing are s and t of the top
+;                      vertex
+;          d4  fix16   x of the top vertex
+;          d5  fix16   y of the top vertex
+;          a2  fix16*  x, y, s, t from the top vertex to another one
+;          a3  fix16*  and to the third, clockwise
+; out:     d0  int32   POLYGON_DRAWN
+; trashes: d1-d7/a0-a5
+; reads:   as texturing_gentle; on the stack below the return address: the chain, 32 bytes of vectors
+; writes:  as texturing_gentle; takes these from the stack
+; formats: as texturing_gentle
+; error:   as texturing_gentle
+; cost:    about 1,500 cycles with a cold cache, 700 for CHAIN_SHADES
+        routine texturing_gentle_from
+        movea.l edges+edge_plan_left(a6),a0
         move.l  edge_x(a0),d2
         sub.l   #EDGE_BIAS,d2
         move.l  box+rectangle_top(a6),d3
@@ -252,8 +271,9 @@ size            equ     chain+4
         subq.l  #1,d0
         beq.s   .done
         lea     edge_sizeof(a1),a1
-        jmp     texturing_starts
-.done   rts
+        jsr     texturing_starts
+.done   moveq   #POLYGON_DRAWN,d0
+        rts
 
 .shades clr.l   texturing+texturing_v(a6)
         clr.l   texturing+texturing_dvdx(a6)
@@ -287,4 +307,5 @@ size            equ     chain+4
         lea     texturing(a6),a0
         movea.l edges+edge_plan_left(a6),a1
         move.l  edges+edge_plan_lefts(a6),d0
-        jmp     texturing_starts
+        jsr     texturing_starts
+        bra     .done

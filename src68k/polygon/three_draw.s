@@ -1,6 +1,6 @@
         include "routine.i"
 
-        xref    polygon_outline,_kind_spans,_three_rest
+        xref    triangle_outline,_kind_spans,_three_rest
 
 ; three_draw - draws a triangle by the plan of its material
 ;
@@ -9,7 +9,7 @@
 ; out:     d0  int32    enum polygon_result; THREE_OTHER if the first vertex is outside the frame
 ; reads:   the plan, the vertices, the map
 ; writes:  the plan's setup, scratch memory; pixels
-; formats: those of polygon_outline and of the spans
+; formats: those of triangle_outline and of the spans
 ; error:   theirs
 ; cost:    bench rows polygon_*_exact
 
@@ -26,7 +26,7 @@
         move.l  a1,setup_vertices(a6)
         clr.l   setup_texturing+texturing_u_cut(a6)
         movem.l three_exact(a6),d0-d1   ; and chain
-        jsr     polygon_outline
+        jsr     triangle_outline
         tst.l   d0
         bne     .done
 
