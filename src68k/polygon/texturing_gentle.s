@@ -68,41 +68,58 @@ rise    macro
         endm
 
 ; Puts the gradient d1 into the field \1 as a step, rounded to the nearest multiple of 1 << cut
-; units, a1 being half of that. Uses d1.
+; units, a1 being half of that. \2: "whole" if cut is 0. Uses d1.
 step    macro
         add.l   a1,d1
         asr.l   #8,d1
         asr.l   #3,d1
+        ifc     '\2',''
         and.l   mask(sp),d1
+        endc
         move.l  d1,texturing+texturing_\1(a6)
         endm
 
-; Finds \1, u or v, and its steps from the plane of \2, s or t.
+; Finds \1, u or v, and its steps from the plane of \2, s or t. a1, d4: half of 1 << cut, and by how
+; much \1 is raised. \3: as step.
+steps   macro
+        add.l   texturing+texturing_\1(a6),d4
+        gradient vertex_\2,vertex_y
+        rise    a4
+        step    d\1dx,\3
+        gradient vertex_x,vertex_\2
+        rise    a5
+        step    d\1dy,\3
+        endm
+
+; The same for any cut.
 axis    macro
+        move.l  ways(sp),d4
+        movea.w #1<<10,a1
         move.l  texturing+texturing_\1_cut(a6),d3
-        moveq   #-1,d0
+        bne     .cut\1
+        add.l   way(sp),d4
+        lsr.l   #8,d4
+        lsr.l   #3,d4
+        addq.l  #2,d4
+        steps   \1,\2,whole
+        bra     .found\1
+.cut\1 moveq   #-1,d0
         lsl.l   d3,d0
         move.l  d0,mask(sp)
-        move.l  #1<<10,d0
+        move.l  a1,d0
         lsl.l   d3,d0
         movea.l d0,a1
-        move.l  ways(sp),d4
         lsl.l   d3,d4
         add.l   way(sp),d4
         lsr.l   #8,d4
         lsr.l   #3,d4
         addq.l  #2,d4
-        add.l   texturing+texturing_\1(a6),d4
-        gradient vertex_\2,vertex_y
-        rise    a4
-        step    d\1dx
-        gradient vertex_x,vertex_\2
-        rise    a5
-        step    d\1dy
+        steps   \1,\2
         move.l  mask(sp),d0
         sub.l   d0,d4
         subq.l  #1,d4
         and.l   d0,d4                   ; up to a multiple of 1 << cut
+.found\1
         move.l  d4,texturing+texturing_\1(a6)
         endm
 
