@@ -40,15 +40,15 @@ triangles_set_up macro
         wide_set_up right,\1
         endm
 
-; Begins the lines, long edge on the side \1, with values of the mapper \2. The error d5 has no lowest
-; byte yet.
+; Begins the lines, long edge on the side \1, with values of the mapper \2: \2_narrow begins those of
+; narrow triangles, \2_begin of all others. The error d5 has no lowest byte yet.
 wide_begin macro
         subq.l  #4,sp
         move.b  wide_sizeof+batch_room(sp),d5
         bmi.s   .wide\@
-        lines_counted \2
-        bra     narrow_first_\1
-.wide\@ add.b   d5,d5
+        \2_narrow \1
+.wide\@ \2_begin
+        add.b   d5,d5
         bvs.s   .tall\@
         lines_counted \2
         bra     wide_first_\1
