@@ -5,14 +5,12 @@
 
         include "triangle_wide.i"
 
-; batch_room = below 0 if a line of the triangle may have more than \1 * 16 pixels: 1 or 4. Uses d7.
+; batch_room = below 0 if a line of the triangle may have more than \1 * 16 pixels: 2 or 4. Uses d7.
 triangle_room macro
         moveq   #0,d7
         move.w  d2,d7
         lsl.l   #8,d7
-        ifeq    \1-4
-        lsl.l   #2,d7
-        endc
+        lsl.l   #\1>>1,d7
         sub.l   d6,d7
         move.l  d7,batch_room(a5)
         endm

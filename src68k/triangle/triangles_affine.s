@@ -73,11 +73,16 @@ affine_enter macro
 ; A line's pixels in a triangle of the class \2.
 affine_block macro
 affine_\2_\1
+        ifc     '\2','narrow'
+        rept    32
+        affine_pixel_\1
+        endr
+affine_\2_end_\1
+        else
         rept    16
         affine_pixel_\1
         endr
 affine_\2_end_\1
-        ifnc    '\2','narrow'
         cmpa.l  a6,a1
         bne     affine_\2_\1
         endc
@@ -278,7 +283,7 @@ texel_quotient
         triangle_quotient
         small_close
         wide_close
-        triangles_set_up affine,1,1
+        triangles_set_up affine,1,2
         small_lines left,affine,d4,(sp),small_step(sp)
         small_lines right,affine,d4,(sp),small_step(sp)
         narrow_lines left
