@@ -11,13 +11,13 @@
 ; The next value of the normal a0, to (a1)+. \1 to \3: its factors. a3 the middle, a5 the greatest,
 ; a6 what is added. Uses d0/d1.
 value   macro
-        move.w  (a0)+,d0
-        muls.w  \1,d0
-        move.w  (a0)+,d1
-        muls.w  \2,d1
+        move.w  \1,d0
+        muls.w  (a0),d0                 ; scene_normal_x
+        move.w  \2,d1
+        muls.w  scene_normal_y(a0),d1
         add.l   d1,d0
-        move.w  (a0)+,d1
-        muls.w  \3,d1
+        move.w  \3,d1
+        muls.w  scene_normal_z(a0),d1
         add.l   d1,d0
         asr.l   #5,d0                   ; 21 fraction bits -> 16
         add.l   a3,d0
@@ -51,9 +51,8 @@ value   macro
         beq.s   .skip
         bpl.s   .end                    ; MARKS_END
 .normal value   d2,d3,d4
-        subq.l  #6,a0
         value   d5,d6,d7
-        addq.l  #2,a0
+        addq.l  #scene_normal_sizeof,a0
         addq.l  #mesh_place_sizeof-8,a1
         tst.b   (a4)+
         bmi.s   .normal

@@ -28,15 +28,15 @@
 .next   tst.b   (a3)+
         beq.s   .skip
         bpl.s   .end                    ; MARKS_END
-.normal move.w  (a0)+,d0
-        muls.w  d2,d0
-        move.w  (a0)+,d1
-        muls.w  d3,d1
+.normal move.w  d2,d0
+        muls.w  (a0),d0                 ; scene_normal_x
+        move.w  d3,d1
+        muls.w  scene_normal_y(a0),d1
         add.l   d1,d0
-        move.w  (a0)+,d1
-        muls.w  d4,d1
+        move.w  d4,d1
+        muls.w  scene_normal_z(a0),d1
         add.l   d1,d0
-        addq.l  #2,a0
+        addq.l  #scene_normal_sizeof,a0
         asr.l   #5,d0                   ; 21 fraction bits -> 16
         add.l   d6,d0
         cmp.l   d6,d0

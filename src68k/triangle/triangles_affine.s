@@ -249,7 +249,7 @@ affine_narrow macro
         endm
 
 affine_small macro
-        texel_gradients SLIVER_SMALL
+        texel_gradients SLIVER_SMALL,small_\1
         move.l  a2,d4
         moveq   #15,d5
         long_small \1
@@ -263,10 +263,11 @@ affine_small macro
         move.l  (sp)+,d5
         move.l  (sp)+,d6
         bra     small_first_\1
+        texel_slivers small_\1
         endm
 
 affine_wide macro
-        texel_gradients SLIVER_WIDE
+        texel_gradients SLIVER_WIDE,wide_\1
         moveq   #15,d5
         long_wide \1
         value_start_wide snapped_vertex_u,a6,a4,a6
@@ -275,6 +276,7 @@ affine_wide macro
         affine_pack \1
         move.l  (sp)+,d5
         wide_begin \1,affine
+        texel_slivers wide_\1
         endm
 
         routine triangles_affine,a0
