@@ -12,8 +12,8 @@
 ; SNAPPED_LINES lines or more, or with a point that is out of range.
 
 ; a0 the face's corners, a1 the entry, a3 the instance's corners, a4 where the next corner is written,
-; a5 the places; d2 the greatest depth, d3 all places, ored; d4 the bits that are clear there if the face
-; is in range and cannot be too high; d5 entries left, d6 depth_shift, d7 corners left.
+; a5 the places; d2 the greatest depth, d3 all places, ored; d4 the bits that are clear there if the
+; face is in range and cannot be too high; d5 entries left, d6 depth_shift, d7 corners left.
 
 ; Takes the corner \1 behind a0; a2 = its place. Uses d0/d1.
 corner  macro

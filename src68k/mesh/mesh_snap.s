@@ -4,8 +4,8 @@
 ;
 ; in:      a0  const struct snap_plan*  count is 1 at least
 ; reads:   the plan; w, screen_x, screen_y and outside of count points
-; writes:  place and depth of count entries at to: w, and x and y as in struct snapped_vertex; negative if
-;          the point is outside a border, or x or y is not from 0 to the largest
+; writes:  place and depth of count entries at to: x and y as in struct snapped_vertex, negative if the
+;          point is outside a border, or x or y is not from 0 to the largest; w
 ; formats: screen 16.16; the largest x and y 28.4; place 12.4 twice
 ; error:   1/32 pixel
         routine mesh_snap,a0

@@ -3,7 +3,7 @@
 ; mesh_transform - places on the screen and depths of a mesh's points, with 16-bit operands
 ;
 ; in:      a0  const struct transform_plan*  marks of one point at least
-; out:     d0  int32  how many marked points are off the screen; -1: one is behind the eye, and those from it
+; out:     d0  int32  how many marked ones are off the screen; -1: one is behind the eye, and those from it
 ;                     on have no place
 ; reads:   the plan, its view, the marks, the points that are marked
 ; writes:  place and depth of their entries at to

@@ -88,8 +88,8 @@ affine_\2_end_\1
         endc
         endm
 
-; Goes to the line's pixels, of which the first round has those that whole rounds leave, 0 to 15: d4 becomes
-; one below minus their number.
+; Goes to the line's pixels, of which the first round has those that whole rounds leave, 0 to 15: d4
+; becomes one below minus their number.
 affine_go macro
         subq.w  #1,d4
         or.w    #-16,d4
@@ -143,11 +143,11 @@ affine_pack macro
         move.l  d5,d7
         endm
 
-; Narrow triangles have the number of a line's pixels in place of their short edge: d6 is -S on the left, S
-; on the right, as 24 bits of fraction above a byte of whole pixels. That byte counts from the long
-; edge's pixel, and is two below minus the number, so it stays below 0: adding a step, in a6, then carries
-; into the fraction where the step's byte is below 0, and only there. The fraction's own carry is added to
-; the byte after that.
+; Narrow triangles have a line's number of pixels in place of their short edge S: d6 is -S if it is the
+; right one, else S, 24 bits of fraction above a byte of whole pixels. That byte counts from the long
+; edge's pixel, and is two below minus the number, so it stays below 0: adding a step, in a6, carries
+; into the fraction where the step's byte is below 0, and only there, which the step allows for. The
+; fraction's own carry is added to the byte after that.
 
 ; Sets a6 and d6 for the short edge whose fields' names end in \2. Uses d4's lower word.
 narrow_edge macro
