@@ -31,12 +31,16 @@ struct mesh_point16 {
 };
 
 /* A point as triangles' routines take it, a struct snapped_vertex that is not lit. u and v are set for
-   instances with MESH_LINKED. */
+   instances with MESH_LINKED. Nothing is set for a point whose mark is 0. */
 struct mesh_place {
     int32 place;                /* x and y of struct snapped_vertex; negative: out of range */
     int32 u, v;
-    int32 depth;                /* mesh_transform's, in the unit of its view */
+    int32 depth;                /* mesh_transform's, in the unit of its view, or a mesh_point's w */
 };
+
+/* Marks of a mesh's points, a byte each: those that are not 0 are needed. Behind the last is
+   MARKS_END. */
+enum { MARKED = 0xff, MARKS_END = 1 };
 
 /* In flags of struct mesh_placed: its triangles' vertices are its places. They have no values, or those
    of the normal of the same number. */
@@ -50,7 +54,7 @@ struct mesh_attributes {
 
 struct transform_plan {
     const struct mesh_point16 *from;
-    int32 count;                /* 1 or more */
+    const uint8 *marks;         /* of one point or more */
     const struct scene_view16 *view;
     struct mesh_place *to;
     uint32 right, bottom;       /* largest x and y, 1/16 pixel */
@@ -78,7 +82,7 @@ struct attribute_plan {
 /* Values from normals to places. */
 struct values_plan {
     const struct scene_normal *from;
-    int32 count;                /* 1 or more */
+    const uint8 *marks;         /* of one point or more */
     struct mesh_place *to;
     const int16 *factors;       /* mesh_mirror: x, y, z of s, then of t; mesh_shade: of the light */
     fix16 low, high;            /* of mesh_shade */
@@ -92,8 +96,8 @@ struct mesh_placed {
     const struct scene_view *view;
     const struct scene_view16 *view16;          /* 0: transformed with 32-bit operands */
     struct mesh_point *points;                  /* with a view16 only those that are off the screen */
-    const struct mesh_place *places;            /* with a view16, or if routines for triangles may
-                                                   draw it */
+    const struct mesh_place *places;            /* with a view16 those that are marked; else all, if
+                                                   routines for triangles may draw it */
     const struct mesh_attributes *attributes;
     uint32 flags;
 };
@@ -104,6 +108,9 @@ struct mesh_face {
     struct mesh_face *next;     /* mesh_sort's */
     const struct scene_face *face;
     const struct mesh_placed *placed;
+    const struct mesh_place *a, *b, *c, *d;     /* mesh_orders': its corners, if routines for
+                                                   triangles may draw it, else a is 0; d is 0 if
+                                                   there are three */
 };
 
 struct faces_plan {
@@ -111,6 +118,14 @@ struct faces_plan {
     int32 count;                /* 1 or more */
     const struct mesh_placed *placed;
     struct mesh_face *to;
+    uint8 *marks;               /* mesh_faces: of the mesh's points */
+};
+
+struct orders_plan {
+    struct mesh_face *faces;
+    int32 count;                /* 1 or more */
+    const struct mesh_placed *placed;           /* of all of them */
+    int32 depth_shift;          /* of its places' depths */
 };
 
 /* The point where a border cuts an edge. */
@@ -128,6 +143,7 @@ struct mesh_work {
     struct mesh_place *places;
     struct mesh_attributes *attributes;
     struct mesh_face *faces;
+    uint8 *marks;               /* of one instance's points, in whole longwords */
 };
 
 /* src68k/mesh: contracts there. */
@@ -138,6 +154,7 @@ void mesh_mirror(const struct values_plan *plan);
 void mesh_shade(const struct values_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
 int32 mesh_faces_wide(const struct faces_plan *plan);
+void mesh_orders(const struct orders_plan *plan);
 void mesh_cut(const struct cut_plan *plan);
 
 /* Converts a mesh's points to 16 bits. */

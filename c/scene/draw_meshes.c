@@ -222,14 +222,14 @@ static uint32 linked(const struct renderer *renderer, const struct scene *scene,
 }
 
 /* Sets u and v of a linked instance's places. */
-static void make_values(struct mesh_place *to, const struct scene_normal *normals, int32 count,
+static void make_values(struct mesh_place *to, const struct scene_normal *normals, const uint8 *marks,
                         const struct mesh_placed *placed, const struct scene_instance *instance,
                         const struct scene_view *view)
 {
     struct values_plan plan;
 
     plan.from = normals;
-    plan.count = count;
+    plan.marks = marks;
     plan.to = to;
     if (placed->material->mapper == MAPPER_AFFINE) {
         plan.factors = &view->s_x;
@@ -242,31 +242,46 @@ static void make_values(struct mesh_place *to, const struct scene_normal *normal
     }
 }
 
-/* Transforms the points of an instance with 16-bit operands, those off the screen with 32-bit ones
-   too; returns 0 if the frame has no factors for them, or a point is behind the eye. */
+/* Sets the marks of so many points to 0 or MARKED. */
+static void mark_all(uint8 *marks, int32 count, uint8 mark)
+{
+    uint32 *four = (uint32 *)marks;
+
+    for (int32 left = count; left >= 0; left -= 4)
+        *four++ = mark * 0x01010101u;
+    marks[count] = MARKS_END;
+}
+
+/* Transforms the marked points of an instance with 16-bit operands, those off the screen with 32-bit
+   ones too; returns 0 if one is behind the eye. */
 static int32 place_points16(const struct renderer *renderer, const struct scene *scene,
-                            const struct mesh_placed *placed, struct mesh_place *to)
+                            const struct mesh_placed *placed, const uint8 *marks,
+                            struct mesh_place *to)
 {
     const int32 count = (int32)placed->mesh->points;
     struct transform_plan plan;
     struct triangle_range range;
     int32 off;
 
-    if (!placed->view16 || !placed->view16->is_used || placed->material->edges != EDGES_SNAPPED
-        || placed->material->perspective)
-        return 0;
     triangle_range_set(&range, renderer->frame);
     plan.from = &scene->points16[placed->mesh->point];
-    plan.count = count;
+    plan.marks = marks;
     plan.view = placed->view16;
     plan.to = to;
     plan.right = range.right;
     plan.bottom = range.bottom;
     off = mesh_transform(&plan);
     for (int32 i = 0; off > 0 && i < count; i++)
-        if (to[i].place < 0)
+        if (marks[i] && to[i].place < 0)
             transform_wide(scene, placed, (uint32)i, 1);
     return off >= 0;
+}
+
+/* Returns non-zero if an instance's points are tried with 16-bit operands. */
+static int32 has_view16(const struct mesh_placed *placed)
+{
+    return placed->view16 && placed->view16->is_used && placed->material->edges == EDGES_SNAPPED
+        && !placed->material->perspective;
 }
 
 /* Transforms the points of an instance, and snaps them for routines for triangles. */
@@ -297,6 +312,8 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     const struct scene_view *view = &scene->views[instance->view + age];
     struct mesh_placed *placed = at->placed;
     struct faces_plan faces;
+    struct orders_plan orders;
+    int32 count = 0;
 
     placed->mesh = mesh;
     placed->corners = &scene->corners[mesh->corner];
@@ -308,26 +325,41 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
                    ? 0 : &scene->views16[(uint32)instance->view16 + age];
     placed->attributes = at->attributes;
     placed->flags = instance->flags;
-    if (!place_points16(renderer, scene, placed, at->places)) {
-        placed->view16 = 0;
-        place_points(renderer, scene, placed, at->places);
-    }
     placed->flags |= linked(renderer, scene, placed);
-    if (placed->flags & MESH_LINKED)
-        make_values(at->places, &scene->normals[mesh->normal], (int32)mesh->points, placed,
-                    instance, view);
-    else if (instance->flags)
-        make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
-                        instance, view);
-    at->placed++;
-    at->points += mesh->points;
-    at->places += mesh->points;
-    at->attributes += mesh->normals;
     faces.from = &scene->faces[mesh->face];
     faces.count = (int32)mesh->faces;
     faces.placed = placed;
     faces.to = at->faces;
-    return placed->view16 ? mesh_faces(&faces) : mesh_faces_wide(&faces);
+    faces.marks = at->marks;
+    if (has_view16(placed)) {
+        mark_all(at->marks, (int32)mesh->points, 0);
+        count = mesh_faces(&faces);
+        if (!place_points16(renderer, scene, placed, at->marks, at->places))
+            placed->view16 = 0;
+    } else
+        placed->view16 = 0;
+    if (!placed->view16) {
+        mark_all(at->marks, (int32)mesh->points, MARKED);
+        place_points(renderer, scene, placed, at->places);
+        count = mesh_faces_wide(&faces);
+    }
+    if (placed->flags & MESH_LINKED)
+        make_values(at->places, &scene->normals[mesh->normal], at->marks, placed, instance, view);
+    else if (instance->flags)
+        make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
+                        instance, view);
+    if (count && (placed->view16 || placed->flags & MESH_LINKED)) {
+        orders.faces = at->faces;
+        orders.count = count;
+        orders.placed = placed;
+        orders.depth_shift = placed->view16 ? placed->view16->depth_shift : 0;
+        mesh_orders(&orders);
+    }
+    at->placed++;
+    at->points += mesh->points;
+    at->places += mesh->points;
+    at->attributes += mesh->normals;
+    return count;
 }
 
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,

@@ -136,6 +136,7 @@ static enum scene_memory make_work(struct scene *scene)
         && mem_alloc(&work->attributes, (int32)(most_normals * sizeof *work->attributes),
                      MEMORY_ANY)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
+        && mem_alloc(&work->marks, (int32)(most_points + 4) & ~3, MEMORY_ANY)
         && make_points16(scene) && make_smooth(scene)
         ? SCENE_MADE : SCENE_MESHES;
 }

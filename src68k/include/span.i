@@ -111,16 +111,16 @@ fill_open macro
         movea.l span_plan_pitch(a0),a5
         endm
 
-; Writes d3 longwords of d0 from (a0) on, 16 at a time. In: a3 = .longwords_end,
-; d5 = 15. Uses d4.
+; Writes d3 longwords of d0 from (a0) on, 32 at a time. In: a3 = .longwords_end,
+; d5 = 31. Uses d4.
 fill_longwords macro
         move.w  d3,d4
         and.w   d5,d4
         neg.w   d4                      ; 2 bytes of code a longword
-        lsr.w   #4,d3
+        lsr.w   #5,d3
         jmp     (a3,d4.w*2)
 .longwords
-        rept    16
+        rept    32
         move.l  d0,(a0)+
         endr
 .longwords_end

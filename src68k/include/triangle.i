@@ -76,10 +76,11 @@ triangle_next
         bhs.s   triangle_done
         movem.l (a0)+,a1-a3
         move.l  (a1),d0
-        bmi.s   triangle_handed
+        move.l  d0,d6
         move.l  (a2),d1
-        bmi.s   triangle_handed
+        or.l    d1,d6
         move.l  (a3),d2
+        or.l    d2,d6
         bmi.s   triangle_handed
         cmp.w   d1,d0
         bgt.s   .not_first
@@ -185,25 +186,29 @@ triangle_quotient macro
         endm
 
 ; The gradients of u and v: a4 and a2 = the steps a pixel, a6 and a3 = their differences along the long
-; edge. d3 = dy2 and d1 = dy1 as longwords. \1: the area up to which a quotient may not fit; then
-; texel_quotient, which is triangle_quotient, divides.
+; edge. d3 = dy2 and d1 = dy1 as longwords. \1: the area up to which a quotient may not fit; \2: names
+; what texel_slivers \2 adds for those.
 texel_gradients macro
         move.l  a6,d6
         move.w  d2,d3
         ext.l   d3
         ext.l   d1
         cmp.l   #\1,d6
-        bls.s   .sliver\@
+        bls     .sliver_\2
         gradient snapped_vertex_u,a6
         movea.l d4,a4
         gradient snapped_vertex_v,a3
-        bra.s   .found\@
-.sliver\@
+.found_\2
+        movea.l d4,a2
+        endm
+
+; Outside the way of other triangles. texel_quotient, which is triangle_quotient, divides.
+texel_slivers macro
+.sliver_\1
         gradient snapped_vertex_u,a6,texel_quotient
         movea.l d4,a4
         gradient snapped_vertex_v,a3,texel_quotient
-.found\@
-        movea.l d4,a2
+        bra     .found_\1
         endm
 
 ; Packs u (\1) and v (\2), 16.16, into \1 = B, uuVv, and \3 = A, v--U. Uses \2.

@@ -131,7 +131,7 @@ table_wide macro
         ifne    LEVELS
         level_gradient
         endc
-        texel_gradients SLIVER_WIDE
+        texel_gradients SLIVER_WIDE,\1
         moveq   #15,d5
         long_wide \1
         ifne    LEVELS
@@ -145,6 +145,7 @@ table_wide macro
         move.l  wide_count_1(sp),(sp)
         moveq   #0,d4
         bra     .line_\1
+        texel_slivers \1
         endm
 
 ; Long edge on the left. a6 and a3: u and v at the first pixel, a4 and a2: their steps a pixel, (sp)

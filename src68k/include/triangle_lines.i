@@ -5,14 +5,12 @@
 
         include "triangle_wide.i"
 
-; batch_room = below 0 if a line of the triangle may have more than \1 * 16 pixels: 1 or 4. Uses d7.
+; batch_room = below 0 if a line of the triangle may have more than \1 * 16 pixels: 2 or 4. Uses d7.
 triangle_room macro
         moveq   #0,d7
         move.w  d2,d7
         lsl.l   #8,d7
-        ifeq    \1-4
-        lsl.l   #2,d7
-        endc
+        lsl.l   #\1>>1,d7
         sub.l   d6,d7
         move.l  d7,batch_room(a5)
         endm
@@ -40,15 +38,15 @@ triangles_set_up macro
         wide_set_up right,\1
         endm
 
-; Begins the lines, long edge on the side \1, with values of the mapper \2. The error d5 has no lowest
-; byte yet.
+; Begins the lines, long edge on the side \1, with values of the mapper \2: \2_narrow begins those of
+; narrow triangles, \2_begin of all others. The error d5 has no lowest byte yet.
 wide_begin macro
         subq.l  #4,sp
         move.b  wide_sizeof+batch_room(sp),d5
         bmi.s   .wide\@
-        lines_counted \2
-        bra     narrow_first_\1
-.wide\@ add.b   d5,d5
+        \2_narrow \1
+.wide\@ \2_begin
+        add.b   d5,d5
         bvs.s   .tall\@
         lines_counted \2
         bra     wide_first_\1

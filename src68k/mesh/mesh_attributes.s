@@ -20,15 +20,15 @@
         move.l  attribute_plan_count(a0),d7
         lea     (a1,d7.l*8),a3
         movea.l attribute_plan_to(a0),a0
-.normal move.w  (a1)+,d0
-        muls.w  d2,d0
-        move.w  (a1)+,d1
-        muls.w  d3,d1
+.normal move.w  d2,d0
+        muls.w  (a1),d0                 ; scene_normal_x
+        move.w  d3,d1
+        muls.w  scene_normal_y(a1),d1
         add.l   d1,d0
-        move.w  (a1)+,d1
-        muls.w  d4,d1
+        move.w  d4,d1
+        muls.w  scene_normal_z(a1),d1
         add.l   d1,d0
-        addq.l  #2,a1
+        addq.l  #scene_normal_sizeof,a1
         asr.l   #5,d0                   ; 21 fraction bits -> 16
         add.l   d5,d0
         cmp.l   d6,d0

@@ -1,27 +1,22 @@
         include "routine.i"
 
-; mesh_faces - faces that are seen from the front, of a mesh with places and 16-bit operands
+; mesh_faces - faces that are seen from the front, by 16-bit operands, and the points that they have
 ;
 ; in:      a0  const struct faces_plan*  count is 1 at least
 ; out:     d0  int32  how many
-; reads:   the plan, its mesh_placed, that one's view16, count faces, corners and places of those
-;          seen
-; writes:  that many entries at to, but not next
-; formats: normals' upper words 2.14, the view16's eye; order: the greatest depth, inverted
+; reads:   the plan, its mesh_placed, that one's view16, count faces, corners of those seen
+; writes:  that many entries at to: face and placed; MARKED to their points' marks
+; formats: normals' upper words 2.14, the view16's eye
 ; error:   of the eye's height above a face: less than 2^-14 of the sum of its three coordinates, for
 ;          the normal, and 3 units of the eye's format
 ; cost:    bench row mesh_faces for four corners, mesh_faces_back for those not seen
 
-; d5-d7 the eye, d4 seen_shift, a2 depth_shift, a3 to, a4 the mesh_placed, a5 its corners, a6 depths
-; d2 = the greater of it and the depth of the corner \1 behind a0. Uses d0/d1.
+; d5-d7 the eye, d4 seen_shift, d2 MARKED, a2 behind the last face, a3 to, a4 the mesh_placed, a5 its
+; corners, a6 the marks
+; Marks the point of the corner \1 behind a0. Uses d0.
 corner  macro
         move.w  \1*scene_corner_sizeof(a0),d0   ; scene_corner_point, below MESH_COUNT_MAX
-        add.w   d0,d0
-        move.l  (a6,d0.w*8),d1          ; mesh_place_sizeof
-        cmp.l   d1,d2
-        bge.s   .nearer\@
-        move.l  d1,d2
-.nearer\@
+        move.b  d2,(a6,d0.w)
         endm
 
         routine mesh_faces,a0
@@ -32,17 +27,15 @@ corner  macro
         move.w  scene_view16_eye_y(a1),d6
         move.w  scene_view16_eye_z(a1),d7
         move.w  scene_view16_seen_shift(a1),d4
-        movea.w scene_view16_depth_shift(a1),a2
         movea.l mesh_placed_corners(a4),a5
-        movea.l mesh_placed_places(a4),a6
-        lea     mesh_place_depth(a6),a6
+        movea.l faces_plan_marks(a0),a6
         movea.l faces_plan_to(a0),a3
         movea.l faces_plan_from(a0),a1
         moveq   #scene_face_sizeof,d0
         mulu.l  faces_plan_count(a0),d0
-        add.l   a1,d0
+        lea     (a1,d0.l),a2
+        moveq   #-1,d2                  ; MARKED
         move.l  a3,-(sp)
-        move.l  d0,-(sp)
 .face   move.w  d5,d0
         muls.w  (a1),d0                 ; scene_face_x
         move.w  d6,d1
@@ -54,32 +47,29 @@ corner  macro
         asr.l   d4,d0
         cmp.l   scene_face_distance(a1),d0
         ble.s   .next
+        addq.l  #mesh_face_face,a3
+        move.l  a1,(a3)+
+        move.l  a4,(a3)+
+        lea     mesh_face_sizeof-mesh_face_a(a3),a3
         move.l  scene_face_corner(a1),d0
         lea     (a5,d0.l*8),a0
         lea     (a0,d0.l*4),a0          ; scene_corner_sizeof
         moveq   #-3,d3
         add.l   scene_face_corners(a1),d3
-        moveq   #0,d2                   ; the greatest depth so far
         corner  0
         corner  1
         corner  2
-.more   subq.l  #1,d3
-        bmi.s   .found
-        corner  3
-        lea     scene_corner_sizeof(a0),a0
-        bra.s   .more
-.found  move.l  a2,d0
-        lsl.l   d0,d2
-        not.l   d2
-        move.l  d2,(a3)+
-        addq.l  #mesh_face_face-4,a3
-        move.l  a1,(a3)+
-        move.l  a4,(a3)+
+        tst.l   d3
+        bne.s   .more
 .next   lea     scene_face_sizeof(a1),a1
-        cmpa.l  (sp),a1
-        bne     .face
-        addq.l  #4,sp
+        cmpa.l  a2,a1
+        bne.s   .face
         move.l  a3,d0
         sub.l   (sp)+,d0
-        lsr.l   #4,d0                   ; mesh_face_sizeof
+        lsr.l   #5,d0                   ; mesh_face_sizeof
         return_all
+.more   corner  3
+        lea     scene_corner_sizeof(a0),a0
+        subq.l  #1,d3
+        bne.s   .more
+        bra.s   .next

@@ -5,7 +5,7 @@
 ; in:      a0  const struct faces_plan*  count is 1 at least
 ; out:     d0  int32  how many
 ; reads:   the plan, its mesh_placed, that one's view, count faces, their corners' points
-; writes:  that many entries at to, but not next
+; writes:  that many entries at to: order, face and placed
 ; formats: normals 2.30, eye and distance 16.16; order: the greatest depth, inverted
 ; error:   a face counts as seen if floor(normal * eye) is above its distance
 ; cost:    bench row mesh_faces_wide for four corners, mesh_faces_wide_back for those not seen
@@ -65,11 +65,12 @@
         addq.l  #mesh_face_face-4,a3
         move.l  a1,(a3)+
         move.l  a4,(a3)+
+        lea     mesh_face_sizeof-mesh_face_a(a3),a3
 .next   lea     scene_face_sizeof(a1),a1
         subq.l  #1,(sp)
         bne.s   .face
         addq.l  #4,sp
         move.l  a3,d0
         sub.l   (sp)+,d0
-        lsr.l   #4,d0                   ; mesh_face_sizeof
+        lsr.l   #5,d0                   ; mesh_face_sizeof
         return_all

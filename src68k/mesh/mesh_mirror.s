@@ -2,22 +2,22 @@
 
 ; mesh_mirror - u and v of an environment in a map of 256x256, from normals to the places of points
 ;
-; in:      a0  const struct values_plan*  count is 1 at least
-; reads:   the plan, six factors, count normals
-; writes:  u and v of count entries at to
+; in:      a0  const struct values_plan*  marks of one point at least
+; reads:   the plan, six factors, the marks, normals of points that are marked
+; writes:  u and v of their entries at to
 ; formats: normals 2.14, -1 to 1; factors 9.7; u and v as in struct snapped_vertex: 12.20, raised
 ; error:   0 to 1/65536 texel too low (floor), once for the sum; mesh_attributes has the same s and t
 
 ; The next value of the normal a0, to (a1)+. \1 to \3: its factors. a3 the middle, a5 the greatest,
 ; a6 what is added. Uses d0/d1.
 value   macro
-        move.w  (a0)+,d0
-        muls.w  \1,d0
-        move.w  (a0)+,d1
-        muls.w  \2,d1
+        move.w  \1,d0
+        muls.w  (a0),d0                 ; scene_normal_x
+        move.w  \2,d1
+        muls.w  scene_normal_y(a0),d1
         add.l   d1,d0
-        move.w  (a0)+,d1
-        muls.w  \3,d1
+        move.w  \3,d1
+        muls.w  scene_normal_z(a0),d1
         add.l   d1,d0
         asr.l   #5,d0                   ; 21 fraction bits -> 16
         add.l   a3,d0
@@ -39,17 +39,22 @@ value   macro
         movem.w (a1),d2-d7
         movea.l values_plan_to(a0),a1
         addq.l  #mesh_place_u,a1
-        move.l  values_plan_count(a0),d0
+        movea.l values_plan_marks(a0),a4
         movea.l values_plan_from(a0),a0
-        lea     (a0,d0.l*8),a4          ; scene_normal_sizeof
         movea.l #128<<16,a3
         movea.l #256<<16,a5
         movea.w #SNAPPED_RAISED,a6
+        bra.s   .next
+.skip   addq.l  #scene_normal_sizeof,a0
+        lea     mesh_place_sizeof(a1),a1
+.next   tst.b   (a4)+
+        beq.s   .skip
+        bpl.s   .end                    ; MARKS_END
 .normal value   d2,d3,d4
-        subq.l  #6,a0
         value   d5,d6,d7
-        addq.l  #2,a0
+        addq.l  #scene_normal_sizeof,a0
         addq.l  #mesh_place_sizeof-8,a1
-        cmpa.l  a4,a0
-        blo.s   .normal
-        return_all
+        tst.b   (a4)+
+        bmi.s   .normal
+        beq.s   .skip
+.end    return_all

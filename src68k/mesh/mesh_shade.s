@@ -2,9 +2,9 @@
 
 ; mesh_shade - shades of a light, from normals to the places of points
 ;
-; in:      a0  const struct values_plan*  count is 1 at least
-; reads:   the plan, three factors, count normals
-; writes:  u of count entries at to
+; in:      a0  const struct values_plan*  marks of one point at least
+; reads:   the plan, three factors, the marks, normals of points that are marked
+; writes:  u of their entries at to
 ; formats: normals 2.14, -1 to 1; factors 9.7; low and high 16.16; u as in struct snapped_vertex: the
 ;          shade in 12.20, raised
 ; error:   0 to 1/65536 too low (floor), once for the sum, then kept SHADE_INSET inside its whole
@@ -18,20 +18,25 @@
         movem.l values_plan_low(a0),d6-d7
         movea.l values_plan_to(a0),a1
         addq.l  #mesh_place_u,a1
-        move.l  values_plan_count(a0),d0
+        movea.l values_plan_marks(a0),a3
         movea.l values_plan_from(a0),a0
-        lea     (a0,d0.l*8),a3          ; scene_normal_sizeof
         move.w  #-1-SHADE_INSET,d5
         movea.w #SNAPPED_RAISED,a2
-.normal move.w  (a0)+,d0
-        muls.w  d2,d0
-        move.w  (a0)+,d1
-        muls.w  d3,d1
+        bra.s   .next
+.skip   addq.l  #scene_normal_sizeof,a0
+        lea     mesh_place_sizeof(a1),a1
+.next   tst.b   (a3)+
+        beq.s   .skip
+        bpl.s   .end                    ; MARKS_END
+.normal move.w  d2,d0
+        muls.w  (a0),d0                 ; scene_normal_x
+        move.w  d3,d1
+        muls.w  scene_normal_y(a0),d1
         add.l   d1,d0
-        move.w  (a0)+,d1
-        muls.w  d4,d1
+        move.w  d4,d1
+        muls.w  scene_normal_z(a0),d1
         add.l   d1,d0
-        addq.l  #2,a0
+        addq.l  #scene_normal_sizeof,a0
         asr.l   #5,d0                   ; 21 fraction bits -> 16
         add.l   d6,d0
         cmp.l   d6,d0
@@ -53,7 +58,8 @@
         lsl.l   #4,d0
         move.l  d0,(a1)
         lea     mesh_place_sizeof(a1),a1
-        cmpa.l  a3,a0
-        blo.s   .normal
-        movem.l (sp)+,d2-d7/a2-a3
+        tst.b   (a3)+
+        bmi.s   .normal
+        beq.s   .skip
+.end    movem.l (sp)+,d2-d7/a2-a3
         rts

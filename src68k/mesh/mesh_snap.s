@@ -3,9 +3,9 @@
 ; mesh_snap - places of a mesh's points on the screen, snapped to 1/16 pixel
 ;
 ; in:      a0  const struct snap_plan*  count is 1 at least
-; reads:   the plan; screen_x, screen_y and outside of count points
-; writes:  place of count entries at to: x and y as in struct snapped_vertex; negative if the point is
-;          outside a border, or x or y is not from 0 to the largest
+; reads:   the plan; w, screen_x, screen_y and outside of count points
+; writes:  place and depth of count entries at to: x and y as in struct snapped_vertex, negative if the
+;          point is outside a border, or x or y is not from 0 to the largest; w
 ; formats: screen 16.16; the largest x and y 28.4; place 12.4 twice
 ; error:   1/32 pixel
         routine mesh_snap,a0
@@ -33,6 +33,7 @@
         move.w  d1,d0
         add.w   #SNAPPED_ONE-1,d0
 .placed move.l  d0,(a1)
+        move.l  mesh_point_w(a0),mesh_place_depth(a1)
         lea     mesh_place_sizeof(a1),a1
         lea     mesh_point_sizeof(a0),a0
         subq.l  #1,d3

@@ -20,7 +20,7 @@
         movea.l a0,a4
         move.l  d0,d5
         lsl.l   #MESH_SORT_STEPS_LOG,d5
-        lsl.l   #4,d0                   ; mesh_face_sizeof
+        lsl.l   #5,d0                   ; mesh_face_sizeof
         lea     -mesh_face_sizeof(a0,d0.l),a5
         move.l  (a0),d2                 ; mesh_face_order
         move.l  d2,d4

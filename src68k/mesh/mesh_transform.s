@@ -2,11 +2,11 @@
 
 ; mesh_transform - places on the screen and depths of a mesh's points, with 16-bit operands
 ;
-; in:      a0  const struct transform_plan*  count is 1 at least
-; out:     d0  int32  how many points are off the screen; -1: one is behind the eye, and those from it
+; in:      a0  const struct transform_plan*  marks of one point at least
+; out:     d0  int32  how many marked ones are off the screen; -1: one is behind the eye, and those from it
 ;                     on have no place
-; reads:   the plan, its view, count points
-; writes:  place and depth of count entries at to
+; reads:   the plan, its view, the marks, the points that are marked
+; writes:  place and depth of their entries at to
 ; formats: points whole numbers, -MESH_UNIT16 to MESH_UNIT16; factors up to MESH_FACTOR16, so that
 ;          a sum of both fits 16 bits; sums modulo 2^32; place as in struct snapped_vertex
 ; error:   for views that the tools wrote the place is the nearest to a point within 1/32 pixel of
@@ -35,13 +35,17 @@ row     macro
         movea.l transform_plan_to(a0),a1
         movea.l transform_plan_right(a0),a2
         movea.l transform_plan_bottom(a0),a3
-        move.l  transform_plan_count(a0),d0
-        lsl.l   #4,d0                   ; mesh_place_sizeof
-        lea     (a1,d0.l),a4
+        movea.l transform_plan_marks(a0),a4
         movea.l transform_plan_from(a0),a0
         move.w  scene_view16_divisor_shift(a6),d4
         clr.l   -(sp)
+        bra.s   .next
 
+.skip   lea     mesh_point16_sizeof(a0),a0
+        lea     mesh_place_sizeof(a1),a1
+.next   tst.b   (a4)+
+        beq.s   .skip
+        bpl     .end                    ; MARKS_END
 .point  movea.l (a0)+,a5
         move.w  (a0)+,d5
         move.w  (a0)+,d6
@@ -63,9 +67,10 @@ row     macro
 .placed move.l  d3,(a1)+
         addq.l  #mesh_place_depth-4,a1
         move.l  d2,(a1)+
-        cmpa.l  a4,a1
-        blo     .point
-        move.l  (sp)+,d0
+        tst.b   (a4)+
+        bmi     .point
+        beq     .skip
+.end    move.l  (sp)+,d0
         return_all
 .off    moveq   #-1,d3
         addq.l  #1,(sp)

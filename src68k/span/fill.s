@@ -8,7 +8,7 @@
 ; formats: 8-bit chunky pixels
 
 ; Short spans by bytes; long ones by a byte and a word up to a longword boundary,
-; longwords 16 at a time, and a word and a byte at the end.
+; longwords 32 at a time, and a word and a byte at the end.
 
 SHORT                   equ     12
 
@@ -24,7 +24,7 @@ SHORT                   equ     12
         lea     .longwords_end(pc),a3
         lea     .bytes_end-2(pc),a4
         moveq   #scanline_sizeof-6,d6
-        moveq   #15,d5
+        moveq   #31,d5
         subq.l  #1,d7
         bra.s   .line
 

@@ -5,7 +5,7 @@
 ; like:    span_fill
 ; formats: 16-bit pixels at even addresses; the colour in the plan's lower word
 
-; One pixel up to a longword boundary, longwords 16 at a time, one pixel at the end.
+; One pixel up to a longword boundary, longwords 32 at a time, one pixel at the end.
 
         routine span_fill_16,a0
         fill_open
@@ -15,7 +15,7 @@
         move.w  d1,d0                   ; two pixels
         lea     .longwords_end(pc),a3
         moveq   #scanline_sizeof-6,d6
-        moveq   #15,d5
+        moveq   #31,d5
         subq.l  #1,d7
 .line   move.l  (a1)+,d2                ; --:left
         lea     (a6,d2.w*2),a0

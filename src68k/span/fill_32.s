@@ -10,7 +10,7 @@
         move.l  span_plan_colour(a0),d0
         lea     .longwords_end(pc),a3
         moveq   #scanline_sizeof-6,d6
-        moveq   #15,d5
+        moveq   #31,d5
         subq.l  #1,d7
 .line   move.l  (a1)+,d2                ; --:left
         lea     (a6,d2.w*4),a0

@@ -73,26 +73,32 @@ affine_enter macro
 ; A line's pixels in a triangle of the class \2.
 affine_block macro
 affine_\2_\1
+        ifc     '\2','narrow'
+        rept    32
+        affine_pixel_\1
+        endr
+affine_\2_end_\1
+        else
         rept    16
         affine_pixel_\1
         endr
 affine_\2_end_\1
-        ifnc    '\2','narrow'
         cmpa.l  a6,a1
         bne     affine_\2_\1
         endc
         endm
 
-; Goes to the line's pixels. Unless the triangle is narrow, the first round has those that whole rounds
-; leave, 0 to 15: d4 becomes one below minus their number.
+; Goes to the line's pixels, of which the first round has those that whole rounds leave, 0 to 15: d4
+; becomes one below minus their number.
 affine_go macro
-        ifc     '\2','narrow'
-        affine_enter affine_\2_end_\1
-        else
         subq.w  #1,d4
         or.w    #-16,d4
         affine_enter affine_\2_end_\1+12
-        endc
+        endm
+
+affine_begin macro
+        move.l  wide_r_error(sp),d6
+        movea.l wide_r(sp),a6
         endm
 
 ; The short edges' fractions have 24 bits as well: d6's lowest byte stays 0.
@@ -137,8 +143,113 @@ affine_pack macro
         move.l  d5,d7
         endm
 
+; Narrow triangles have a line's number of pixels in place of their short edge S: d6 is -S if it is the
+; right one, else S, 24 bits of fraction above a byte of whole pixels. That byte counts from the long
+; edge's pixel, and is two below minus the number, so it stays below 0: adding a step, in a6, carries
+; into the fraction where the step's byte is below 0, and only there, which the step allows for. The
+; fraction's own carry is added to the byte after that.
+
+; Sets a6 and d6 for the short edge whose fields' names end in \2. Uses d4's lower word.
+narrow_edge macro
+        move.l  wide_r_part\2(sp),d6
+        clr.b   d6
+        ifc     '\1','left'
+        neg.l   d6
+        move.b  wide_r_step\2+3(sp),d4
+        subx.b  d4,d6
+        add.b   wide_l_step+3(sp),d6
+        else
+        move.b  wide_r_step\2+3(sp),d6
+        sub.b   wide_l_step+3(sp),d6
+        endc
+        bpl.s   .rises\@
+        sub.l   #$100,d6                ; what its byte will carry
+        bcc.s   .rises\@
+        subq.b  #1,d6
+.rises\@
+        movea.l d6,a6
+        move.l  wide_r_error\2(sp),d6
+        ifc     '\1','left'
+        not.l   d6
+        move.w  a0,d4
+        sub.w   wide_r\2+2(sp),d4
+        else
+        move.w  wide_r\2+2(sp),d4
+        sub.w   a0,d4
+        endc
+        subq.b  #2,d4
+        move.b  d4,d6
+        move.w  #$ff00,d4
+        endm
+
+; Steps the short edge; d4's lowest byte is 0 then.
+narrow_step macro
+        move.w  #$ff00,d4
+        add.l   a6,d6
+        addx.b  d4,d6
+        endm
+
+narrow_go macro
+        affine_keep
+        move.b  d6,d4
+        movea.l a0,a1
+        affine_enter affine_narrow_end_\1+24
+        endm
+
+narrow_lines macro
+        cnop    0,4
+        affine_block \1,narrow
+        tst.b   d5
+        beq.s   narrow_part_\1
+        adda.l  wide_l_step(sp),a0
+        add.l   wide_l_part(sp),d5
+        bcs.s   narrow_more_\1
+        narrow_step
+narrow_line_\1
+        affine_line d4
+narrow_first_\1
+        narrow_go \1
+narrow_more_\1
+        addq.l  #1,a0
+        narrow_step
+        ifc     '\1','left'
+        addq.b  #1,d6
+        else
+        subq.b  #1,d6
+        endc
+        affine_line d4
+        affine_more_\1 d4
+        narrow_go \1
+narrow_part_\1
+        move.b  wide_count_2+3(sp),d5
+        beq     wide_end
+        neg.b   d5
+        clr.l   wide_count_2(sp)
+        adda.l  wide_l_step(sp),a0
+        add.l   wide_l_part(sp),d5
+        bcc.s   .edge\@
+        addq.l  #1,a0
+        clr.w   d4
+        move.l  a4,d1
+        move.l  a3,d0
+        affine_more_\1 d4
+        affine_keep
+.edge\@ narrow_edge \1,_2
+        bra     narrow_line_\1
+        endm
+
+affine_narrow_counted macro
+        move.b  #1,wide_l_part+3(sp)
+        endm
+
+affine_narrow macro
+        lines_counted affine_narrow
+        narrow_edge \1
+        bra     narrow_first_\1
+        endm
+
 affine_small macro
-        texel_gradients SLIVER_SMALL
+        texel_gradients SLIVER_SMALL,small_\1
         move.l  a2,d4
         moveq   #15,d5
         long_small \1
@@ -152,10 +263,11 @@ affine_small macro
         move.l  (sp)+,d5
         move.l  (sp)+,d6
         bra     small_first_\1
+        texel_slivers small_\1
         endm
 
 affine_wide macro
-        texel_gradients SLIVER_WIDE
+        texel_gradients SLIVER_WIDE,wide_\1
         moveq   #15,d5
         long_wide \1
         value_start_wide snapped_vertex_u,a6,a4,a6
@@ -163,9 +275,8 @@ affine_wide macro
         value_start_wide snapped_vertex_v,a3,a2,a3
         affine_pack \1
         move.l  (sp)+,d5
-        move.l  wide_r_error-4(sp),d6
-        movea.l wide_r-4(sp),a6
         wide_begin \1,affine
+        texel_slivers wide_\1
         endm
 
         routine triangles_affine,a0
@@ -174,11 +285,11 @@ texel_quotient
         triangle_quotient
         small_close
         wide_close
-        triangles_set_up affine,1,1
+        triangles_set_up affine,1,2
         small_lines left,affine,d4,(sp),small_step(sp)
         small_lines right,affine,d4,(sp),small_step(sp)
-        wide_lines left,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
-        wide_lines right,affine,narrow,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
+        narrow_lines left
+        narrow_lines right
         wide_lines left,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
         wide_lines right,affine,wide,wide_l_part(sp),wide_l_step(sp),a6,d4,d6
         wide_lines left,affine,tall,wide_l_part(sp),wide_l_step(sp),a6,d4,d4

@@ -106,6 +106,14 @@ gouraud_counted macro
         movea.l d7,a2
         endm
 
+gouraud_narrow macro
+        lines_counted gouraud
+        bra     narrow_first_\1
+        endm
+
+gouraud_begin macro
+        endm
+
 gouraud_short macro
         add.l   a6,d6
         addx.l  d3,d1

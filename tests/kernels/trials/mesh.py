@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.mesh import (attributes_trial, cut_trial, faces_trial, faces_wide_trial, outside,
+from tmap.bench.mesh import (attributes_trial, cut_trial, faces_trial, faces_wide_trial, orders_trial, outside,
                              snap_trial, spread_trial, transform_trial, values_trial, wide_trial)
 from tmap.bench.mesh_batches import Gathered, gather_trial
 from tmap.bench.trial import Trial
@@ -52,6 +52,11 @@ def points_of(rng, count: int) -> list[tuple[int, ...]]:
     return [tuple(number(rng, most) for _ in range(3)) for _ in range(count)]
 
 
+def marks_of(number: int, count: int) -> np.ndarray:
+    """All, a half or a third of the points, by a trial's number."""
+    return np.random.default_rng(number).integers(1 + number % 3, size=count) == 0
+
+
 def mesh_transform_trials(rng) -> list[Trial]:
     """Any factors, which mostly leave the screen, and those of views in which most points are on it."""
     trials, shown, total = [], 0, 0
@@ -71,7 +76,8 @@ def mesh_transform_trials(rng) -> list[Trial]:
             points = mesh16.points_of(whole)
         places = mesh16.transform(points, row, frame)
         shown += places is not None and int(places.shown.sum())
-        trials.append(transform_trial(Memory(), frame, points, row, f"{count} points"))
+        marked = marks_of(len(trials), count)
+        trials.append(transform_trial(Memory(), frame, points, marked, row, f"{count} points, {marked.sum()} marked"))
     assert total / 4 < shown < 3 * total / 4
     return trials
 
@@ -112,8 +118,9 @@ def values_trials(kernel: str, rng) -> list[Trial]:
         most = 1 << 14
         normals = [(*(number(rng, most) for _ in range(3)), 0) for _ in range(count)]
         low = int(rng.integers(0, 256 * ONE))
-        trials.append(values_trial(Memory(), kernel, normals, [number(rng, 32767) for _ in range(6)], low,
-                                   int(rng.integers(low, 256 * ONE)), f"{count} normals"))
+        marked = marks_of(len(trials), count)
+        trials.append(values_trial(Memory(), kernel, normals, marked, [number(rng, 32767) for _ in range(6)], low,
+                                   int(rng.integers(low, 256 * ONE)), f"{count} normals, {marked.sum()} marked"))
     return trials
 
 
@@ -152,13 +159,26 @@ def face(rng, first: int, corners: int) -> list[int]:
 def mesh_faces_trials(rng) -> list[Trial]:
     trials = []
     for count in (1, 2, 30) * 10:
-        row, depths = row16_of(rng), [int(n) for n in rng.integers(1, 1 << 30, 12)]
+        row = row16_of(rng)
         row[mesh16.EYE:mesh16.EYE + 3] = [number(rng, 32767) for _ in range(3)]
         sizes = rng.choice((3, 3, 4, 5, 32), count).tolist()
         corners = [int(rng.integers(0, 12)) for _ in range(sum(sizes))]
         firsts = (np.cumsum(sizes) - sizes).tolist()
         faces = [face(rng, first, size) for first, size in zip(firsts, sizes)]
-        trials.append(faces_trial(Memory(), depths, corners, faces, row, f"{count} faces"))
+        trials.append(faces_trial(Memory(), corners, faces, row, f"{count} faces"))
+    return trials
+
+
+def mesh_orders_trials(rng) -> list[Trial]:
+    """Places anywhere, some beside the limit of lines and some out of range."""
+    trials = []
+    for count in (1, 2, 30) * 10:
+        bottom = int(rng.choice((2000, 4096, 8000)))
+        places = [(None if rng.integers(20) == 0 else
+                   (int(rng.integers(0, 5121)), int(rng.choice((0, 1, bottom - 1, bottom, rng.integers(bottom))))),
+                   number(rng, (1 << 30) - 1)) for _ in range(12)]
+        faces = [rng.integers(0, 12, int(rng.choice((3, 3, 4, 5, 32)))).tolist() for _ in range(count)]
+        trials.append(orders_trial(Memory(), places, faces, int(rng.integers(0, 9)), f"{count} faces"))
     return trials
 
 
@@ -241,6 +261,6 @@ def mesh_spread_trials(rng) -> list[Trial]:
 def trials() -> list[Trial]:
     makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_wide_trials, mesh_attributes_trials,
               mesh_cut_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials, mesh_mirror_trials, mesh_shade_trials,
-              mesh_link_trials, mesh_spread_trials)
+              mesh_link_trials, mesh_spread_trials, mesh_orders_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

@@ -63,6 +63,12 @@ def wide_case(is_inside: bool):
     return wide_trial(Arena(), ABOUT, points, row).row(COUNT)
 
 
+def marks_of(arena: Arena, marked) -> int:
+    """Appends marks of points, and what is behind the last; ``marked``: true for each that is needed."""
+    known = layout.load().constants
+    return arena.add(bytes([known["MARKED"] * bool(mark) for mark in marked] + [known["MARKS_END"]]), name="marks")
+
+
 def row16(about, row, points) -> list[int]:
     """The view's factors for 16-bit operands."""
     made = views16.row_of(about, row, mesh16.reach(np.array(points)))
@@ -70,19 +76,20 @@ def row16(about, row, points) -> list[int]:
     return made
 
 
-def transform_trial(arena: Arena, frame: tuple[int, int], points, row, title: str = "") -> Trial:
-    """A mesh's points, 16-bit, in a view16. ``frame``: width and height."""
+def transform_trial(arena: Arena, frame: tuple[int, int], points, marked, row, title: str = "") -> Trial:
+    """A mesh's points, 16-bit, those that are marked, in a view16. ``frame``: width and height."""
     points = np.array(points, np.int64)
-    places = mesh16.transform(points, row, frame)
+    numbers = np.flatnonzero(marked)
+    places = mesh16.transform(points[numbers], row, frame)
     size, to = layout.load().struct("mesh_place").size, arena.room("mesh_place", len(points))
     stored = np.column_stack([points[:, 0] * points[:, 1], points[:, :2], 0 * points[:, 0], points[:, 2]])
     plan_at = arena.struct("transform_plan", {
         "from": table(arena, "mesh_point16", stored), "view": table(arena, "scene_view16", [row]),
-        "to": to}, count=len(points), right=16 * min(frame[0], snapped.WIDTH), bottom=16 * frame[1])
+        "marks": marks_of(arena, marked), "to": to}, right=16 * min(frame[0], snapped.WIDTH), bottom=16 * frame[1])
     writes = [anything(to, size * len(points))] if places is None else [
         long_write(to + size * k + at, value)
-        for k, (x, y, w) in enumerate(zip(places.x.tolist(), places.y.tolist(), places.depth.tolist()))
-        for at, value in ((0, (x + 16 << 16 | y + 15) if places.shown[k] else -1), (12, w))]
+        for k, x, y, w, is_shown in zip(numbers.tolist(), *(column.tolist() for column in vars(places).values()))
+        for at, value in ((0, (x + 16 << 16 | y + 15) if is_shown else -1), (12, w))]
     return Trial(Case("mesh_transform", arena, pointers={"a0": plan_at}), title,
                  {"d0": -1 if places is None else int((~places.shown).sum())}, writes=writes)
 
@@ -93,7 +100,7 @@ def transform_case():
     row, frame = row16(ABOUT, view(16 << 16), points), (ABOUT.width, ABOUT.height)
     places = mesh16.transform(mesh16.points_of(points), row, frame)
     assert places and places.shown.all()
-    return transform_trial(Arena(), frame, mesh16.points_of(points), row).row(COUNT)
+    return transform_trial(Arena(), frame, mesh16.points_of(points), [True] * COUNT, row).row(COUNT)
 
 
 def attributes_trial(arena: Arena, normals, factors: list[int], base: int, low: int, high: int,
@@ -122,26 +129,25 @@ def shade_of(value: int) -> int:
     return model.adapt([(0, 0, 0, 0, value)], Settings("snapped", mapper="gouraud"), 256)[0][2]
 
 
-def values_trial(arena: Arena, kernel: str, normals, factors: list[int], low: int, high: int,
+def values_trial(arena: Arena, kernel: str, normals, marked, factors: list[int], low: int, high: int,
                  title: str = "") -> Trial:
-    """u and v or shades of normals, to places. ``low``, ``high``: of mesh_shade."""
+    """u and v or shades of normals, those of marked points, to places. ``low``, ``high``: of mesh_shade."""
     size, to = layout.load().struct("mesh_place").size, arena.room("mesh_place", len(normals))
     plan_at = arena.struct("values_plan", {
-        "from": table(arena, "scene_normal", normals), "to": to,
-        "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")},
-        count=len(normals), low=low, high=high)
+        "from": table(arena, "scene_normal", normals), "marks": marks_of(arena, marked), "to": to,
+        "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")}, low=low, high=high)
     columns = [mesh.looks(normals, factors[k:k + 3], 128 << 16, 0, 256 << 16) for k in (0, 3)] \
         if kernel == "mesh_mirror" else [map(shade_of, mesh.looks(normals, factors[:3], low, low, high))]
     return Trial(Case(kernel, arena, pointers={"a0": plan_at}), title, writes=[
         long_write(to + size * k + at, value + snapped.RAISED << 4)
-        for at, column in zip((4, 8), columns) for k, value in enumerate(column)])
+        for at, column in zip((4, 8), columns) for k, value in enumerate(column) if marked[k]])
 
 
 def values_case(kernel: str):
     """COUNT normals."""
     normals = [(*n, 0) for n in np.random.default_rng(2).integers(-9000, 9000, (COUNT, 3)).tolist()]
-    return values_trial(Arena(), kernel, normals, [9000, -7000, 11000, 7000, 9000, 100], 20 << 16,
-                        220 << 16).row(COUNT)
+    return values_trial(Arena(), kernel, normals, [True] * COUNT, [9000, -7000, 11000, 7000, 9000, 100],
+                        20 << 16, 220 << 16).row(COUNT)
 
 
 def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
@@ -156,7 +162,7 @@ def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "")
                                           "view": table(arena, "scene_view", [row])},
                           mesh=0, material=0, places=0, view16=0, attributes=0, flags=0)
     to = arena.room("mesh_face", len(faces))
-    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces))
+    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces), marks=0)
     writes, seen = [], 0
     for k, face in enumerate(faces):
         first, count = face[4:]
@@ -169,26 +175,52 @@ def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "")
     return Trial(Case("mesh_faces_wide", arena, pointers={"a0": plan_at}), title, {"d0": seen}, writes=writes)
 
 
-def faces_trial(arena: Arena, depths, corners, faces, row, title: str = "") -> Trial:
-    """Faces in a view16: those that are seen. ``depths``: of points; ``corners``: numbers of points."""
+def faces_trial(arena: Arena, corners, faces, row, title: str = "") -> Trial:
+    """Faces in a view16: those that are seen, and their points. ``corners``: numbers of points."""
     size, face_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face"))
-    places_at = arena.add(b"".join(longs((0, 0, 0, depth)) for depth in depths), name="places")
+    marks = marks_of(arena, [False] * (max(corners) + 1))
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
     faces_at = table(arena, "scene_face", faces)
-    placed = arena.struct("mesh_placed", {"corners": corners_at, "places": places_at,
-                                          "view16": table(arena, "scene_view16", [row])},
-                          mesh=0, material=0, view=0, points=0, attributes=0, flags=0)
+    placed = arena.struct("mesh_placed", {"corners": corners_at, "view16": table(arena, "scene_view16", [row])},
+                          mesh=0, material=0, view=0, points=0, places=0, attributes=0, flags=0)
     to = arena.room("mesh_face", len(faces))
-    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces))
-    writes, seen = [], 0
-    for k, face in enumerate(faces):
-        if mesh16.is_seen(face, row):
-            depth = max(depths[number] for number in corners[face[4]:sum(face[4:])])
-            writes += fields(to + seen * size, "mesh_face",
-                             {"order": ~(depth << row[mesh16.DEPTH_SHIFT]) & 0xFFFFFFFF},
-                             {"face": faces_at + k * face_size, "placed": placed})
-            seen += 1
-    return Trial(Case("mesh_faces", arena, pointers={"a0": plan_at}), title, {"d0": seen}, writes=writes)
+    plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to, "marks": marks},
+                           count=len(faces))
+    seen = [k for k, face in enumerate(faces) if mesh16.is_seen(face, row)]
+    writes = [each for n, k in enumerate(seen)
+              for each in fields(to + n * size, "mesh_face", {}, {"face": faces_at + k * face_size, "placed": placed})]
+    needed = {number for k in seen for number in corners[faces[k][4]:sum(faces[k][4:])]}
+    writes += [Write(marks + number, bytes([layout.load().constants["MARKED"]])) for number in sorted(needed)]
+    return Trial(Case("mesh_faces", arena, pointers={"a0": plan_at}), title, {"d0": len(seen)}, writes=writes)
+
+
+def orders_trial(arena: Arena, places, faces, shift: int, title: str = "") -> Trial:
+    """Orders and corners of faces. ``places``: x and y in 1/16 pixel, None: out of range, and the depth;
+    ``faces``: numbers of their points; ``shift``: of depths."""
+    size, face_size, place_size = (layout.load().struct(name).size for name in ("mesh_face", "scene_face", "mesh_place"))
+    places_at = arena.add(b"".join(longs((-1 if place is None else place[0] + 16 << 16 | place[1] + 15, 0, 0, depth))
+                                   for place, depth in places), name="places")
+    sizes = list(map(len, faces))
+    corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for face in faces for number in face])
+    faces_at = table(arena, "scene_face", [(0, 0, 0, 0, sum(sizes[:k]), count) for k, count in enumerate(sizes)])
+    placed = arena.struct("mesh_placed", {"corners": corners_at, "places": places_at},
+                          mesh=0, material=0, view=0, view16=0, points=0, attributes=0, flags=0)
+    to = arena.add(b"".join(longs((0, 0, faces_at + k * face_size, placed, 1, 1, 1, 1)) for k in range(len(faces))),
+                   name="faces")
+    arena.pointers += [to + size * k + at for k in range(len(faces)) for at in (8, 12)]
+    plan_at = arena.struct("orders_plan", {"faces": to, "placed": placed}, count=len(faces), depth_shift=shift)
+    writes = []
+    for at, face in zip(range(to, to + size * len(faces), size), faces):
+        used = [places[number] for number in face]
+        ys = [place[1] for place, _ in used if place]
+        order = ~(max(0, *(depth for _, depth in used)) << shift) & 0xFFFFFFFF
+        pointers = {name: places_at + place_size * number for name, number in zip("abcd", face)}
+        numbers = {"order": order} | {"d": 0 for _ in range(len(face) == 3)}
+        if len(face) > snapped.CORNERS or len(ys) < len(face) or max(ys) - min(ys) >= 16 * snapped.LINES:
+            del pointers["a"]
+            numbers["a"] = 0
+        writes += fields(at, "mesh_face", numbers, pointers)
+    return Trial(Case("mesh_orders", arena, pointers={"a0": plan_at}), title, writes=writes)
 
 
 def faces_input(is_seen: bool) -> tuple:
@@ -208,21 +240,26 @@ def faces_wide_case(is_seen: bool):
 def faces_case(is_seen: bool):
     """The same with 16-bit operands."""
     corners, faces, row = faces_input(is_seen)
-    return faces_trial(Arena(), [(k + 1) << 16 for k in range(4)], corners, faces,
-                       row16(ABOUT, row, [[1 << 18] * 3])).row(COUNT)
+    return faces_trial(Arena(), corners, faces, row16(ABOUT, row, [[1 << 18] * 3])).row(COUNT)
+
+
+def orders_case(corners: int):
+    """COUNT faces of the same points, on the screen."""
+    places = [((100, 200), 1 << 16), ((300, 250), 3 << 16), ((150, 500), 2 << 16), ((90, 300), 4 << 16)]
+    return orders_trial(Arena(), places, [list(range(corners))] * COUNT, 1).row(COUNT)
 
 
 def snap_trial(arena: Arena, points, right: int, bottom: int, title: str = "") -> Trial:
     """Points on the screen snapped to 1/16 pixel. ``points``: x, y in 16.16, and the borders that each
     is outside of; ``right``, ``bottom``: the largest x and y, 1/16 pixel."""
-    points_at = arena.add(b"".join(longs((0, 0, 0, x, y, borders, 0, 0)) for x, y, borders in points),
+    points_at = arena.add(b"".join(longs((0, 0, k, x, y, borders, 0, 0)) for k, (x, y, borders) in enumerate(points)),
                           name="points")
     to = arena.room("mesh_place", len(points))
     plan_at = arena.struct("snap_plan", {"points": points_at, "to": to}, count=len(points), right=right, bottom=bottom)
     places = [place_of(x, y) if not borders and 0 <= snapped.snap(x) <= right
               and 0 <= snapped.snap(y) <= bottom else -1 for x, y, borders in points]
     return Trial(Case("mesh_snap", arena, pointers={"a0": plan_at}), title, writes=[
-        long_write(to + 16 * k, place) for k, place in enumerate(places)])
+        long_write(to + 16 * k + at, value) for k, place in enumerate(places) for at, value in ((0, place), (12, k))])
 
 
 def place_of(x: int, y: int) -> int:
@@ -239,7 +276,7 @@ def snap_case():
 def spread_trial(arena: Arena, orders: list[int], title: str = "", is_crowded: bool = False) -> Trial:
     """Faces sorted by their orders."""
     size = layout.load().struct("mesh_face").size
-    faces = arena.add(b"".join(longs((order, 0, 0, 0)) for order in orders), name="faces")
+    faces = arena.add(b"".join(longs((order, *[0] * (size // 4 - 1))) for order in orders), name="faces")
     buckets = layout.load().constants["MESH_SORT_BUCKETS"]
     at = arena.blank(4 * buckets, "buckets")
     case = Case("mesh_spread", arena, {"d0": len(orders)}, pointers={"a0": faces, "a1": at})
@@ -287,4 +324,5 @@ CASES = {"mesh_transform": transform_case,
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
          "mesh_faces_wide": lambda: faces_wide_case(True),
          "mesh_faces_wide_back": lambda: faces_wide_case(False),
+         "mesh_orders": lambda: orders_case(3), "mesh_orders_quads": lambda: orders_case(4),
          "mesh_spread": spread_case, "mesh_snap": snap_case, "mesh_cut": cut_case}

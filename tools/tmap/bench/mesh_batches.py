@@ -44,16 +44,19 @@ class Gathered:
         return [tuple(value + snapped.RAISED << 4 for value in pair) + level
                 for pair, level in zip(pairs, levels)]
 
+    def is_linkable(self, corners) -> bool:
+        """Returns true if mesh_orders gives a face its corners."""
+        places = [self.points[point] for point, *_ in corners]
+        ys = [place[1] for place in places if place]
+        return len(corners) <= snapped.CORNERS and None not in places and max(ys) - min(ys) < 16 * snapped.LINES
+
     def taken(self) -> list[tuple[list[int], list[tuple]]]:
         """The places and values of the faces that are taken."""
         made, triangles = [], 0
         for instance, corners in self.faces:
             places = [self.points[point] for point, *_ in corners]
-            ok = instance not in self.others and len(corners) <= snapped.CORNERS and None not in places
-            values = self.values(corners) if ok else None
-            ys = [place[1] for place in places if place]
-            if values is None or max(ys) - min(ys) >= 16 * snapped.LINES \
-                    or triangles > self.room - (snapped.CORNERS - 2):
+            values = self.values(corners) if instance not in self.others and self.is_linkable(corners) else None
+            if values is None or triangles > self.room - (snapped.CORNERS - 2):
                 return made
             made.append(([x + 16 << 16 | y + 15 for x, y in places], values))
             triangles += len(corners) - 2
@@ -78,12 +81,14 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
     placed = [arena.struct("mesh_placed", common | {"material": materials[k in these.others]},
                            mesh=0, points=0, view=0, view16=0, flags=these.flags)
               for k in range(1 + max(instance for instance, _ in these.faces))]
-    first = arena.add(b"".join(longs((0, 0, faces_at + k * face_size, placed[instance]))
-                               for k, (instance, _) in enumerate(these.faces)), name="faces")
-    for k in range(1, len(these.faces)):
-        arena.data[first + size * k - 12:first + size * k - 8] = longs((first + size * k,))
-        arena.pointers.append(first + size * k - 12)
-    arena.pointers += [first + size * k + at for k in range(len(these.faces)) for at in (8, 12)]
+    first = arena.blank(size * len(these.faces), "faces")
+    for k, (instance, corners) in enumerate(these.faces):
+        at, more = first + size * k, k + 1 < len(these.faces)
+        links = [common["places"] + place_size * point for point, *_ in corners] if these.is_linkable(corners) else []
+        links += [0] * (4 - len(links))
+        row = [0, more * (at + size), faces_at + k * face_size, placed[instance], *links]
+        arena.data[at:at + size] = longs(row)
+        arena.pointers += [at + 4 * n for n, value in enumerate(row) if value]
     done, rooms = these.taken(), these.room + 2
     vertices = arena.room("snapped_vertex", 3 * rooms + 4)
     listed = arena.room("triangle", rooms)

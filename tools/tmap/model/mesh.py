@@ -5,6 +5,8 @@ Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from tmap.base.fixed import M32, ONE, mul_div, signed
 from tmap.model import mesh16
 from tmap.scene_file.meshes import ENVIRONMENT, LIT
@@ -116,11 +118,16 @@ def polygons_of(material, vertices: list[tuple]) -> list[list[tuple]]:
 
 def transform16(scene, instance, mesh, row) -> mesh16.Places | None:
     """Returns the places of an instance with 16-bit operands; None if it has no such factors (``row`` is
-    None, or not for its material) or a point is behind the eye."""
+    None, or not for its material) or a point of a face that is seen is behind the eye."""
     if row is None or not mesh16.is_used(scene.materials[instance.material], row):
         return None
     points = mesh16.all_points(scene)[mesh.point:mesh.point + mesh.points]
-    return mesh16.transform(points, row, (scene.width, scene.height))
+    needed = np.zeros(mesh.points, bool)
+    for face in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
+        if mesh16.is_seen(face, row):
+            first = mesh.corner + face[4]
+            needed[scene.corners[first:first + face[5], 0]] = True
+    return mesh16.transform(points, row, (scene.width, scene.height), needed)
 
 
 def with_places(points: list[Point], places: mesh16.Places, row) -> list[Point]:

@@ -51,11 +51,14 @@ def sums(points: np.ndarray, row: list[int], at: int) -> np.ndarray:
     return signed(signed(a + y, 16) * signed(b + x, 16) + c * z + move - x * y)
 
 
-def transform(points: np.ndarray, row: list[int], frame: tuple[int, int]) -> Places | None:
+def transform(points: np.ndarray, row: list[int], frame: tuple[int, int],
+              needed: np.ndarray | None = None) -> Places | None:
     """mesh_transform: the places of 16-bit points; None if one is behind the eye. ``frame``: width and
-    height."""
+    height; ``needed``: which points are looked at, all by default; others may be anywhere."""
     right, bottom = 16 * min(frame[0], snapped.WIDTH), 16 * frame[1]
     depth = sums(points, row, W) >> row[DIVISOR_SHIFT]
+    if needed is not None:
+        depth = np.where(needed, depth, np.maximum(depth, 1))
     if (depth <= 0).any():
         return None
     x, y = ((sums(points, row, at) & 0xFFFFFFFF) // depth for at in (X, Y))
