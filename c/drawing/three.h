@@ -1,4 +1,4 @@
-/* The two ways of polygon_draw. */
+/* The ways of polygon_draw. */
 #ifndef THREE_H
 #define THREE_H
 
@@ -14,5 +14,8 @@ polygon_routine polygon_draw_any;
 
 /* The same without routines for triangles. */
 polygon_routine polygon_draw_exact;
+
+/* A polygon of at least three vertices, as one piece. */
+polygon_routine polygon_draw_whole;
 
 #endif

@@ -92,7 +92,7 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
             refused = result > POLYGON_EMPTY ? result : refused;
             last = run;
             room = scene->scratch->placed;
-            left = POLYGON_VERTICES_MAX;
+            left = RUN_VERTICES;
             of_run = object->material;
             full = &run[scene->drawn[of_run].draw == polygon_draw ? RUN_POLYGONS : 1];
         }

@@ -1,0 +1,105 @@
+/* The ways of polygon_draw: which polygons routines for triangles draw, which are left out or divided. */
+#include "drawing/fan.h"
+#include "drawing/material.h"
+#include "drawing/outline.h"
+#include "drawing/three.h"
+#include "polygon/counts.h"
+#include "polygon/setup.h"
+#include "triangle/triangles.h"
+
+/* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
+static void count_snapped(struct renderer *renderer, const struct polygon *polygon,
+                          const struct material *material, enum span_kind kind)
+{
+    struct setup s;
+
+    setup_begin(&s, renderer, polygon, material);
+    s.vertices = material_vertices(s.scratch->vertices, s.given, s.count, material);
+    s.kind = kind;
+    if (outline_find(&s, OUTLINE_ALONE) != POLYGON_DRAWN)
+        return;
+    s.span.lines = s.edges.lines;
+    s.span.count = s.box.bottom - s.box.top;
+    outline_lines(&s, edge_flat_exact, scissor_flat);
+    count_lines(&s, s.kind);
+}
+
+/* Returns non-zero if the first vertex is outside the frame: a quick test of whether the whole
+   polygon may be. */
+static int32 begins_outside(const struct renderer *renderer, const struct polygon *polygon)
+{
+    const struct frame *const frame = renderer->frame;
+    const struct vertex *const first = polygon->vertices;
+
+    return (uint32)first->x >= (uint32)frame->width << 16
+        || (uint32)first->y >= (uint32)frame->height << 16;
+}
+
+/* Returns non-zero if a polygon whose first vertex is outside covers nothing. */
+static int32 draws_nothing(const struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material)
+{
+    struct setup s;
+
+    s.off = renderer->off;
+    s.applied = 0;
+    s.frame = renderer->frame;
+    s.material = material;
+    s.given = polygon->vertices;
+    s.count = polygon->count;
+    if (!lower_to_nothing(&s))
+        return 0;
+    if (renderer->counts)
+        renderer->counts[material->number].rules[RULE_OUTSIDE]++;
+    return 1;
+}
+
+/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
+static uint32 planes_asked(const struct material *m)
+{
+    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
+        return 0;
+    if (m->mapper == MAPPER_GOURAUD)
+        return PLANAR_SHADES;
+    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
+}
+
+/* Draws a polygon in one piece or as a fan. */
+static enum polygon_result draw_polygon(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
+{
+    if (polygon->count > 3 && polygon->planar != PLANAR_ALL
+        && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material)))
+        return polygon_fan(polygon_draw, renderer, polygon, material);
+    return polygon_draw_whole(renderer, polygon, material);
+}
+
+enum polygon_result polygon_draw_exact(struct renderer *renderer, const struct polygon *polygon,
+                                       const struct material *material)
+{
+    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
+        return POLYGON_FEW;
+    if (begins_outside(renderer, polygon) && draws_nothing(renderer, polygon, material))
+        return POLYGON_EMPTY;
+    return draw_polygon(renderer, polygon, material);
+}
+
+enum polygon_result polygon_draw_any(struct renderer *renderer, const struct polygon *polygon,
+                                     const struct material *material)
+{
+    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
+        return POLYGON_FEW;
+    if (begins_outside(renderer, polygon) && draws_nothing(renderer, polygon, material))
+        return POLYGON_EMPTY;
+    if (material->edges == EDGES_SNAPPED && renderer->triangles) {
+        const enum span_kind kind = renderer->triangles->draw(renderer, polygon, material);
+
+        if (kind != SPAN_KINDS) {
+            if (renderer->counts)
+                count_snapped(renderer, polygon, material, kind);
+            return POLYGON_DRAWN;
+        }
+    }
+    return draw_polygon(renderer, polygon, material);
+}
