@@ -122,7 +122,7 @@ static void fans_set(struct fans_plan *plan, struct snapped_vertex *vertices, st
     plan->bottom = range.bottom;
     plan->vertices = vertices;
     plan->scale = triangle_scale(material);
-    plan->last = list;
+    plan->list = list;
     plan->values = triangle_values(material->mapper);
     plan->judged = material->mapper == MAPPER_ARBITRARY;
 }
@@ -190,8 +190,8 @@ struct triangle_run {
 static void run_flush(struct triangle_run *run)
 {
     run->plan.list = run->room->list;
-    run->plan.end = run->fans.last;
-    run->fans.last = run->room->list;
+    run->plan.end = run->fans.list;
+    run->fans.list = run->room->list;
     if (run->plan.end != run->plan.list)
         run->routine(&run->plan);
 }
@@ -223,7 +223,7 @@ static enum polygon_result run_odd(struct triangle_run *run, enum span_kind kind
         run_flush(run);
         run_set(run, kind, colour, renderer, material);
     }
-    fans->last = triangle_fan(fans->last, fans->vertices, polygon->count);
+    fans->list = triangle_fan(fans->list, fans->vertices, polygon->count);
     fans->vertices += polygon->count;
     return POLYGON_DRAWN;
 }
@@ -264,6 +264,8 @@ enum polygon_result triangle_run(struct renderer *renderer, const struct polygon
         run.fans.end = end - polygons < room ? end : polygons + room;
         run.fans.judged = run.kind != kind || material->mapper == MAPPER_ARBITRARY;
         polygons = triangle_fans(&run.fans);
+        run.fans.list = run.fans.last;
+        run.fans.vertices = run.fans.free;
         if (polygons == run.fans.end) {
             run_flush(&run);
             run.fans.vertices = run.room->vertices;

@@ -3,11 +3,10 @@
 
 ; triangle_fans - polygons of a material become triangles of a batch, as fans from their first vertices
 ;
-; in:      a0  struct fans_plan*  its vertices, last and is_odd are set here
+; in:      a0  struct fans_plan*  its free, last and is_odd are set here
 ; out:     d0  const struct polygon*  the first one that was not taken, or the plan's end
 ; reads:   the plan, polygons, x, y and what the plan's values name of their vertices
-; writes:  vertices from the plan's vertices on; triangles from its last on; both places, behind those of
-;          the polygons that were taken; is_odd
+; writes:  vertices; triangles; free and last, behind those of the polygons that were taken; is_odd
 ; formats: as triangle_vertices
 ; error:   as triangle_vertices
 ; cost:    bench rows triangle_fans
@@ -62,7 +61,7 @@ level_test macro
         endm
 
 texels_test macro
-        movea.l fans_plan_vertices(a0),a1
+        movea.l fans_plan_free(a0),a1
         move.w  snapped_vertex_y(a1),d0
         move.w  snapped_vertex_sizeof+snapped_vertex_y(a1),d1
         cmp.w   d1,d0
@@ -109,7 +108,7 @@ fans    macro
         bne     fans_odd
         \1_test \1
 \1_taken
-        movea.l fans_plan_vertices(a0),a1
+        movea.l fans_plan_free(a0),a1
         lea     snapped_vertex_sizeof(a1),a6
 \1_fan  move.l  a1,(a5)+
         move.l  a6,(a5)+
@@ -119,7 +118,7 @@ fans    macro
         add.l   a6,d0
         cmp.l   a2,d0
         bne.s   \1_fan
-        move.l  a2,fans_plan_vertices(a0)
+        move.l  a2,fans_plan_free(a0)
         lea     polygon_sizeof(a3),a3
         bra     \1_polygon
         endm
@@ -128,6 +127,7 @@ fans    macro
         save_all
         clr.l   fans_plan_is_odd(a0)
         movem.l fans_plan_right(a0),d6-d7/a2-a5
+        move.l  a2,fans_plan_free(a0)
         vertices_begin
         move.l  fans_plan_values(a0),d0
         beq     none_polygon
@@ -162,7 +162,7 @@ fans_level
 
 ; Compares a polygon's height with SNAPPED_LINES. Uses d0-d2/a1.
 fans_tall
-        movea.l fans_plan_vertices(a0),a1
+        movea.l fans_plan_free(a0),a1
         move.w  snapped_vertex_y(a1),d0
         move.w  d0,d1
 .vertex lea     snapped_vertex_sizeof(a1),a1
