@@ -125,6 +125,7 @@ static void fans_set(struct fans_plan *plan, struct snapped_vertex *vertices, st
     plan->list = list;
     plan->values = triangle_values(material->mapper);
     plan->judged = material->mapper == MAPPER_ARBITRARY;
+    plan->skips = 0;
 }
 
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
@@ -255,6 +256,10 @@ enum polygon_result triangle_run(struct renderer *renderer, const struct polygon
         return run_others(renderer, polygons, count, material, other);
     run.room = (struct run_room *)renderer->scratch->room;
     fans_set(&run.fans, run.room->vertices, run.room->list, renderer->frame, material);
+    run.fans.skips = RULE_IS_ON(renderer, OUTSIDE)
+                  && (!material->map || material->map->scale <= 65536);
+    run.fans.beyond_x = (renderer->frame->width + 1) << 16;
+    run.fans.beyond_y = renderer->frame->height << 16;
     run_set(&run, kind, material->colour, renderer, material);
     while (polygons < end) {
         const int32 room = (int32)(&run.room->vertices[TRIANGLE_CORNERS_MAX * BATCH_POLYGONS]

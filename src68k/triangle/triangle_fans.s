@@ -11,7 +11,8 @@
 ; error:   as triangle_vertices
 ; cost:    bench rows triangle_fans
 ;
-; It stops with is_odd = 0 at a polygon of another number of corners than 3 and 4, with a vertex out of
+; With `skips` it leaves out polygons that are wholly beyond one side of the frame, with s, t, x and y in
+; range, as the rule OUTSIDE does. It stops with is_odd = 0 at a polygon of another number of corners than 3 and 4, with a vertex out of
 ; range, or of SNAPPED_LINES lines or more; with is_odd = 1 at one whose vertices it has converted, but which a
 ; cheaper kind may draw: with equal shades or levels, a level of 0 or LIGHT_LEVELS - 1, or the same u or v at the
 ; ends of a level edge. With `judged`, all are such.
@@ -129,6 +130,7 @@ fans    macro
         movem.l fans_plan_right(a0),d6-d7/a2-a5
         move.l  a2,fans_plan_free(a0)
         vertices_begin
+fans_next
         move.l  fans_plan_values(a0),d0
         beq     none_polygon
         subq.l  #VALUES_TEXELS,d0
@@ -150,10 +152,10 @@ fans_level
         bne.s   .next
         move.l  snapped_vertex_u(a1),d0
         cmp.l   snapped_vertex_u(a6),d0
-        beq.s   fans_odd
+        beq     fans_odd
         move.l  snapped_vertex_v(a1),d0
         cmp.l   snapped_vertex_v(a6),d0
-        beq.s   fans_odd
+        beq     fans_odd
 .next   movea.l a1,a6
         lea     snapped_vertex_sizeof(a1),a1
         cmpa.l  a2,a1
@@ -180,9 +182,65 @@ fans_tall
 .range  sub.w   d0,d1
         cmp.w   #SNAPPED_LINES*SNAPPED_ONE,d1
         rts
+; The vertices \1 of the polygon a3 against the limit d0: goes to \3 at the first with the condition \2.
+fans_side macro
+        movea.l polygon_vertices(a3),a1
+        move.l  polygon_count(a3),d1
+.vertex\@
+        cmp.l   \1(a1),d0
+        \2     \3
+        lea     vertex_sizeof(a1),a1
+        subq.l  #1,d1
+        bne.s   .vertex\@
+        endm
+
+; The vertex a1 is out of range.
+fans_out
+        tst.l   fans_plan_skips(a0)
+        beq     fans_done
+        move.l  vertex_y(a1),d5
+        move.l  fans_plan_beyond_x(a0),d0
+        cmp.l   (a1),d0
+        ble.s   .right
+        moveq   #-1,d0
+        swap    d0
+        clr.w   d0                      ; -1 pixel
+        cmp.l   (a1),d0
+        ble.s   .y
+        fans_side 0,ble.s,.y
+        bra.s   .range
+.right  fans_side 0,bgt.s,.y
+        bra.s   .range
+.y      move.l  fans_plan_beyond_y(a0),d0
+        cmp.l   d5,d0
+        ble.s   .below
+        moveq   #-1,d0
+        swap    d0
+        clr.w   d0
+        cmp.l   d5,d0
+        ble     fans_done
+        fans_side vertex_y,ble,fans_done
+        bra.s   .range
+.below  fans_side vertex_y,bgt,fans_done
+.range  movea.l polygon_vertices(a3),a1
+        move.l  polygon_count(a3),d1
+        move.l  #POLYGON_FAR<<16,d0
+        moveq   #0,d5
+.vertex rept    4
+        move.l  (a1)+,d2
+        add.l   d0,d2
+        or.l    d2,d5
+        endr
+        addq.l  #vertex_sizeof-16,a1
+        subq.l  #1,d1
+        bne.s   .vertex
+        tst.l   d5
+        bmi.s   fans_done
+        movea.l fans_plan_free(a0),a2
+        lea     polygon_sizeof(a3),a3
+        bra     fans_next
 fans_odd
         addq.l  #1,fans_plan_is_odd(a0)
-fans_out
 fans_done
         move.l  a5,fans_plan_last(a0)
         move.l  a3,d0

@@ -121,9 +121,9 @@ def corner(rng, around: tuple[int, int], reach: int) -> tuple[int, ...]:
 
 def polygon(rng, made: Made) -> list[tuple[int, ...]]:
     """Three or four vertices, seldom another number; some are level or alike in a value."""
-    around = tuple(int(rng.integers(0, side << 12)) for side in (made.right, made.bottom))
+    around = tuple(int(rng.integers(-side << 11, side * 3 << 11)) for side in (made.right, made.bottom))
     reach = int(rng.choice((2 * ONE, 30 * ONE, 300 * ONE), p=(0.5, 0.4, 0.1)))
-    if rng.integers(3):  # mostly inside
+    if rng.integers(4):  # mostly inside
         around = tuple(min(max(c, reach), max(reach, (side << 12) - reach))
                        for c, side in zip(around, (made.right, made.bottom)))
     vertices = [list(corner(rng, around, reach)) for _ in range(int(rng.choice((3, 4, 5), p=(0.55, 0.43, 0.02))))]
@@ -146,7 +146,8 @@ def fans_trials(mapper: str) -> Iterator[Trial]:
         made = Made(mapper, right, bottom, int(rng.choice((0, 0, ONE // 2, 12345, 2 * ONE))))
         polygons = [polygon(rng, made) for _ in range(1 if number < 100 else 8)]
         title = f"{mapper}, number {number}: {made}, {polygons if number < 100 else ''}"
-        yield fans_trial(Memory(), made, polygons, title, judged=int(number % 10 == 9))
+        yield fans_trial(Memory(), made, polygons, title, int(number % 10 == 9),
+                         int(number % 3 == 0))
         if number % 4 == 0:
             yield vertices_trial(Memory(), made, sum(polygons, []), title)
     yield fans_trial(Memory(), Made(mapper), [], f"{mapper}: no polygon")

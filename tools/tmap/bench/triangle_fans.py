@@ -50,6 +50,13 @@ class Made:
         found = self.values(vertex) if 0 <= x <= self.right and 0 <= y <= self.bottom else None
         return found if found is None else (x + 16 << 16 | y + 15, *found)
 
+    def is_beyond(self, vertices) -> bool:
+        """Returns true if a polygon is wholly beyond one side of the frame, and not too far away."""
+        far = 16384 * ONE
+        return all(-far <= c < far for v in vertices for c in v[:4]) and (
+            max(v[0] for v in vertices) < -ONE or min(v[0] for v in vertices) >= (self.right // 16 + 1) * ONE
+            or max(v[1] for v in vertices) < -ONE or min(v[1] for v in vertices) >= self.bottom // 16 * ONE)
+
     def is_odd(self, vertices) -> bool:
         """Returns true if a cheaper kind may draw a polygon."""
         levels = [v[4] >> LEVEL_BITS for v in vertices]
@@ -89,7 +96,8 @@ def vertices_trial(arena: Arena, made: Made, vertices: list, title: str = "") ->
     return Trial(Case("triangle_vertices", arena, pointers={"a0": plan}), title, writes=writes)
 
 
-def fans_trial(arena: Arena, made: Made, polygons: list, title: str = "", judged: int = 0) -> Trial:
+def fans_trial(arena: Arena, made: Made, polygons: list, title: str = "", judged: int = 0,
+               skips: int = 0) -> Trial:
     """Polygons up to one that is not taken. ``polygons``: lists of x, y, s, t, shade."""
     known = layout.load()
     size, polygon_size = (known.struct(name).size for name in ("snapped_vertex", "polygon"))
@@ -101,11 +109,16 @@ def fans_trial(arena: Arena, made: Made, polygons: list, title: str = "", judged
     listed = arena.room("triangle", 2 * len(polygons) + 2, "list")
     plan = arena.struct("fans_plan", {"vertices": to, "from": first, "list": listed,
                                       "end": first + polygon_size * len(polygons)},
-                        **made.plan(judged=judged, is_odd=7, free=0, last=0))
+                        **made.plan(judged=judged, skips=skips, beyond_x=(made.right // 16 + 1) * ONE,
+                                    beyond_y=made.bottom // 16 * ONE, is_odd=7, free=0, last=0))
     writes, at, last, taken, odd = [], to, listed, 0, 0
     for vertices in polygons:
         records = [made.record(v) for v in vertices] if len(vertices) in (3, 4) else [None]
         ys = [snapped.snap(v[1]) for v in vertices]
+        if skips and len(vertices) in (3, 4) and None in records and made.is_beyond(vertices):
+            taken += 1
+            writes.append(anything(at, size * snapped.CORNERS))
+            continue
         if None in records or max(ys) - min(ys) >= 16 * snapped.LINES:
             writes.append(anything(at, size * snapped.CORNERS))
             break
