@@ -24,19 +24,8 @@ static void count_snapped(struct renderer *renderer, const struct polygon *polyg
     count_lines(&s, s.kind);
 }
 
-/* Returns non-zero if the first vertex is outside the frame: a quick test of whether the whole
-   polygon may be. */
-static int32 begins_outside(const struct renderer *renderer, const struct polygon *polygon)
-{
-    const struct frame *const frame = renderer->frame;
-    const struct vertex *const first = polygon->vertices;
-
-    return (uint32)first->x >= (uint32)frame->width << 16
-        || (uint32)first->y >= (uint32)frame->height << 16;
-}
-
 /* Returns non-zero if a polygon whose first vertex is outside covers nothing. */
-static int32 draws_nothing(const struct renderer *renderer, const struct polygon *polygon,
+static inline int32 draws_nothing(const struct renderer *renderer, const struct polygon *polygon,
                            const struct material *material)
 {
     struct setup s;
@@ -85,13 +74,11 @@ enum polygon_result polygon_draw_exact(struct renderer *renderer, const struct p
     return draw_polygon(renderer, polygon, material);
 }
 
-enum polygon_result polygon_draw_any(struct renderer *renderer, const struct polygon *polygon,
-                                     const struct material *material)
+enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
 {
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
-    if (begins_outside(renderer, polygon) && draws_nothing(renderer, polygon, material))
-        return POLYGON_EMPTY;
     if (material->edges == EDGES_SNAPPED && renderer->triangles) {
         const enum span_kind kind = renderer->triangles->draw(renderer, polygon, material);
 
@@ -102,4 +89,19 @@ enum polygon_result polygon_draw_any(struct renderer *renderer, const struct pol
         }
     }
     return draw_polygon(renderer, polygon, material);
+}
+
+enum polygon_result polygon_draw_beyond(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
+{
+    return polygon->count >= 3 && polygon->count <= POLYGON_VERTICES_MAX
+        && draws_nothing(renderer, polygon, material)
+         ? POLYGON_EMPTY : polygon_draw_inside(renderer, polygon, material);
+}
+
+enum polygon_result polygon_draw_any(struct renderer *renderer, const struct polygon *polygon,
+                                     const struct material *material)
+{
+    return begins_outside(renderer, polygon) ? polygon_draw_beyond(renderer, polygon, material)
+                                             : polygon_draw_inside(renderer, polygon, material);
 }

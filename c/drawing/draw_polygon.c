@@ -11,7 +11,9 @@ static int32 is_plain(const struct material *material)
 enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon *polygon,
                                  const struct material *material)
 {
+    if (begins_outside(renderer, polygon))
+        return polygon_draw_beyond(renderer, polygon, material);
     return polygon->count == 3 && is_plain(material)
          ? polygon_draw_three(renderer, polygon, material)
-         : polygon_draw_any(renderer, polygon, material);
+         : polygon_draw_inside(renderer, polygon, material);
 }

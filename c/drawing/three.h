@@ -4,6 +4,17 @@
 
 #include "polygon/polygon.h"
 
+/* Returns non-zero if a polygon's first vertex is outside the frame: a quick test of whether all of it
+   may be. */
+static inline int32 begins_outside(const struct renderer *renderer, const struct polygon *polygon)
+{
+    const struct frame *const frame = renderer->frame;
+    const struct vertex *const first = polygon->vertices;
+
+    return (uint32)first->x >= (uint32)frame->width << 16
+        || (uint32)first->y >= (uint32)frame->height << 16;
+}
+
 /* Triangles by flat, Gouraud's or affine spans without perspective; not EDGES_SNAPPED, CLIP_VERTICES,
    GRADIENTS_SCANLINE or `whole`. The rules that such triangles do not need would take a quarter of a small one's
    time. */
@@ -11,6 +22,9 @@ polygon_routine polygon_draw_three;
 
 /* All others; draws those too. */
 polygon_routine polygon_draw_any;
+
+/* The same for polygons whose first vertex is inside the frame, and outside. */
+polygon_routine polygon_draw_inside, polygon_draw_beyond;
 
 /* The same without routines for triangles. */
 polygon_routine polygon_draw_exact;
