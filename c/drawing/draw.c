@@ -8,6 +8,7 @@
    polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
    arithmetic. */
 #include "drawing/clamp.h"
+#include "drawing/fan.h"
 #include "drawing/generated.h"
 #include "drawing/lower.h"
 #include "drawing/material.h"
@@ -336,11 +337,27 @@ static enum polygon_result draw(struct setup *s)
     return POLYGON_DRAWN;
 }
 
+/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
+static uint32 planes_asked(const struct material *m)
+{
+    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
+        return 0;
+    if (m->mapper == MAPPER_GOURAUD)
+        return PLANAR_SHADES;
+    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
+}
+
 enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct polygon *polygon,
                                        const struct material *material)
 {
     struct setup s;
 
+    if (!is_polygon(polygon))
+        return POLYGON_FEW;
+    if (polygon->count > 3 && polygon->planar != PLANAR_ALL
+        && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material)))
+        return polygon_fan(polygon_draw, renderer, polygon, material);
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);
     return count_rules(&s, draw(&s));

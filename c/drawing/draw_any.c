@@ -1,5 +1,4 @@
 /* The ways of polygon_draw: which polygons routines for triangles draw, which are left out or divided. */
-#include "drawing/fan.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
 #include "drawing/three.h"
@@ -43,43 +42,19 @@ static inline int32 draws_nothing(const struct renderer *renderer, const struct 
     return 1;
 }
 
-/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
-static uint32 planes_asked(const struct material *m)
-{
-    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
-        return 0;
-    if (m->mapper == MAPPER_GOURAUD)
-        return PLANAR_SHADES;
-    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
-         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
-}
-
-/* Draws a polygon in one piece or as a fan. */
-static enum polygon_result draw_polygon(struct renderer *renderer, const struct polygon *polygon,
-                                        const struct material *material)
-{
-    if (polygon->count > 3 && polygon->planar != PLANAR_ALL
-        && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material)))
-        return polygon_fan(polygon_draw, renderer, polygon, material);
-    return polygon_draw_whole(renderer, polygon, material);
-}
-
 enum polygon_result polygon_draw_exact(struct renderer *renderer, const struct polygon *polygon,
                                        const struct material *material)
 {
-    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
-        return POLYGON_FEW;
-    if (begins_outside(renderer, polygon) && draws_nothing(renderer, polygon, material))
-        return POLYGON_EMPTY;
-    return draw_polygon(renderer, polygon, material);
+    return begins_outside(renderer, polygon) && is_polygon(polygon)
+        && draws_nothing(renderer, polygon, material)
+         ? POLYGON_EMPTY : polygon_draw_whole(renderer, polygon, material);
 }
 
 enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct polygon *polygon,
                                         const struct material *material)
 {
-    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
-        return POLYGON_FEW;
-    if (material->edges == EDGES_SNAPPED && renderer->triangles) {
+    if (material->edges == EDGES_SNAPPED && renderer->triangles
+        && is_polygon(polygon)) {
         const enum span_kind kind = renderer->triangles->draw(renderer, polygon, material);
 
         if (kind != SPAN_KINDS) {
@@ -88,14 +63,13 @@ enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct 
             return POLYGON_DRAWN;
         }
     }
-    return draw_polygon(renderer, polygon, material);
+    return polygon_draw_whole(renderer, polygon, material);
 }
 
 enum polygon_result polygon_draw_beyond(struct renderer *renderer, const struct polygon *polygon,
                                         const struct material *material)
 {
-    return polygon->count >= 3 && polygon->count <= POLYGON_VERTICES_MAX
-        && draws_nothing(renderer, polygon, material)
+    return is_polygon(polygon) && draws_nothing(renderer, polygon, material)
          ? POLYGON_EMPTY : polygon_draw_inside(renderer, polygon, material);
 }
 

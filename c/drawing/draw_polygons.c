@@ -4,12 +4,16 @@
 enum polygon_result polygons_draw(struct renderer *renderer, const struct polygon *polygons,
                                   int32 count, const struct material *material)
 {
+    const int32 plain = material->edges != EDGES_SNAPPED && is_plain(material);
     enum polygon_result refused = POLYGON_DRAWN;
 
     if (material->edges == EDGES_SNAPPED && renderer->triangles && !renderer->counts)
         return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_exact);
     for (; count > 0; count--, polygons++) {
-        const enum polygon_result result = polygon_draw(renderer, polygons, material);
+        polygon_routine *const draw = plain && polygons->count == 3
+                                   && !begins_outside(renderer, polygons) ? polygon_draw_three
+                                                                          : polygon_draw;
+        const enum polygon_result result = draw(renderer, polygons, material);
 
         refused = result > POLYGON_EMPTY ? result : refused;
     }

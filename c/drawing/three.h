@@ -4,6 +4,11 @@
 
 #include "polygon/polygon.h"
 
+static inline int32 is_polygon(const struct polygon *polygon)
+{
+    return polygon->count >= 3 && polygon->count <= POLYGON_VERTICES_MAX;
+}
+
 /* Returns non-zero if a polygon's first vertex is outside the frame: a quick test of whether all of it
    may be. */
 static inline int32 begins_outside(const struct renderer *renderer, const struct polygon *polygon)
@@ -13,6 +18,15 @@ static inline int32 begins_outside(const struct renderer *renderer, const struct
 
     return (uint32)first->x >= (uint32)frame->width << 16
         || (uint32)first->y >= (uint32)frame->height << 16;
+}
+
+/* Returns non-zero if the plain spans draw a triangle of a material without EDGES_SNAPPED, and without
+   perspective. */
+static inline int32 is_plain(const struct material *material)
+{
+    return material->mapper <= MAPPER_AFFINE
+        && material->gradients != GRADIENTS_SCANLINE && !material->perspective && !material->whole
+        && material->clip == CLIP_SCISSOR;
 }
 
 /* Triangles by flat, Gouraud's or affine spans without perspective; not EDGES_SNAPPED, CLIP_VERTICES,
@@ -29,7 +43,7 @@ polygon_routine polygon_draw_inside, polygon_draw_beyond;
 /* The same without routines for triangles. */
 polygon_routine polygon_draw_exact;
 
-/* A polygon of at least three vertices, as one piece. */
+/* The same without the test of whether it is outside. */
 polygon_routine polygon_draw_whole;
 
 #endif
