@@ -23,33 +23,6 @@ static void count_snapped(struct renderer *renderer, const struct polygon *polyg
     count_lines(&s, s.kind);
 }
 
-/* Returns non-zero if a polygon whose first vertex is outside covers nothing. */
-static inline int32 draws_nothing(const struct renderer *renderer, const struct polygon *polygon,
-                           const struct material *material)
-{
-    struct setup s;
-
-    s.off = renderer->off;
-    s.applied = 0;
-    s.frame = renderer->frame;
-    s.material = material;
-    s.given = polygon->vertices;
-    s.count = polygon->count;
-    if (!lower_to_nothing(&s))
-        return 0;
-    if (renderer->counts)
-        renderer->counts[material->number].rules[RULE_OUTSIDE]++;
-    return 1;
-}
-
-enum polygon_result polygon_draw_exact(struct renderer *renderer, const struct polygon *polygon,
-                                       const struct material *material)
-{
-    return begins_outside(renderer, polygon) && is_polygon(polygon)
-        && draws_nothing(renderer, polygon, material)
-         ? POLYGON_EMPTY : polygon_draw_whole(renderer, polygon, material);
-}
-
 enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct polygon *polygon,
                                         const struct material *material)
 {
@@ -69,8 +42,19 @@ enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct 
 enum polygon_result polygon_draw_beyond(struct renderer *renderer, const struct polygon *polygon,
                                         const struct material *material)
 {
-    return is_polygon(polygon) && draws_nothing(renderer, polygon, material)
-         ? POLYGON_EMPTY : polygon_draw_inside(renderer, polygon, material);
+    struct setup s;             /* what lower_to_nothing reads */
+
+    s.off = renderer->off;
+    s.applied = 0;
+    s.frame = renderer->frame;
+    s.material = material;
+    s.given = polygon->vertices;
+    s.count = polygon->count;
+    if (!is_polygon(polygon) || !lower_to_nothing(&s))
+        return polygon_draw_inside(renderer, polygon, material);
+    if (renderer->counts)
+        renderer->counts[material->number].rules[RULE_OUTSIDE]++;
+    return POLYGON_EMPTY;
 }
 
 enum polygon_result polygon_draw_any(struct renderer *renderer, const struct polygon *polygon,

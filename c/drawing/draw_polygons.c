@@ -8,11 +8,11 @@ enum polygon_result polygons_draw(struct renderer *renderer, const struct polygo
     enum polygon_result refused = POLYGON_DRAWN;
 
     if (material->edges == EDGES_SNAPPED && renderer->triangles && !renderer->counts)
-        return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_exact);
+        return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_whole);
     for (; count > 0; count--, polygons++) {
-        polygon_routine *const draw = plain && polygons->count == 3
-                                   && !begins_outside(renderer, polygons) ? polygon_draw_three
-                                                                          : polygon_draw;
+        polygon_routine *const draw = begins_outside(renderer, polygons) ? polygon_draw_beyond
+                                    : plain && polygons->count == 3 ? polygon_draw_three
+                                                                    : polygon_draw;
         const enum polygon_result result = draw(renderer, polygons, material);
 
         refused = result > POLYGON_EMPTY ? result : refused;

@@ -40,10 +40,7 @@ polygon_routine polygon_draw_any;
 /* The same for polygons whose first vertex is inside the frame, and outside. */
 polygon_routine polygon_draw_inside, polygon_draw_beyond;
 
-/* The same without routines for triangles. */
-polygon_routine polygon_draw_exact;
-
-/* The same without the test of whether it is outside. */
+/* The same without routines for triangles, and without the test of whether all of it is outside. */
 polygon_routine polygon_draw_whole;
 
 #endif

@@ -89,7 +89,7 @@ fans    macro
         subq.l  #3,d0
         beq.s   \1_begin
         subq.l  #1,d0
-        bne     fans_done
+        bne     fans_many
         lea     snapped_vertex_sizeof(a6),a6
 \1_begin
         moveq   #0,d2
@@ -194,7 +194,12 @@ fans_side macro
         bne.s   .vertex\@
         endm
 
-; The vertex a1 is out of range.
+; Another number of corners: d0 more than four.
+fans_many
+        cmp.l   #POLYGON_VERTICES_MAX-TRIANGLE_CORNERS_MAX,d0
+        bhi     fans_done
+
+; The vertex a1 may be out of range.
 fans_out
         tst.l   fans_plan_skips(a0)
         beq     fans_done

@@ -115,7 +115,7 @@ def fans_trial(arena: Arena, made: Made, polygons: list, title: str = "", judged
     for vertices in polygons:
         records = [made.record(v) for v in vertices] if len(vertices) in (3, 4) else [None]
         ys = [snapped.snap(v[1]) for v in vertices]
-        if skips and len(vertices) in (3, 4) and None in records and made.is_beyond(vertices):
+        if skips and None in records and made.is_beyond(vertices):
             taken += 1
             writes.append(anything(at, size * snapped.CORNERS))
             continue
