@@ -1,14 +1,12 @@
-/* The ways of polygon_draw: which polygons routines for triangles draw, which are left out or divided. */
+/* Polygons that are counted or left out. */
 #include "drawing/material.h"
 #include "drawing/outline.h"
 #include "drawing/three.h"
 #include "polygon/counts.h"
 #include "polygon/setup.h"
-#include "triangle/triangles.h"
 
-/* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
-static void count_snapped(struct renderer *renderer, const struct polygon *polygon,
-                          const struct material *material, enum span_kind kind)
+void polygon_count_snapped(struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material, enum span_kind kind)
 {
     struct setup s;
 
@@ -21,22 +19,6 @@ static void count_snapped(struct renderer *renderer, const struct polygon *polyg
     s.span.count = s.box.bottom - s.box.top;
     outline_lines(&s, edge_flat_exact, scissor_flat);
     count_lines(&s, s.kind);
-}
-
-enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct polygon *polygon,
-                                        const struct material *material)
-{
-    if (material->edges == EDGES_SNAPPED && renderer->triangles
-        && is_polygon(polygon)) {
-        const enum span_kind kind = renderer->triangles->draw(renderer, polygon, material);
-
-        if (kind != SPAN_KINDS) {
-            if (renderer->counts)
-                count_snapped(renderer, polygon, material, kind);
-            return POLYGON_DRAWN;
-        }
-    }
-    return polygon_draw_whole(renderer, polygon, material);
 }
 
 enum polygon_result polygon_draw_beyond(struct renderer *renderer, const struct polygon *polygon,

@@ -43,4 +43,8 @@ polygon_routine polygon_draw_inside, polygon_draw_beyond;
 /* The same without routines for triangles, and without the test of whether all of it is outside. */
 polygon_routine polygon_draw_whole;
 
+/* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
+void polygon_count_snapped(struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material, enum span_kind kind);
+
 #endif
