@@ -124,8 +124,9 @@ static void fans_set(struct fans_plan *plan, struct snapped_vertex *vertices, st
     plan->scale = triangle_scale(material);
     plan->list = list;
     plan->values = triangle_values(material->mapper);
-    plan->judged = material->mapper == MAPPER_ARBITRARY;
-    plan->skips = 0;
+    plan->judged = plan->skips = 0;
+    if (material->mapper == MAPPER_ARBITRARY)
+        plan->judged = 1;
 }
 
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
@@ -153,7 +154,8 @@ enum span_kind triangle_polygon(const struct renderer *renderer, const struct po
         fans.last = triangle_fan(list, vertices, polygon->count);
     }
     routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
-    plan.colour = colour * 0x01010101;
+    if (colour != material->colour)
+        plan.colour = colour * 0x01010101;
     plan.list = list;
     plan.end = fans.last;
     if (routine == triangles_spans) {
