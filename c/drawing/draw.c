@@ -21,7 +21,6 @@
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
 #include "polygon/shading.h"
-#include "triangle/triangles.h"
 
 /* Uses of the scratch room by polygons without perspective, one at a time. */
 union made {
@@ -309,17 +308,6 @@ static void draw_affine(struct setup *s)
         draw_span(s);
 }
 
-/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
-static uint32 planes_asked(const struct material *m)
-{
-    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
-        return 0;
-    if (m->mapper == MAPPER_GOURAUD)
-        return PLANAR_SHADES;
-    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
-         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
-}
-
 static enum polygon_result draw(struct setup *s)
 {
     const struct material *material = s->material;
@@ -349,83 +337,28 @@ static enum polygon_result draw(struct setup *s)
     return POLYGON_DRAWN;
 }
 
-/* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
-static void count_snapped(struct renderer *renderer, const struct polygon *polygon,
-                          const struct material *material, enum span_kind kind)
+/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
+static uint32 planes_asked(const struct material *m)
+{
+    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
+        return 0;
+    if (m->mapper == MAPPER_GOURAUD)
+        return PLANAR_SHADES;
+    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
+}
+
+enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct polygon *polygon,
+                                       const struct material *material)
 {
     struct setup s;
 
-    setup_begin(&s, renderer, polygon, material);
-    s.vertices = material_vertices(s.scratch->vertices, s.given, s.count, material);
-    s.kind = kind;
-    if (outline_find(&s, OUTLINE_ALONE) != POLYGON_DRAWN)
-        return;
-    s.span.lines = s.edges.lines;
-    s.span.count = s.box.bottom - s.box.top;
-    outline_lines(&s, edge_flat_exact, scissor_flat);
-    count_lines(&s, s.kind);
-}
-
-/* Returns non-zero if the first vertex is outside the frame: a quick test of whether the whole
-   polygon may be. */
-static int32 begins_outside(const struct renderer *renderer, const struct polygon *polygon)
-{
-    const struct frame *const frame = renderer->frame;
-    const struct vertex *const first = polygon->vertices;
-
-    return (uint32)first->x >= (uint32)frame->width << 16
-        || (uint32)first->y >= (uint32)frame->height << 16;
-}
-
-/* Returns non-zero if a polygon whose first vertex is outside covers nothing. */
-static int32 draws_nothing(struct renderer *renderer, const struct polygon *polygon,
-                           const struct material *material)
-{
-    struct setup s;
-
-    setup_begin(&s, renderer, polygon, material);
-    return lower_to_nothing(&s) && count_rules(&s, POLYGON_EMPTY) == POLYGON_EMPTY;
-}
-
-/* Draws a polygon with its own outline and planes. */
-static enum polygon_result draw_polygon(struct renderer *renderer, const struct polygon *polygon,
-                                        const struct material *material)
-{
-    struct setup s;
-
+    if (!is_polygon(polygon))
+        return POLYGON_FEW;
     if (polygon->count > 3 && polygon->planar != PLANAR_ALL
         && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material)))
         return polygon_fan(polygon_draw, renderer, polygon, material);
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);
     return count_rules(&s, draw(&s));
-}
-
-enum polygon_result polygon_draw_exact(struct renderer *renderer, const struct polygon *polygon,
-                                       const struct material *material)
-{
-    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
-        return POLYGON_FEW;
-    if (begins_outside(renderer, polygon) && draws_nothing(renderer, polygon, material))
-        return POLYGON_EMPTY;
-    return draw_polygon(renderer, polygon, material);
-}
-
-enum polygon_result polygon_draw_any(struct renderer *renderer, const struct polygon *polygon,
-                                     const struct material *material)
-{
-    if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
-        return POLYGON_FEW;
-    if (begins_outside(renderer, polygon) && draws_nothing(renderer, polygon, material))
-        return POLYGON_EMPTY;
-    if (material->edges == EDGES_SNAPPED && renderer->triangles) {
-        const enum span_kind kind = renderer->triangles->draw(renderer, polygon, material);
-
-        if (kind != SPAN_KINDS) {
-            if (renderer->counts)
-                count_snapped(renderer, polygon, material, kind);
-            return POLYGON_DRAWN;
-        }
-    }
-    return draw_polygon(renderer, polygon, material);
 }

@@ -1,10 +1,33 @@
-/* The general way of polygon_draw. */
+/* The ways of polygon_draw. */
 #ifndef DRAW_H
 #define DRAW_H
 
 #include "polygon/polygon.h"
 
-/* Draws every polygon. */
-polygon_routine polygon_draw_any;
+static inline int32 is_polygon(const struct polygon *polygon)
+{
+    return polygon->count >= 3 && polygon->count <= POLYGON_VERTICES_MAX;
+}
+
+/* Returns non-zero if a polygon's first vertex is outside the frame: a quick test of whether all of it
+   may be. */
+static inline int32 begins_outside(const struct renderer *renderer, const struct polygon *polygon)
+{
+    const struct frame *const frame = renderer->frame;
+    const struct vertex *const first = polygon->vertices;
+
+    return (uint32)first->x >= (uint32)frame->width << 16
+        || (uint32)first->y >= (uint32)frame->height << 16;
+}
+
+/* Polygons whose first vertex is inside the frame, and outside. */
+polygon_routine polygon_draw_inside, polygon_draw_beyond;
+
+/* The same without routines for triangles, and without the test of whether all of it is outside. */
+polygon_routine polygon_draw_whole;
+
+/* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
+void polygon_count_snapped(struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material, enum span_kind kind);
 
 #endif

@@ -10,13 +10,15 @@ enum polygon_result polygons_draw(struct renderer *renderer, const struct polygo
     int32 is_set;
 
     if (material->edges == EDGES_SNAPPED && renderer->triangles && !renderer->counts)
-        return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_exact);
+        return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_whole);
     is_set = three_set(&three, renderer, material);
     for (; count > 0; count--, polygons++) {
-        result = is_set && polygons->count == 3 ? three_polygon(&three, polygons->vertices)
-                                                : (enum polygon_result)THREE_OTHER;
-        if ((int32)result == THREE_OTHER)
-            result = polygon_draw_any(renderer, polygons, material);
+        if (begins_outside(renderer, polygons))
+            result = polygon_draw_beyond(renderer, polygons, material);
+        else if (is_set && polygons->count == 3)
+            result = three_polygon(&three, polygons->vertices);
+        else
+            result = polygon_draw_inside(renderer, polygons, material);
         refused = result > POLYGON_EMPTY ? result : refused;
     }
     return refused;

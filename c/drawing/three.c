@@ -77,7 +77,6 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     set_lines(three);
     three->row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
     three->right = (uint32)frame->width << 16;
-    three->below = (uint32)frame->height << 16;
     three->steep = material_steep(material, frame->height);
     return 1;
 }

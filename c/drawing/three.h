@@ -9,8 +9,6 @@
 /* The spans that three_draw calls itself. */
 enum three_way { THREE_FLAT, THREE_SHADES, THREE_TEXELS, THREE_REST };
 
-enum { THREE_OTHER = -1 };      /* not drawn: polygon_draw_any must draw it */
-
 /* How a material's triangles are drawn. */
 struct three {
     struct setup s;             /* of the last triangle */
@@ -19,17 +17,16 @@ struct three {
     int32 way;                  /* enum three_way */
     edge_routine *lines;        /* in the form of the way's spans */
     uint8 *row;                 /* the frame's first, at pixel -EDGE_BIAS */
-    uint32 right, below;        /* the frame's size, pixels, 16.16 */
+    uint32 right;               /* the frame's width, pixels, 16.16 */
     uint32 steep;               /* THREE_SHADES: steps from here on may need clamp_lines */
 };
 
-/* Sets what the frame and the material decide. Returns 0 if polygon_draw_any draws the material's
+/* Sets what the frame and the material decide. Returns 0 if polygon_draw_inside draws the material's
    triangles: EDGES_SNAPPED, CLIP_VERTICES, GRADIENTS_SCANLINE, `whole`, other spans and forms, a rule is
    off, or polygons are counted. */
 int32 three_set(struct three *three, const struct renderer *renderer, const struct material *material);
 
-/* Draws a triangle of the plan's material. Returns THREE_OTHER, and draws nothing, if its first vertex
-   is outside the frame. */
+/* Draws a triangle of the plan's material. */
 enum polygon_result three_polygon(struct three *three, const struct vertex *vertices);
 
 /* The same, with vertices from material_vertices. src68k/polygon: contract there. */
@@ -37,8 +34,5 @@ enum polygon_result three_draw(struct three *three, const struct vertex *vertice
 
 /* Draws a triangle whose sides, box, edges and, with a chain, plane are found. */
 void three_rest(struct three *three);
-
-/* The same without routines for triangles. */
-polygon_routine polygon_draw_exact;
 
 #endif

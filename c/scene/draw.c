@@ -55,15 +55,16 @@ static int32 is_still(const struct scene_pose *pose)
     return !(pose->x0 | pose->y0 | pose->xy | pose->yx) && pose->xx == 65536 && pose->yy == 65536;
 }
 
-/* Draws the run up to `end`, if it has any polygons. */
+/* Draws polygons of a material; returns `refused`, or why one of them was. */
 static enum polygon_result draw_run(struct renderer *renderer, const struct polygon *run,
-                                    const struct polygon *end, const struct material *material)
+                                    const struct polygon *end, const struct material *material,
+                                    enum polygon_result refused)
 {
-    const int32 count = (int32)(end - run);
+    const enum polygon_result result = end == run + 1
+        ? material->draw(renderer, run, material)
+        : polygons_draw(renderer, run, (int32)(end - run), material);
 
-    return !count ? POLYGON_DRAWN
-         : count == 1 ? material->draw(renderer, run, material)
-         : polygons_draw(renderer, run, count, material);
+    return result > POLYGON_EMPTY ? result : refused;
 }
 
 /* Draws objects first to end (excluded). Those that polygon_draw draws and that have the same material
@@ -71,13 +72,14 @@ static enum polygon_result draw_run(struct renderer *renderer, const struct poly
 static enum polygon_result draw_objects(struct renderer *renderer, const struct scene *scene,
                                         int32 number, uint32 first, uint32 end)
 {
-    enum polygon_result result, refused = POLYGON_DRAWN;
+    enum polygon_result refused = POLYGON_DRAWN;
     const struct scene_object *object = &scene->objects[first];
     const struct scene_object *const objects_end = &scene->objects[end];
     struct polygon *const run = scene->scratch->run;
     struct polygon *last = run, *full = run;
     struct vertex *room = scene->scratch->placed;
     uint32 left = 0;            /* places in the room */
+    const struct material *material = scene->drawn;
     uint32 of_run = 0;
 
     for (; object < objects_end; object++) {
@@ -88,13 +90,14 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
         if (age >= object->poses)
             continue;
         if (object->material != of_run || last == full || object->vertices > left) {
-            result = draw_run(renderer, run, last, &scene->drawn[of_run]);
-            refused = result > POLYGON_EMPTY ? result : refused;
+            if (last != run)
+                refused = draw_run(renderer, run, last, material, refused);
+            material = &scene->drawn[object->material];
             last = run;
             room = scene->scratch->placed;
-            left = POLYGON_VERTICES_MAX;
+            left = RUN_VERTICES;
             of_run = object->material;
-            full = &run[scene->drawn[of_run].draw == polygon_draw ? RUN_POLYGONS : 1];
+            full = &run[material->draw == polygon_draw ? RUN_POLYGONS : 1];
         }
         vertices = &scene->vertices[object->vertex];
         pose = &scene->poses[object->pose + age];
@@ -106,8 +109,7 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
         }
         polygon_set(last++, vertices, (int32)object->vertices, object->planar);
     }
-    result = draw_run(renderer, run, last, &scene->drawn[of_run]);
-    return result > POLYGON_EMPTY ? result : refused;
+    return last == run ? refused : draw_run(renderer, run, last, material, refused);
 }
 
 /* Draws all objects and instances. */

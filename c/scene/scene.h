@@ -8,12 +8,13 @@
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
 
-enum { RUN_POLYGONS = 21 };     /* objects of a material that are drawn together at most */
+/* Of objects that are drawn together, the most and the room for their vertices. */
+enum { RUN_POLYGONS = 42, RUN_VERTICES = 128 };
 
 /* Memory for the vertices of a run of objects, or of one face. */
 struct scene_scratch {
     struct polygon run[RUN_POLYGONS];
-    struct vertex placed[POLYGON_VERTICES_MAX];
+    struct vertex placed[RUN_VERTICES];
     struct vertex face[MESH_CORNERS_MAX], cut[2 * POLYGON_VERTICES_MAX];
     struct mesh_face *buckets[MESH_SORT_BUCKETS];
     struct mesh_batch batch;

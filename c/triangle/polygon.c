@@ -122,9 +122,11 @@ static void fans_set(struct fans_plan *plan, struct snapped_vertex *vertices, st
     plan->bottom = range.bottom;
     plan->vertices = vertices;
     plan->scale = triangle_scale(material);
-    plan->last = list;
+    plan->list = list;
     plan->values = triangle_values(material->mapper);
-    plan->judged = material->mapper == MAPPER_ARBITRARY;
+    plan->judged = plan->skips = 0;
+    if (material->mapper == MAPPER_ARBITRARY)
+        plan->judged = 1;
 }
 
 enum span_kind triangle_polygon(const struct renderer *renderer, const struct polygon *polygon,
@@ -152,7 +154,8 @@ enum span_kind triangle_polygon(const struct renderer *renderer, const struct po
         fans.last = triangle_fan(list, vertices, polygon->count);
     }
     routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
-    plan.colour = colour * 0x01010101;
+    if (colour != material->colour)
+        plan.colour = colour * 0x01010101;
     plan.list = list;
     plan.end = fans.last;
     if (routine == triangles_spans) {
@@ -190,8 +193,8 @@ struct triangle_run {
 static void run_flush(struct triangle_run *run)
 {
     run->plan.list = run->room->list;
-    run->plan.end = run->fans.last;
-    run->fans.last = run->room->list;
+    run->plan.end = run->fans.list;
+    run->fans.list = run->room->list;
     if (run->plan.end != run->plan.list)
         run->routine(&run->plan);
 }
@@ -223,7 +226,7 @@ static enum polygon_result run_odd(struct triangle_run *run, enum span_kind kind
         run_flush(run);
         run_set(run, kind, colour, renderer, material);
     }
-    fans->last = triangle_fan(fans->last, fans->vertices, polygon->count);
+    fans->list = triangle_fan(fans->list, fans->vertices, polygon->count);
     fans->vertices += polygon->count;
     return POLYGON_DRAWN;
 }
@@ -255,6 +258,10 @@ enum polygon_result triangle_run(struct renderer *renderer, const struct polygon
         return run_others(renderer, polygons, count, material, other);
     run.room = (struct run_room *)renderer->scratch->room;
     fans_set(&run.fans, run.room->vertices, run.room->list, renderer->frame, material);
+    run.fans.skips = RULE_IS_ON(renderer, OUTSIDE)
+                  && (!material->map || material->map->scale <= 65536);
+    run.fans.beyond_x = (renderer->frame->width + 1) << 16;
+    run.fans.beyond_y = renderer->frame->height << 16;
     run_set(&run, kind, material->colour, renderer, material);
     while (polygons < end) {
         const int32 room = (int32)(&run.room->vertices[TRIANGLE_CORNERS_MAX * BATCH_POLYGONS]
@@ -264,6 +271,8 @@ enum polygon_result triangle_run(struct renderer *renderer, const struct polygon
         run.fans.end = end - polygons < room ? end : polygons + room;
         run.fans.judged = run.kind != kind || material->mapper == MAPPER_ARBITRARY;
         polygons = triangle_fans(&run.fans);
+        run.fans.list = run.fans.last;
+        run.fans.vertices = run.fans.free;
         if (polygons == run.fans.end) {
             run_flush(&run);
             run.fans.vertices = run.room->vertices;

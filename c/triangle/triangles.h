@@ -78,14 +78,18 @@ struct vertices_plan {
 
 struct fans_plan {
     uint32 right, bottom;       /* as above */
-    struct snapped_vertex *vertices;    /* free places; set behind those of the last triangle */
+    struct snapped_vertex *vertices;    /* room for those of all polygons */
     const struct polygon *from;
     fix16 scale;
-    struct triangle *last;      /* free places of the list; set behind the last triangle */
+    struct triangle *list;      /* the same */
     const struct polygon *end;
     int32 values;
     int32 judged;               /* 1: no polygon is taken before it is judged */
-    int32 is_odd;               /* set to 1: the returned polygon's vertices are there, to be judged */
+    int32 skips;                /* 1: polygons beyond a side of the frame are left out; scale up to 1 */
+    fix16 beyond_x, beyond_y;   /* where they are at the right and below */
+    struct snapped_vertex *free;        /* set behind the vertices of the last polygon that was taken */
+    struct triangle *last;      /* set behind the last triangle */
+    int32 is_odd;               /* set to 1 if the vertices of the next one are there, to be judged */
 };
 
 /* Room for what triangles_spans makes. */

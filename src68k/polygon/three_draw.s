@@ -6,7 +6,7 @@
 ;
 ; in:      a0  three*   the plan
 ;          a1  vertex*  the three vertices, as material_vertices makes them
-; out:     d0  int32    enum polygon_result; THREE_OTHER if the first vertex is outside the frame
+; out:     d0  int32    enum polygon_result
 ; reads:   the plan, the vertices, the map
 ; writes:  the plan's setup, scratch memory; pixels
 ; formats: those of triangle_outline and of the spans
@@ -17,12 +17,6 @@
         routine three_draw,a0,a1
         save_all
         movea.l a0,a6
-        move.l  (a1),d0
-        cmp.l   three_right(a6),d0
-        bhs     .other
-        move.l  vertex_y(a1),d0
-        cmp.l   three_below(a6),d0
-        bhs     .other
         move.l  a1,setup_vertices(a6)
         clr.l   setup_texturing+texturing_u_cut(a6)
         movem.l three_exact(a6),d0-d1   ; and chain
@@ -96,5 +90,3 @@
         jsr     _three_rest
         addq.l  #4,sp
         bra     .drawn
-.other  moveq   #THREE_OTHER,d0
-        return_all

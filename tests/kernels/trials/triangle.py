@@ -6,8 +6,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tmap.bench.triangles import HEIGHT, LINERS, ROUTINES, WIDTH, batch_trial, lines_trial
+from tmap.base.fixed import ONE
 from tmap.bench.trial import Trial
+from tmap.bench.triangle_fans import VALUES, Made, fans_trial, vertices_trial
+from tmap.bench.triangles import HEIGHT, LINERS, ROUTINES, WIDTH, batch_trial, lines_trial
 from tmap.setup import snapped
 
 TALL = 300  # lines of a frame for triangles of up to so many
@@ -86,6 +88,8 @@ def trials() -> Iterator[Trial]:
                           height=TALL)
     for name in LINERS:
         yield from table_trials(name)
+    for mapper in VALUES:
+        yield from fans_trials(mapper)
 
 
 def table_trials(name: str) -> Iterator[Trial]:
@@ -104,3 +108,50 @@ def table_trials(name: str) -> Iterator[Trial]:
                                ("culled or not, turned", [turned, some[1]], 1),
                                ("the first is out of range", [[None, *some[3][1:]], some[4]], 0)):
         yield lines_trial(Memory(), name, batch, f"{name}: {title}", cull)
+
+
+def corner(rng, around: tuple[int, int], reach: int) -> tuple[int, ...]:
+    """A vertex of a polygon near a place: x, y, s, t, shade; it may be out of range."""
+    x, y = (int(c + rng.integers(-reach, reach + 1)) for c in around)
+    s, t = (int(rng.integers(-size, size + 1)) for size in rng.choice((ONE, 300 * ONE, 500 * ONE, 520 * ONE), 2,
+                                                                     p=(0.3, 0.4, 0.25, 0.05)))
+    shade = int(rng.choice((int(rng.integers(256 * ONE)), int(rng.integers(64)) << 18, 3 * ONE, 253 * ONE)))
+    return x, y, s, t, shade
+
+
+def polygon(rng, made: Made) -> list[tuple[int, ...]]:
+    """Three or four vertices, seldom another number; some are level or alike in a value."""
+    around = tuple(int(rng.integers(-side << 11, side * 3 << 11)) for side in (made.right, made.bottom))
+    reach = int(rng.choice((2 * ONE, 30 * ONE, 300 * ONE), p=(0.5, 0.4, 0.1)))
+    if rng.integers(4):  # mostly inside
+        around = tuple(min(max(c, reach), max(reach, (side << 12) - reach))
+                       for c, side in zip(around, (made.right, made.bottom)))
+    vertices = [list(corner(rng, around, reach)) for _ in range(int(rng.choice((3, 4, 5), p=(0.55, 0.43, 0.02))))]
+    if rng.integers(4) == 0:  # a level edge, its ends perhaps alike
+        a, b = (int(n) for n in rng.choice(len(vertices), 2, replace=False))
+        for key in (1, *((int(rng.integers(2, 4)),) if rng.integers(2) else ())):
+            vertices[a][key] = vertices[b][key]
+    if rng.integers(4) == 0:
+        for v in vertices[int(rng.integers(0, 2)):]:
+            v[4] = vertices[-1][4] ^ int(rng.integers(0, 2)) * 1234
+    return [tuple(v) for v in vertices]
+
+
+def fans_trials(mapper: str) -> Iterator[Trial]:
+    """Single polygons, runs up to one that is not taken, vertices in and out of range, none."""
+    rng = np.random.default_rng(len(mapper))
+    sizes = ((320 * 16, 256 * 16), (320 * 16, 1024 * 16), (64 * 16, 40 * 16))
+    for number in range(150):
+        right, bottom = sizes[number % 3]
+        made = Made(mapper, right, bottom, int(rng.choice((0, 0, ONE // 2, 12345, 2 * ONE))))
+        polygons = [polygon(rng, made) for _ in range(1 if number < 100 else 8)]
+        title = f"{mapper}, number {number}: {made}, {polygons if number < 100 else ''}"
+        yield fans_trial(Memory(), made, polygons, title, int(number % 10 == 9),
+                         int(number % 3 == 0))
+        if number % 4 == 0:
+            yield vertices_trial(Memory(), made, sum(polygons, []), title)
+    yield fans_trial(Memory(), Made(mapper), [], f"{mapper}: no polygon")
+    yield vertices_trial(Memory(), Made(mapper), [], f"{mapper}: no vertex")
+    high = [(0, 0, 0, 0, 20 * ONE), (40 * ONE, 256 * ONE, ONE, 9 * ONE, 90 * ONE), (9 * ONE, 30 * ONE, 0, 5, 150 * ONE)]
+    low = [high[0], (high[1][0], 256 * ONE - ONE // 16, *high[1][2:]), high[2]]
+    yield fans_trial(Memory(), Made(mapper), [low, high, low], f"{mapper}: the second is too high")

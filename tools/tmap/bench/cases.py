@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
 from tmap.bench import (dithered, edges, effects, instruction_costs, logarithm, mesh, mesh_batches,
-                        n64, perspective, reciprocal, screen, steps, triangles)
+                        n64, perspective, reciprocal, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
 from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
@@ -117,7 +117,8 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
 
 #: A kind of rows to what makes names, lengths and calls. Points are normals, faces or vertices too.
 KINDS = {"rows": pixel_calls, "lines": line_calls,
-         "points": lambda: ((name, 1, make()) for name, make in (mesh.CASES | mesh_batches.CASES).items()),
+         "points": lambda: ((name, 1, make()) for name, make in (
+             mesh.CASES | mesh_batches.CASES | triangle_fans.CASES).items()),
          "polygons": lambda: ((name, pixels, call(pixels)) for name, call in triangles.CASES.items()
                               for pixels in polygon_sets.SIZES.values()),
          "instructions": instruction_costs.calls}
