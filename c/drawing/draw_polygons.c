@@ -7,12 +7,17 @@ enum polygon_result polygons_draw(struct renderer *renderer, const struct polygo
 {
     enum polygon_result result, refused = POLYGON_DRAWN;
     struct three three;
+    const struct polygon *const end = polygons + count;
     int32 is_set;
 
     if (material->edges == EDGES_SNAPPED && renderer->triangles && !renderer->counts)
         return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_whole);
     is_set = three_set(&three, renderer, material);
-    for (; count > 0; count--, polygons++) {
+    for (;; polygons++) {
+        if (is_set && three.as_given)
+            polygons = three_run(&three, polygons, end);
+        if (polygons == end)
+            return refused;
         if (begins_outside(renderer, polygons))
             result = polygon_draw_beyond(renderer, polygons, material);
         else if (is_set && polygons->count == 3)
@@ -21,5 +26,4 @@ enum polygon_result polygons_draw(struct renderer *renderer, const struct polygo
             result = polygon_draw_inside(renderer, polygons, material);
         refused = result > POLYGON_EMPTY ? result : refused;
     }
-    return refused;
 }

@@ -12,14 +12,20 @@
 const struct vertex *material_made(struct vertex *to, const struct vertex *from, int32 count,
                                    const struct material *material);
 
-/* The same, but returns the given vertices if they need no change. */
+/* Returns non-zero if material_made would change no vertex. */
+static inline int32 material_takes_vertices(const struct material *material)
+{
+    return (material->edges == EDGES_EXACT || material->edges == EDGES_SUBPIXEL)
+        && material->mapper != MAPPER_GOURAUD
+        && (!material->map || material->map->scale == 65536);
+}
+
+/* As material_made, but returns the given vertices if they need no change. */
 static inline const struct vertex *material_vertices(struct vertex *to, const struct vertex *from,
                                                      int32 count,
                                                      const struct material *material)
 {
-    if ((material->edges == EDGES_EXACT || material->edges == EDGES_SUBPIXEL)
-        && material->mapper != MAPPER_GOURAUD
-        && (!material->map || material->map->scale == 65536))
+    if (material_takes_vertices(material))
         return from;
     if (material->mapper == MAPPER_GOURAUD && material->edges != EDGES_SNAPPED) {
         shade_vertices(to, from, count, material->edges == EDGES_INTEGER ? ~0xffff : ~0);

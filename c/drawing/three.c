@@ -46,9 +46,7 @@ static enum three_way way_of(const struct three *three, const struct material *m
 
 static void set_lines(struct three *three)
 {
-    const struct line_routines *routines = &line_routines[kind_lines[three->s.kind]];
-
-    three->lines = three->exact ? routines->exact_edges : routines->edges;
+    three->lines = line_routines[kind_lines[three->s.kind]].lines[three->exact];
 }
 
 int32 three_set(struct three *three, const struct renderer *renderer, const struct material *material)
@@ -77,6 +75,8 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     set_lines(three);
     three->row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
     three->right = (uint32)frame->width << 16;
+    three->below = (uint32)frame->height << 16;
+    three->as_given = material_takes_vertices(material);
     three->steep = material_steep(material, frame->height);
     return 1;
 }

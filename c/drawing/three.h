@@ -15,9 +15,10 @@ struct three {
     int32 exact;                /* 1: exact edges, 0: rounded ones */
     int32 chain;                /* enum chain, or OUTLINE_ALONE */
     int32 way;                  /* enum three_way */
-    edge_routine *lines;        /* in the form of the way's spans */
+    int32 as_given;             /* 1: material_vertices changes no vertex */
+    void (*lines)(void);        /* makes lines in the form of the way's spans */
     uint8 *row;                 /* the frame's first, at pixel -EDGE_BIAS */
-    uint32 right;               /* the frame's width, pixels, 16.16 */
+    uint32 right, below;        /* the frame's size, pixels, 16.16 */
     uint32 steep;               /* THREE_SHADES: steps from here on may need clamp_lines */
 };
 
@@ -29,8 +30,13 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
 /* Draws a triangle of the plan's material. */
 enum polygon_result three_polygon(struct three *three, const struct vertex *vertices);
 
-/* The same, with vertices from material_vertices. src68k/polygon: contract there. */
+/* The same, with vertices from material_vertices. src68k/polygon: contracts there. */
 enum polygon_result three_draw(struct three *three, const struct vertex *vertices);
+
+/* Draws polygons up to one that is not a triangle with its first vertex inside the frame, or is out of
+   range; returns its address or `end`. The material's vertices need no change. */
+const struct polygon *three_run(struct three *three, const struct polygon *polygons,
+                                const struct polygon *end);
 
 /* Draws a triangle whose sides, box, edges and, with a chain, plane are found. */
 void three_rest(struct three *three);

@@ -24,8 +24,8 @@ const struct mapper_traits mappers[MAPPER_KINDS] = {
 };
 
 const struct line_routines line_routines[LINE_FORMS] = {
-    [LINES_FLAT] = {edge_flat, edge_flat_exact, scissor_flat},
-    [LINES_ADDX] = {edge_addx, edge_addx_exact, scissor_addx},
-    [LINES_SWAP] = {edge_swap, edge_plain_exact, scissor_plain},
-    [LINES_PLAIN] = {edge_plain, edge_plain_exact, scissor_plain}
+    [LINES_FLAT] = {edge_flat, edge_flat_exact, {lines_flat, lines_flat_exact}, scissor_flat},
+    [LINES_ADDX] = {edge_addx, edge_addx_exact, {lines_addx, lines_addx_exact}, scissor_addx},
+    [LINES_SWAP] = {edge_swap, edge_plain_exact, {0, 0}, scissor_plain},
+    [LINES_PLAIN] = {edge_plain, edge_plain_exact, {lines_plain, lines_plain_exact}, scissor_plain}
 };

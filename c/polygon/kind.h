@@ -13,6 +13,7 @@ enum line_form { LINES_FLAT, LINES_ADDX, LINES_SWAP, LINES_PLAIN, LINE_FORMS };
 
 struct line_routines {
     edge_routine *edges, *exact_edges;
+    void (*lines[2])(void);     /* the same for assembly, rounded and exact; 0: none */
     void (*scissor)(const struct scissor_plan *plan);
 };
 

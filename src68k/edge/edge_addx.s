@@ -32,6 +32,13 @@ addx_step macro
 ;          start2 = v--U
 ; error:   none: u = u0 + n du + (pixels beyond n whole) dudx modulo 2^32
         routine edge_addx,a0
+        edge_entry lines_addx
+
+; lines_addx - the same for assembly
+;
+; like:    edge_addx
+; trashes: d0-d7/a0-a6
+        routine lines_addx
         edge_left addx,error_rounded,edge_right
 
 ; edge_addx_exact - the same, x by integer quotient and remainder
@@ -40,4 +47,11 @@ addx_step macro
 ; reads:   the plan, its edges
 ; error:   none, and x is the rational one on every line
         routine edge_addx_exact,a0
+        edge_entry lines_addx_exact
+
+; lines_addx_exact - the same for assembly
+;
+; like:    edge_addx_exact
+; trashes: d0-d7/a0-a6
+        routine lines_addx_exact
         edge_left addx,error_exact,edge_right_exact

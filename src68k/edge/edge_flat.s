@@ -4,15 +4,13 @@
 
 ; \1: the macro that steps x; \2: the routine for the right side.
 steps   macro
-        save_all
         movea.l a0,a6
         movea.l edge_plan_lines(a6),a0
         addq.l  #scanline_left,a0
         movea.l edge_plan_left(a6),a5
         move.l  edge_plan_lefts(a6),d5
         edge_loop \1,0
-        jsr     \2
-        return_all
+        jmp     \2
         endm
 
 ; edge_flat - fills a scanline table without u and v, for flat polygons
@@ -22,6 +20,13 @@ steps   macro
 ; writes:  left and last of plan->lines[0 .. lines of one side - 1]
 ; formats: x with EDGE_BIAS, 0 to 32,768
         routine edge_flat,a0
+        edge_entry lines_flat
+
+; lines_flat - the same for assembly
+;
+; like:    edge_flat
+; trashes: d0-d7/a0-a6
+        routine lines_flat
         steps   edge_step,edge_right
 
 ; edge_flat_exact - the same, x by integer quotient and remainder
@@ -30,4 +35,11 @@ steps   macro
 ; reads:   the plan, of its edges lines, x, whole, error, part and height
 ; error:   none, and x is the rational one on every line
         routine edge_flat_exact,a0
+        edge_entry lines_flat_exact
+
+; lines_flat_exact - the same for assembly
+;
+; like:    edge_flat_exact
+; trashes: d0-d7/a0-a6
+        routine lines_flat_exact
         steps   edge_step_exact,edge_right_exact

@@ -43,6 +43,13 @@ plain_step macro
 ; formats: x with EDGE_BIAS, 0 to 32,768; start0 = uu, start1 = UU,
 ;          start2 = VVvv
         routine edge_plain,a0
+        edge_entry lines_plain
+
+; lines_plain - the same for assembly
+;
+; like:    edge_plain
+; trashes: d0-d7/a0-a6
+        routine lines_plain
         edge_left plain,error_rounded,edge_right
 
 ; edge_plain_exact - the same, x by integer quotient and remainder
@@ -51,4 +58,11 @@ plain_step macro
 ; reads:   the plan, its edges
 ; error:   none, and x is the rational one on every line
         routine edge_plain_exact,a0
+        edge_entry lines_plain_exact
+
+; lines_plain_exact - the same for assembly
+;
+; like:    edge_plain_exact
+; trashes: d0-d7/a0-a6
+        routine lines_plain_exact
         edge_left plain,error_exact,edge_right_exact

@@ -82,7 +82,6 @@ left_line macro
 ; pixels to the right as x moves, one more after a carry. So they stay on the plane
 ; without a multiplication a line.
 edge_left macro
-        save_all
         move.l  a0,-(sp)
         move.l  edge_plan_lefts(a0),-(sp)
         movea.l edge_plan_left(a0),a5
@@ -140,6 +139,12 @@ edge_left macro
         bne     .left_edge
         addq.l  #4,sp
         movea.l (sp)+,a6
-        jsr     \3
+        jmp     \3
+        endm
+
+; The entry of a stepper for C: keeps registers that \1 changes.
+edge_entry macro
+        save_all
+        jsr     \1
         return_all
         endm

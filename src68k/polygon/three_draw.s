@@ -13,10 +13,65 @@
 ; error:   theirs
 ; cost:    bench rows polygon_*_exact
 
-; Spans and lines are called as from C: the tables are C's.
         routine three_draw,a0,a1
         save_all
         movea.l a0,a6
+        jsr     three_one
+        return_all
+
+; three_run - draws a run of triangles by the plan of their material
+;
+; in:      a0  three*    the plan
+;          a1  polygon*  the first polygon
+;          d0  polygon*  behind the last one
+; out:     d0  polygon*  the first that was not drawn: one of more vertices, with its first outside the
+;                        frame, or that three_draw refuses; or behind the last
+; reads:   the plan, the polygons, the map
+; writes:  as three_draw
+; formats: as three_draw
+; error:   as three_draw
+; cost:    as three_draw, and 50 a polygon
+        routine three_run,a0,a1,d0
+        save_all
+        movea.l a0,a6
+        movem.l d0/a1,-(sp)
+.next   movea.l 4(sp),a0
+        cmpa.l  (sp),a0
+        beq.s   .end
+        moveq   #3,d0
+        cmp.l   polygon_count(a0),d0
+        bne.s   .end
+        movea.l polygon_vertices(a0),a1
+        move.l  (a1),d0
+        cmp.l   three_right(a6),d0
+        bhs.s   .end
+        move.l  vertex_y(a1),d0
+        cmp.l   three_below(a6),d0
+        bhs.s   .end
+        jsr     three_one
+        subq.l  #POLYGON_EMPTY,d0
+        bgt.s   .end
+        moveq   #polygon_sizeof,d0
+        add.l   d0,4(sp)
+        bra     .next
+.end    addq.l  #4,sp
+        move.l  (sp)+,d0
+        return_all
+
+; three_one - draws a triangle by the plan of its material
+;
+; in:      a6  three*   the plan
+;          a1  vertex*  the three vertices
+; out:     d0  int32    enum polygon_result
+; trashes: d1-d7/a0-a5
+; reads:   as three_draw
+; writes:  as three_draw
+; formats: as three_draw
+; error:   as three_draw
+; cost:    as three_draw
+
+; Spans are called as from C: their table is C's.
+        routine three_one
         move.l  a1,setup_vertices(a6)
         clr.l   setup_texturing+texturing_u_cut(a6)
         movem.l three_exact(a6),d0-d1   ; and chain
@@ -76,16 +131,18 @@
         bgt.s   .lines
         moveq   #SPAN_GOURAUD_SHORT,d3
 
-.lines  pea     setup_edges(a6)
-        movea.l three_lines(a6),a0
-        jsr     (a0)
+.lines  movem.l d3/a6,-(sp)
+        lea     setup_edges(a6),a0
+        movea.l three_lines(a6),a1
+        jsr     (a1)
+        movem.l (sp)+,d3/a6
         lea     _kind_spans,a0
         movea.l (a0,d3.w*4),a0
         pea     setup_span(a6)
         jsr     (a0)
-        addq.l  #8,sp
+        addq.l  #4,sp
 .drawn  moveq   #POLYGON_DRAWN,d0
-.done   return_all
+.done   rts
 .rest   move.l  a6,-(sp)
         jsr     _three_rest
         addq.l  #4,sp
