@@ -14,7 +14,7 @@ enum polygon_result polygons_draw(struct renderer *renderer, const struct polygo
         return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_whole);
     is_set = three_set(&three, renderer, material);
     for (;; polygons++) {
-        if (is_set && three.as_given)
+        if (is_set && three.vertices != THREE_MADE)
             polygons = three_run(&three, polygons, end);
         if (polygons == end)
             return refused;

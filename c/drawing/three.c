@@ -38,8 +38,6 @@ static enum three_way way_of(const struct three *three, const struct material *m
 {
     if (material->mapper == MAPPER_FLAT)
         return THREE_FLAT;
-    if (material->gradients != GRADIENTS_PLANE || material->start != START_SUBTEXEL)
-        return THREE_REST;
     return material->mapper == MAPPER_GOURAUD ? THREE_SHADES
          : three->s.kind == SPAN_AFFINE_ADDX_WRAP ? THREE_TEXELS : THREE_REST;
 }
@@ -47,6 +45,40 @@ static enum three_way way_of(const struct three *three, const struct material *m
 static void set_lines(struct three *three)
 {
     three->lines = line_routines[kind_lines[three->s.kind]].lines[three->exact];
+}
+
+/* Finds steps, and the starts on left edges, where the plane alone does not give them. */
+static void set_other_starts(struct setup *s, const struct material *material)
+{
+    struct texturing *t = &s->texturing;
+
+    if (material->gradients == GRADIENTS_PLANE) {
+        texturing_crossings(t, s->edges.left, s->edges.lefts);
+        return;
+    }
+    texturing_longest(t, &s->sides, &s->box,
+                      material->mapper == MAPPER_GOURAUD ? CHAIN_NONE : CHAIN_ANYWHERE);
+    (material->start == START_SUBTEXEL ? texturing_pixels : texturing_edges)(
+        t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
+}
+
+static void find_starts(struct three *three)
+{
+    struct setup *s = &three->s;
+    const int32 at_pixels = s->material->start == START_SUBTEXEL;
+
+    set_other_starts(s, s->material);
+    s->span.dudx = s->texturing.dudx;
+    s->span.dvdx = s->texturing.dvdx;
+    s->edges.dudx = at_pixels ? s->span.dudx : 0;
+    s->edges.dvdx = at_pixels ? s->span.dvdx : 0;
+}
+
+static enum three_vertices vertices_of(const struct material *material)
+{
+    return material_takes_vertices(material) ? THREE_GIVEN
+         : material->mapper == MAPPER_GOURAUD ? THREE_SHADED
+         : !material->map || material->map->scale == 65536 ? THREE_CUT : THREE_MADE;
 }
 
 int32 three_set(struct three *three, const struct renderer *renderer, const struct material *material)
@@ -76,36 +108,13 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     three->row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
     three->right = (uint32)frame->width << 16;
     three->below = (uint32)frame->height << 16;
-    three->as_given = material_takes_vertices(material);
+    three->vertices = vertices_of(material);
+    three->mask = material->edges == EDGES_INTEGER ? ~0xffffu : ~0u;
+    three->starts = three->way == THREE_FLAT
+        || (material->gradients == GRADIENTS_PLANE && material->start == START_SUBTEXEL)
+        ? 0 : find_starts;
     three->steep = material_steep(material, frame->height);
     return 1;
-}
-
-/* Finds steps, and the starts on left edges, where the plane alone does not give them. */
-static void set_other_starts(struct setup *s, const struct material *material)
-{
-    struct texturing *t = &s->texturing;
-
-    if (material->gradients == GRADIENTS_PLANE) {
-        texturing_crossings(t, s->edges.left, s->edges.lefts);
-        return;
-    }
-    texturing_longest(t, &s->sides, &s->box,
-                      material->mapper == MAPPER_GOURAUD ? CHAIN_NONE : CHAIN_ANYWHERE);
-    (material->start == START_SUBTEXEL ? texturing_pixels : texturing_edges)(
-        t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
-}
-
-static void set_steps(struct setup *s, const struct material *material)
-{
-    int32 at_pixels = material->start == START_SUBTEXEL;
-
-    if (!at_pixels || material->gradients != GRADIENTS_PLANE)
-        set_other_starts(s, material);
-    s->span.dudx = s->texturing.dudx;
-    s->span.dvdx = s->texturing.dvdx;
-    s->edges.dudx = at_pixels ? s->span.dudx : 0;
-    s->edges.dvdx = at_pixels ? s->span.dvdx : 0;
 }
 
 void three_rest(struct three *three)
@@ -115,10 +124,8 @@ void three_rest(struct three *three)
     const enum span_kind kind = s->kind;
     const struct line_routines *routines;
 
-    if (three->way != THREE_FLAT) {
-        set_steps(s, material);
+    if (three->way != THREE_FLAT)
         lower_by_steps(s);
-    }
     routines = &line_routines[kind_lines[s->kind]];
     outline_lines(s, three->exact ? routines->exact_edges : routines->edges, routines->scissor);
     if (material->mapper == MAPPER_GOURAUD && three->way != THREE_FLAT)

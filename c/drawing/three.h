@@ -9,13 +9,23 @@
 /* The spans that three_draw calls itself. */
 enum three_way { THREE_FLAT, THREE_SHADES, THREE_TEXELS, THREE_REST };
 
+/* How vertices are made from given ones. */
+enum three_vertices {
+    THREE_GIVEN,                /* they are the same */
+    THREE_CUT,                  /* x and y by the mask */
+    THREE_SHADED,               /* shade_vertices */
+    THREE_MADE                  /* material_made */
+};
+
 /* How a material's triangles are drawn. */
 struct three {
     struct setup s;             /* of the last triangle */
     int32 exact;                /* 1: exact edges, 0: rounded ones */
     int32 chain;                /* enum chain, or OUTLINE_ALONE */
     int32 way;                  /* enum three_way */
-    int32 as_given;             /* 1: material_vertices changes no vertex */
+    int32 vertices;             /* enum three_vertices */
+    uint32 mask;                /* of x and y */
+    void (*starts)(struct three *three);        /* finds steps and starts; 0: they are the plane's */
     void (*lines)(void);        /* makes lines in the form of the way's spans */
     uint8 *row;                 /* the frame's first, at pixel -EDGE_BIAS */
     uint32 right, below;        /* the frame's size, pixels, 16.16 */
@@ -34,11 +44,11 @@ enum polygon_result three_polygon(struct three *three, const struct vertex *vert
 enum polygon_result three_draw(struct three *three, const struct vertex *vertices);
 
 /* Draws polygons up to one that is not a triangle with its first vertex inside the frame, or is out of
-   range; returns its address or `end`. The material's vertices need no change. */
+   range, or has three equal shades; returns its address or `end`. Not for THREE_MADE. */
 const struct polygon *three_run(struct three *three, const struct polygon *polygons,
                                 const struct polygon *end);
 
-/* Draws a triangle whose sides, box, edges and, with a chain, plane are found. */
+/* Draws a triangle whose sides, box, edges and steps are found. */
 void three_rest(struct three *three);
 
 #endif

@@ -1,6 +1,6 @@
         include "routine.i"
 
-        xref    triangle_outline,_kind_spans,_three_rest
+        xref    triangle_outline,shade_vertices,_kind_spans,_three_rest
 
 ; three_draw - draws a triangle by the plan of its material
 ;
@@ -25,7 +25,8 @@
 ;          a1  polygon*  the first polygon
 ;          d0  polygon*  behind the last one
 ; out:     d0  polygon*  the first that was not drawn: one of more vertices, with its first outside the
-;                        frame, or that three_draw refuses; or behind the last
+;                        frame, with three equal shades if vertices are shaded, or that
+;                        three_draw refuses; or behind the last
 ; reads:   the plan, the polygons, the map
 ; writes:  as three_draw
 ; formats: as three_draw
@@ -48,15 +49,44 @@
         move.l  vertex_y(a1),d0
         cmp.l   three_below(a6),d0
         bhs.s   .end
-        jsr     three_one
+        move.l  three_vertices(a6),d0
+        bne.s   .make
+.made   jsr     three_one
         subq.l  #POLYGON_EMPTY,d0
         bgt.s   .end
         moveq   #polygon_sizeof,d0
         add.l   d0,4(sp)
         bra     .next
 .end    addq.l  #4,sp
-        move.l  (sp)+,d0
+        movea.l (sp)+,a0
+        move.l  a0,d0                   ; where GCC expects a pointer, a0 is too
         return_all
+.make   move.l  three_mask(a6),d1
+        movea.l setup_scratch(a6),a0
+        adda.l  #scratch_vertices,a0
+        subq.l  #THREE_SHADED,d0
+        beq.s   .shades
+        moveq   #2,d0
+        movea.l a0,a2
+.vertex movem.l (a1),d2-d5
+        and.l   d1,d2
+        and.l   d1,d3
+        movem.l d2-d5,(a2)
+        lea     vertex_sizeof(a1),a1
+        lea     vertex_sizeof(a2),a2
+        dbra    d0,.vertex
+        movea.l a0,a1
+        bra     .made
+.shades move.w  vertex_shade(a1),d0
+        cmp.w   vertex_sizeof+vertex_shade(a1),d0
+        bne.s   .differ
+        cmp.w   2*vertex_sizeof+vertex_shade(a1),d0
+        beq     .end
+.differ moveq   #3,d0
+        move.l  a0,-(sp)
+        jsr     shade_vertices
+        movea.l (sp)+,a1
+        bra     .made
 
 ; three_one - draws a triangle by the plan of its material
 ;
@@ -85,23 +115,26 @@
         muls.l  setup_span+span_plan_pitch(a6),d5
         add.l   three_row(a6),d5
         move.l  d5,setup_span+span_plan_row(a6)
-        movem.l setup_sides+sides_x_low(a6),d0-d1       ; and x_high
-        tst.l   d0
-        bmi     .rest
-        add.l   #EDGE_ERROR,d1
-        cmp.l   three_right(a6),d1
-        bhi     .rest
         sub.l   d4,d6                   ; width
-        moveq   #SPAN_FILL,d3
         move.l  three_way(a6),d2
-        beq     .lines
-        cmp.w   #THREE_REST,d2
-        beq     .rest
-
+        beq.s   .steps
+        move.l  three_starts(a6),d0
+        bne     .starts
         movem.l setup_texturing+texturing_dudx(a6),d0-d1        ; and dvdx
         movem.l d0-d1,setup_span+span_plan_dudx(a6)
         movem.l d0-d1,setup_edges+edge_plan_dudx(a6)
-        subq.w  #THREE_SHADES,d2
+.steps  tst.l   setup_sides+sides_x_low(a6)
+        bmi     .rest
+        move.l  setup_sides+sides_x_high(a6),d3
+        add.l   #EDGE_ERROR,d3
+        cmp.l   three_right(a6),d3
+        bhi     .rest
+        moveq   #SPAN_FILL,d3
+        tst.w   d2
+        beq     .lines
+        subq.w  #THREE_REST,d2
+        beq     .rest
+        addq.w  #THREE_REST-THREE_SHADES,d2
         beq.s   .shades
         lsl.l   #8,d0
         beq     .rest                   ; still: a row or a column
@@ -143,6 +176,12 @@
         addq.l  #4,sp
 .drawn  moveq   #POLYGON_DRAWN,d0
 .done   rts
+.starts movea.l d0,a0
+        move.l  a6,-(sp)
+        jsr     (a0)
+        addq.l  #4,sp
+        movem.l setup_texturing+texturing_dudx(a6),d0-d1
+        bra     .steps
 .rest   move.l  a6,-(sp)
         jsr     _three_rest
         addq.l  #4,sp
