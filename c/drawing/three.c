@@ -47,31 +47,31 @@ static void set_lines(struct three *three)
     three->lines = line_routines[kind_lines[three->s.kind]].lines[three->exact];
 }
 
-/* Finds steps, and the starts on left edges, where the plane alone does not give them. */
-static void set_other_starts(struct setup *s, const struct material *material)
-{
-    struct texturing *t = &s->texturing;
-
-    if (material->gradients == GRADIENTS_PLANE) {
-        texturing_crossings(t, s->edges.left, s->edges.lefts);
-        return;
-    }
-    texturing_longest(t, &s->sides, &s->box,
-                      material->mapper == MAPPER_GOURAUD ? CHAIN_NONE : CHAIN_ANYWHERE);
-    (material->start == START_SUBTEXEL ? texturing_pixels : texturing_edges)(
-        t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
-}
-
-static void find_starts(struct three *three)
+void three_starts(struct three *three)
 {
     struct setup *s = &three->s;
+    struct texturing *t = &s->texturing;
     const int32 at_pixels = s->material->start == START_SUBTEXEL;
 
-    set_other_starts(s, s->material);
-    s->span.dudx = s->texturing.dudx;
-    s->span.dvdx = s->texturing.dvdx;
-    s->edges.dudx = at_pixels ? s->span.dudx : 0;
-    s->edges.dvdx = at_pixels ? s->span.dvdx : 0;
+    if (at_pixels) {
+        texturing_longest(t, &s->sides, &s->box,
+                          three->way == THREE_SHADES ? CHAIN_NONE : CHAIN_ANYWHERE);
+        texturing_pixels(t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
+    } else {
+        texturing_crossings(t, s->edges.left, s->edges.lefts);
+    }
+    s->span.dudx = t->dudx;
+    s->span.dvdx = t->dvdx;
+    s->edges.dudx = at_pixels ? t->dudx : 0;
+    s->edges.dvdx = at_pixels ? t->dvdx : 0;
+}
+
+static enum three_starts starts_of(const struct material *material)
+{
+    const int32 at_pixels = material->start == START_SUBTEXEL;
+
+    return (material->gradients == GRADIENTS_PLANE) == at_pixels
+         ? at_pixels ? THREE_PLANE : THREE_LONGEST : THREE_STARTS;
 }
 
 static enum three_vertices vertices_of(const struct material *material)
@@ -110,9 +110,7 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     three->below = (uint32)frame->height << 16;
     three->vertices = vertices_of(material);
     three->mask = material->edges == EDGES_INTEGER ? ~0xffffu : ~0u;
-    three->starts = three->way == THREE_FLAT
-        || (material->gradients == GRADIENTS_PLANE && material->start == START_SUBTEXEL)
-        ? 0 : find_starts;
+    three->starts = starts_of(material);
     three->steep = material_steep(material, frame->height);
     return 1;
 }

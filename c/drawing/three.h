@@ -9,6 +9,13 @@
 /* The spans that three_draw calls itself. */
 enum three_way { THREE_FLAT, THREE_SHADES, THREE_TEXELS, THREE_REST };
 
+/* Where steps and starts are from. */
+enum three_starts {
+    THREE_PLANE,                /* the plane */
+    THREE_LONGEST,              /* the longest scanline and the edges' crossings */
+    THREE_STARTS                /* three_starts */
+};
+
 /* How vertices are made from given ones. */
 enum three_vertices {
     THREE_GIVEN,                /* they are the same */
@@ -25,7 +32,7 @@ struct three {
     int32 way;                  /* enum three_way */
     int32 vertices;             /* enum three_vertices */
     uint32 mask;                /* of x and y */
-    void (*starts)(struct three *three);        /* finds steps and starts; 0: they are the plane's */
+    int32 starts;               /* enum three_starts */
     void (*lines)(void);        /* makes lines in the form of the way's spans */
     uint8 *row;                 /* the frame's first, at pixel -EDGE_BIAS */
     uint32 right, below;        /* the frame's size, pixels, 16.16 */
@@ -47,6 +54,9 @@ enum polygon_result three_draw(struct three *three, const struct vertex *vertice
    range, or has three equal shades; returns its address or `end`. Not for THREE_MADE. */
 const struct polygon *three_run(struct three *three, const struct polygon *polygons,
                                 const struct polygon *end);
+
+/* Finds steps and starts that the plane alone, or the longest scanline and the crossings, do not give. */
+void three_starts(struct three *three);
 
 /* Draws a triangle whose sides, box, edges and steps are found. */
 void three_rest(struct three *three);

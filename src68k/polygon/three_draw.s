@@ -1,6 +1,7 @@
         include "routine.i"
 
-        xref    triangle_outline,shade_vertices,_kind_spans,_three_rest
+        xref    triangle_outline,texturing_longest,texturing_edges,shade_vertices
+        xref    _kind_spans,_three_rest,_three_starts
 
 ; three_draw - draws a triangle by the plan of its material
 ;
@@ -139,7 +140,7 @@
         lsl.l   #8,d0
         beq     .rest                   ; still: a row or a column
         lsl.l   #8,d1
-        beq.s   .rest
+        beq     .rest
         moveq   #SPAN_AFFINE_ADDX,d3
         tst.l   setup_texturing+texturing_wraps(a6)
         bne.s   .wraps
@@ -157,7 +158,7 @@
 .shades tst.l   d0
         minus   <neg.l d0>
         cmp.l   three_steep(a6),d0
-        bhs.s   .rest
+        bhs     .rest
         moveq   #SPAN_GOURAUD,d3
         moveq   #SHORT_GOURAUD,d0
         cmp.l   d0,d6
@@ -176,9 +177,31 @@
         addq.l  #4,sp
 .drawn  moveq   #POLYGON_DRAWN,d0
 .done   rts
-.starts movea.l d0,a0
-        move.l  a6,-(sp)
-        jsr     (a0)
+.starts subq.l  #THREE_LONGEST,d0
+        bne.s   .other
+        lea     setup_texturing(a6),a0
+        lea     setup_sides(a6),a1
+        moveq   #CHAIN_ANYWHERE,d1
+        moveq   #THREE_SHADES,d0
+        cmp.l   d0,d2
+        bne.s   .chained
+        moveq   #CHAIN_NONE,d1
+.chained
+        move.l  a6,d0
+        add.l   #setup_box,d0
+        jsr     texturing_longest
+        lea     setup_texturing(a6),a0
+        movea.l setup_edges+edge_plan_left(a6),a1
+        move.l  setup_edges+edge_plan_lefts(a6),d0
+        move.l  d6,d1
+        jsr     texturing_edges
+        movem.l setup_texturing+texturing_dudx(a6),d0-d1
+        movem.l d0-d1,setup_span+span_plan_dudx(a6)
+        clr.l   setup_edges+edge_plan_dudx(a6)
+        clr.l   setup_edges+edge_plan_dvdx(a6)
+        bra     .steps
+.other  move.l  a6,-(sp)
+        jsr     _three_starts
         addq.l  #4,sp
         movem.l setup_texturing+texturing_dudx(a6),d0-d1
         bra     .steps
