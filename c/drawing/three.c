@@ -97,6 +97,7 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     s->outline_sides = &s->sides;
     s->kind = (enum span_kind)mappers[material->mapper].kind[frame->pixel_bytes >> 1];
     s->texturing.u_cut = s->texturing.v_cut = 0;
+    s->edges.dudx = s->edges.dvdx = 0;  /* THREE_LONGEST; others set them */
     s->span.lines = s->edges.lines;
     s->span.pitch = frame->pitch;
     s->span.map = material->map ? material->map->texels : 0;

@@ -127,6 +127,14 @@ STEEP_256       equ     256
 ; cost:    about 600 cycles an edge, 400 if its upper end is on a line
         routine texturing_edges,a0,a1,d0,d1
         save_all
+        jsr     crossings_find
+        return_all
+
+; crossings_find - the same for assembly
+;
+; like:    texturing_edges
+; trashes: d0-d7/a0-a6
+        routine crossings_find
         movea.l a0,a3
         movea.l a1,a0
         movea.l d0,a6
@@ -143,4 +151,4 @@ STEEP_256       equ     256
         subq.l  #1,a6
         move.l  a6,d0
         bne     .edge
-        return_all
+        rts

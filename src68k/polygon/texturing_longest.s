@@ -67,7 +67,17 @@ cut     macro
 ; cost:    about 700 cycles with a cold cache
         routine texturing_longest,a0,a1,d0,d1
         movem.l d2-d7/a2-a3,-(sp)
-        movem.l d0-d1,-(sp)
+        jsr     longest_find
+        movem.l (sp)+,d2-d7/a2-a3
+        rts
+
+; longest_find - the same for assembly
+;
+; like:    texturing_longest
+; trashes: d0-d7/a1-a3
+        routine longest_find
+        move.l  d0,-(sp)
+        move.l  d1,-(sp)
         movea.l sides_middle(a1),a3
         movem.l sides_top(a1),a1-a2     ; and bottom
         moveq   #0,d6
@@ -97,11 +107,9 @@ cut     macro
         step    d2,dudx
         step    d3,dvdx
 .wrap   movem.l (sp)+,d0/a1
-        exg     d0,a1
         jsr     texturing_wrap
         cut     dudx,u_cut
         cut     dvdx,v_cut
-        movem.l (sp)+,d2-d7/a2-a3
         rts
 .narrow clr.l   texturing_dudx(a0)
         clr.l   texturing_dvdx(a0)

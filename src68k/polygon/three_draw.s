@@ -1,6 +1,6 @@
         include "routine.i"
 
-        xref    triangle_outline,texturing_longest,texturing_edges,shade_vertices
+        xref    triangle_outline,longest_find,crossings_find,shade_vertices
         xref    _kind_spans,_three_rest,_three_starts
 
 ; three_draw - draws a triangle by the plan of its material
@@ -179,6 +179,7 @@
 .done   rts
 .starts subq.l  #THREE_LONGEST,d0
         bne.s   .other
+        movem.l d2/d6/a6,-(sp)
         lea     setup_texturing(a6),a0
         lea     setup_sides(a6),a1
         moveq   #CHAIN_ANYWHERE,d1
@@ -189,16 +190,14 @@
 .chained
         move.l  a6,d0
         add.l   #setup_box,d0
-        jsr     texturing_longest
-        lea     setup_texturing(a6),a0
+        jsr     longest_find
         movea.l setup_edges+edge_plan_left(a6),a1
         move.l  setup_edges+edge_plan_lefts(a6),d0
-        move.l  d6,d1
-        jsr     texturing_edges
+        move.l  4(sp),d1
+        jsr     crossings_find
+        movem.l (sp)+,d2/d6/a6
         movem.l setup_texturing+texturing_dudx(a6),d0-d1
         movem.l d0-d1,setup_span+span_plan_dudx(a6)
-        clr.l   setup_edges+edge_plan_dudx(a6)
-        clr.l   setup_edges+edge_plan_dvdx(a6)
         bra     .steps
 .other  move.l  a6,-(sp)
         jsr     _three_starts
