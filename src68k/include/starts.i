@@ -20,3 +20,27 @@ start_step macro
 .upright\@
         move.l  d1,edge_d\1(a1)
         endm
+
+; Finds \1, u or v, and its step where the edge a1 begins: d2, d3 = its distance from pixel (i, j),
+; d4 = its whole pixels a line. Uses d0-d1/d5-d6.
+start   macro
+        start_step \1
+        move.l  texturing_d\1dy(a0),d5
+        muls.l  d2,d0
+        muls.l  d3,d5
+        add.l   d5,d0
+        add.l   texturing_\1(a0),d0
+        move.l  d0,edge_\1(a1)
+        endm
+
+; The same for u and v. Uses d0-d6.
+start_edge macro
+        move.l  edge_x(a1),d2
+        sub.l   #EDGE_BIAS,d2
+        sub.l   texturing_i(a0),d2
+        move.l  edge_top(a1),d3
+        sub.l   texturing_j(a0),d3
+        move.l  edge_whole(a1),d4
+        start   u
+        start   v
+        endm
