@@ -42,8 +42,9 @@ COMPILERS = {
 #: The functions that C code for texture engines needs from the program, as listed in README.txt.
 ASKED = {"_mem_take"}
 #: Routines that are not public: parts of others, and loops used only for measuring.
-PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_rounded", "edges_three", "sides_three",
-         "texturing_gentle"}
+PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_exact_across", "edge_rounded",
+         "edge_rounded_across", "polygon_outline", "triangle_outline", "texturing_gentle",
+         "texturing_gentle_from"}
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
 #: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
 #: linked.
