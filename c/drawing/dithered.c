@@ -18,7 +18,7 @@ void dithered_span(struct setup *s)
 {
     struct texturing *t = &s->texturing;
     struct edge *edge = s->edges.left;
-    const uint32 v = t->v >> 8 & (PERIOD - 1);
+    const uint32 v = texturing_middle(t, &s->box) >> 8 & (PERIOD - 1);
     const uint32 far = travel(t->dvdx, s->box.right - s->box.left)
         + travel(t->dvdy, s->box.bottom - s->box.top) + MOST / 256 + 1;
 

@@ -76,9 +76,10 @@ void generated_span(struct setup *s)
     s->kind = lower_affine(m, s->form);
     if (kind_lines[s->kind] == LINES_ADDX)
         pack(s->edges.lines, s->span.count);
-    if (m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL)
+    if (m->gradients == GRADIENTS_PLANE && m->start == START_SUBTEXEL) {
+        s->texturing.v = texturing_middle(&s->texturing, &s->box);      /* all starts are made */
         texturing_wrap(&s->texturing, &s->box, CHAIN_WHOLE);    /* u has all its bits already */
-    else
+    } else
         s->texturing.wraps = 1;
     lower_by_steps(s);
 }

@@ -5,6 +5,14 @@
 /* With steps of this many texels or more, shortfall returns 0. */
 #define STEEP_256 256
 
+uint32 texturing_middle(const struct texturing *t, const struct rectangle *box)
+{
+    const int32 x = ((box->left + box->right) >> 1) - t->i;
+    const int32 y = ((box->top + box->bottom) >> 1) - t->j;
+
+    return t->v + (uint32)x * (uint32)t->dvdx + (uint32)y * (uint32)t->dvdy;
+}
+
 uint32 texturing_raised(uint32 value, uint32 cut)
 {
     return ((value + (1u << cut) - 1) >> cut) << cut;

@@ -46,6 +46,10 @@ void texturing_longest(struct texturing *t, const struct sides *sides,
 void texturing_along(struct edge *edge);
 void texturing_edges(const struct texturing *t, struct edge *edges, int32 count, int32 width);
 
+/* Returns v at the middle of the box, from which texturing_wrap looks for wraps; (i, j) of gentle planes
+   is elsewhere. */
+uint32 texturing_middle(const struct texturing *t, const struct rectangle *box);
+
 /* Returns value rounded up to a multiple of 2^cut. */
 uint32 texturing_raised(uint32 value, uint32 cut);
 

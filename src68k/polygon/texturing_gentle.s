@@ -33,10 +33,11 @@ distance macro
         move.l  d0,\2
         endm
 
-; How far v of a pixel may be outside the vertices' range: 1/4 texel. Edges are within 1/64 pixel, and
-; clipping adds as much: 1/4 at less than 8 texels a pixel in x and in y would be 2 * 8 / 64, but both
-; move along one edge only. Steps, over 1,024 pixels in x and in y, are off by 1/64, and u and v raised
-; by as much; corners beyond three may be off the plane by 1/64.
+; How far v of a pixel may be outside the vertices' range, in 1/1024 texel. Edges are within 1/64 pixel
+; along a line, at less than 8 texels a pixel: 128. Four cuts by clipping move vertices by 1/2^17 pixel
+; each, in x or in y: 1. Steps are off by 1/2^17, over 1,024 pixels in x and in y: 16; v is raised by as
+; much: 16. Gradients, 1/2^26 over 4,096 pixels, as much again, and 4 units: 1. Corners beyond three may
+; be off the plane by 1/64: 16. The sum is 178; MARGIN is 256.
 MARGIN          equ     1<<14
 
 ; texturing_gentle - the plane of a polygon, relative to the first pixel on its left side

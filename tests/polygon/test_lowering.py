@@ -130,3 +130,22 @@ def test_asking_costs_little(points):
     on, off = guest_frames.draw([(scene, "addx"), (scene, "addx OFF all")], MACHINE)
     cycles = [int(each["ticks"][1]) - int(each["ticks"][0]) for each in (on, off)]
     assert cycles[0] < 1.01 * cycles[1], cycles
+
+
+#: A map whose v wraps near the right end of WIDE's lines: from the first pixel it seems to stay inside as
+#: far as half the box, which is what counts from the middle.
+FAR_WRAP = [100 + 1.4 * (x - WIDE[0][0]) for x, _ in WIDE]
+
+
+@pytest.mark.parametrize("mapper, s, layout_, span", [
+    ("dithered", [10, 120, 60], "page", "dithered_wrap"),
+    ("generated", [200, 256.9, 220], "margins", "affine_addx_wrap")])
+def test_wraps_far_from_the_first_pixel_are_seen(mapper, s, layout_, span):
+    """Dithered spans, and affine ones where generated code would leave its row, are told that v may
+    wrap, wherever the plane's first pixel is."""
+    case = Case("no_wrap", replace(AFFINE, mapper=mapper), WIDE, (s, FAR_WRAP), None, None)
+    scene = bench_rules.scene_of([case])
+    scene.textures[0].layout = layout_
+    drawn = run.render(scene, MACHINE, "addx")
+    assert set(drawn.figures[1]["spans"]) == {span}
+    assert np.array_equal(drawn.frames[1], model.render(scene, 1))

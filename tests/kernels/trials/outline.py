@@ -1,16 +1,16 @@
-"""Trials of src68k/polygon: three vertices, whole outlines with their planes, the longest scanline,
-Gouraud's vertices; against the model."""
+"""Trials of src68k/polygon: whole outlines with their planes, gentle ones too, the longest scanline,
+Gouraud's vertices; against the model and exact fractions."""
 
 from dataclasses import replace
 
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.polygon import (FAR, HEIGHT, WIDTH, box_block, described, edges_make_trial,
-                                          exact_fields, rounded_fields, seen_polygons, sides_block,
-                                          sides_find_trials, sides_numbers, sides_pointers,
-                                          vertex_at, vertex_block, wanted_sides)
-from tests.kernels.trials.texturing import texturing_plane_trial
+from tests.kernels.trials.polygon import (FAR, HEIGHT, WIDTH, box_block, described, exact_fields,
+                                          polygons, rounded_fields, seen_polygons, sides_block,
+                                          sides_numbers, sides_pointers, vertex_at, vertex_block,
+                                          wanted_sides)
+from tests.kernels.trials.texturing import plane_writes, steps_check
 from tmap.base.fixed import M32, ONE, signed
 from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial, Write, anything, fields, values
@@ -19,10 +19,13 @@ from tmap.guest.kernels import Case
 from tmap.model import model
 from tmap.setup import edges as model_edges, texturing
 
+#: Chains, and how the model knows each: by a mapper.
 GENTLE = (("CHAIN_NONE", model.Settings(mapper="generated")),
           ("CHAIN_NONE", model.Settings(mapper="columns")),
           ("CHAIN_ANYWHERE", model.Settings(start="truncated")),
-          ("CHAIN_PLANE", model.Settings()))
+          ("CHAIN_PLANE", model.Settings()),
+          ("CHAIN_WHOLE", model.Settings(mapper="generated")),
+          ("CHAIN_SHADES", model.Settings(mapper="gouraud")))
 CHEAP = model.Settings("integer", "polygon", "truncated")
 INSET = ONE // 16
 
@@ -42,31 +45,6 @@ def triangles(rng, count: int) -> list[list[tuple]]:
     return made
 
 
-def sides_three_trials(rng) -> list[Trial]:
-    found = [trial for trial in sides_find_trials(rng) if trial.case.registers["d0"] == 3]
-    for trial in found:
-        trial.case = replace(trial.case, kernel="sides_three", registers={})
-    return found
-
-
-def edges_three_trials(rng) -> list[Trial]:
-    found = [edges_make_trial(p, exact) for p in seen_polygons(rng) + triangles(rng, 60)
-             if len(p) == 3 for exact in (False, True)]
-    found = [trial for trial in found if trial]
-    for trial in found:
-        places = trial.case.pointers
-        trial.case = replace(trial.case, kernel="edges_three", registers={"d0": trial.case.registers["d1"]},
-                             pointers={"a1": places["a1"], "a2": places["a0"], "a4": places["d0"]})
-    return found
-
-
-def gentle_trials(rng) -> list[Trial]:
-    """As those of texturing_plane, for all gradients."""
-    made = seen_polygons(rng) + triangles(rng, 120)
-    return [trial for p in made for each in GENTLE
-            if (trial := texturing_plane_trial(p, *each, kernel="texturing_gentle"))]
-
-
 def embed(memory: Memory, at: int, outer: str, field: str, struct: str, pointers: dict[str, int],
           **numbers: int) -> int:
     """Writes a struct that is a field of another one at ``at``; returns its place."""
@@ -77,110 +55,177 @@ def embed(memory: Memory, at: int, outer: str, field: str, struct: str, pointers
     return place
 
 
-def setup_block(memory: Memory, vertices, at: int) -> tuple[int, int]:
-    """struct setup as polygon_find takes it, and its scratch memory as far as the right edges."""
-    sizes = {name: layout.load().struct("scratch").fields[name]["offset"] for name in ("left", "right")}
-    edge = layout.load().struct("edge").size
-    scratch = memory.blank(sizes["right"] + len(vertices) * edge, "scratch")
+def at_of(struct: str, field: str) -> int:
+    return layout.load().struct(struct).fields[field]["offset"]
+
+
+def setup_block(memory: Memory, vertices, at: int) -> tuple[int, dict[str, int]]:
+    """struct setup as polygon_find takes it, and where its left and right edges are made."""
+    room = {side: memory.room("edge", len(vertices), f"{side} edges") for side in ("left", "right")}
     frame = memory.struct("frame", {}, pixels=0, width=WIDTH, height=HEIGHT, pitch=WIDTH, pixel_bytes=1)
     setup = memory.room("setup")
-    shape = layout.load().struct("setup").fields
-    for name, value, points in (("scratch", scratch, True), ("frame", frame, True),
-                                ("vertices", at, True), ("count", len(vertices), False)):
-        place = setup + shape[name]["offset"]
+    for name, value, points in (("frame", frame, True), ("vertices", at, True),
+                                ("count", len(vertices), False)):
+        place = setup + at_of("setup", name)
         memory.data[place:place + 4] = value.to_bytes(4, "big")
         if points:
             memory.pointers.append(place)
+    embed(memory, setup, "setup", "edges", "edge_plan", room, lines=0, lefts=0, rights=0, dudx=0, dvdx=0)
     embed(memory, setup, "setup", "texturing", "texturing", {},
           **dict.fromkeys(layout.load().struct("texturing").fields, 0))
-    return setup, scratch
+    return setup, room
 
 
-def plane_writes(setup: int, t: model.Texturing) -> list[Write]:
-    """What the texturing of a setup becomes."""
-    at = setup + layout.load().struct("setup").fields["texturing"]["offset"]
-    names = ("dudx", "dvdx", "wraps", "u_cut", "wrap_bit", "dudy", "dvdy", "u", "v", "i", "j")
-    return fields(at, "texturing", {name: int(getattr(t, name)) for name in names})
+def plane_of(vertices, sides: model_edges.Sides, edges: list[model.Edge], chain: str,
+             settings: model.Settings) -> model.Texturing:
+    """The model's plane, from the first pixel of the left edges."""
+    first = edges[0].column(edges[0].top), edges[0].top
+    t = texturing.plane(vertices, sides.corners, sides.box, settings, first)
+    if chain == "CHAIN_SHADES":
+        return replace(t, dvdx=0, dvdy=0, v=0)
+    if chain == "CHAIN_WHOLE":
+        inside = texturing.inside_vertices(vertices) if t.gentle else \
+            texturing.inside_period(t.dvdx, t.dvdy, t.v, sides.box)
+        return replace(t, wraps=not inside)
+    return t
 
 
-def start_writes(place: int, edge: model.Edge, t: model.Texturing) -> list[Write]:
-    """What u, v and their steps of a left edge on the plane become."""
-    u, v = texturing.on_plane(t, edge.column(edge.top), edge.top)
-    return fields(place, "edge", {"u": u, "v": v, "du": t.dudy + edge.whole * t.dudx,
-                                  "dv": t.dvdy + edge.whole * t.dvdx})
+def start_writes(places: int, edges: list[model.Edge], t: model.Texturing) -> list[Write]:
+    """What u, v and their steps of left edges on the plane become."""
+    found = []
+    for k, edge in enumerate(edges):
+        u, v = texturing.on_plane(t, edge.column(edge.top), edge.top)
+        found += fields(places + k * layout.load().struct("edge").size, "edge", {
+            "u": u, "v": v, "du": t.dudy + edge.whole * t.dudx, "dv": t.dvdy + edge.whole * t.dvdx})
+    return found
 
 
-def polygon_find_trial(vertices, exact: bool, has_plane: bool) -> Trial:
+def left_edges(vertices, sides: model_edges.Sides, exact: bool) -> list[model.Edge]:
+    return model_edges.side(vertices, sides.corners[0], sides.direction, *sides.box[1::2], exact)
+
+
+def gentle_trial(vertices, chain: str, settings: model.Settings, exact: bool,
+                 kernel: str = "texturing_gentle") -> Trial | None:
+    """A polygon's plane and the starts of all its left edges; None where nothing of it is in the frame."""
+    if chain == "CHAIN_SHADES":
+        vertices = [(*v[:3], 0) for v in vertices]
     wanted, sides = wanted_sides(vertices), model_edges.measure(vertices, WIDTH, HEIGHT)
+    if sides is None:
+        return None
+    edges = left_edges(vertices, sides, exact)
+    t = plane_of(vertices, sides, edges, chain, settings)
     memory = Memory()
     at = vertex_block(memory, vertices)
-    setup, scratch = setup_block(memory, vertices, at)
-    shape, edge_size = layout.load().struct("setup").fields, layout.load().struct("edge").size
-    constants = layout.load().constants
-    chain = constants["CHAIN_PLANE"] if has_plane else -1
-    title = f"exact {exact}, plane {has_plane}: {described(vertices)}"
-    case = Case("polygon_find", memory, {"d0": int(exact), "d1": chain & M32}, {"a0": setup})
-    if sides is None:
-        return Trial(case, title, {"d0": constants["POLYGON_EMPTY"]}, writes=[
-            anything(setup + shape[name]["offset"], size) for name, size in
-            (("sides", layout.load().struct("sides").size), ("outline_sides", 4))])
-    sides_at, plan = (setup + shape[name]["offset"] for name in ("sides", "edges"))
-    area = sides_at + layout.load().struct("sides").fields["area"]["offset"]
-    writes = fields(setup, "setup", {}, {"outline_sides": sides_at})
-    writes += fields(sides_at, "sides", sides_numbers(vertices, wanted), sides_pointers(at, vertices, wanted))
-    writes.append(Write(area, wanted[4].to_bytes(8, "big")))
-    writes += fields(setup + shape["box"]["offset"], "rectangle",
-                     dict(zip(("left", "top", "right", "bottom"), sides.box)))
-    t = texturing.plane(vertices, sides.corners, sides.box, model.Settings(), True)
-    room = {side: scratch + layout.load().struct("scratch").fields[side]["offset"]
-            for side in ("left", "right")}
-    numbers = {}
-    for side, way in (("left", 1), ("right", -1)):
-        edges = model_edges.side(vertices, wanted[0], way * sides.direction, sides.box[1],
-                                 sides.box[3], exact)
-        numbers[f"{side}s"] = len(edges)
-        for k, edge in enumerate(edges):
-            found = (exact_fields if exact else rounded_fields)(edge)
-            place = room[side] + k * edge_size
-            writes += fields(place, "edge", found | {"lines": edge.end - edge.top, "top": edge.top},
-                             {"upper": vertex_at(at, vertices.index(edge.upper)),
-                              "lower": vertex_at(at, vertices.index(edge.lower))})
-            if has_plane and side == "left":
-                writes += start_writes(place, edge, t)
-    writes += fields(plan, "edge_plan", numbers, {"lines": scratch, **room})
-    if has_plane:
-        writes += plane_writes(setup, t)
-    return Trial(case, title, {"d0": constants["POLYGON_DRAWN"]}, writes=writes)
+    setup, room = setup_block(memory, vertices, at)
+    embed(memory, setup, "setup", "sides", "sides", sides_pointers(at, vertices, wanted),
+          **sides_numbers(vertices, wanted), spare=[0] * 3, area=list(wanted[4].to_bytes(8, "big")))
+    embed(memory, setup, "setup", "box", "rectangle", {},
+          **dict(zip(("left", "top", "right", "bottom"), sides.box)))
+    cuts = dict(zip(("u_cut", "v_cut"), texturing.CUT.get(settings.mapper, (0, 0))))
+    out = embed(memory, setup, "setup", "texturing", "texturing", {},
+                **dict.fromkeys(layout.load().struct("texturing").fields, 7) | cuts)
+    place = setup + at_of("setup", "edges") + at_of("edge_plan", "lefts")
+    memory.data[place:place + 4] = len(edges).to_bytes(4, "big")
+    shape = layout.load().struct("edge")
+    for k, edge in enumerate(edges):
+        place = room["left"] + k * shape.size
+        memory.data[place:place + shape.size] = shape.pack(**dict.fromkeys(shape.fields, 0) | {
+            "x": edge.column(edge.top) + BIAS, "top": edge.top, "whole": edge.whole})
+    number = layout.load().constants[chain]
+    case = Case(kernel, memory, {"d1": number}, {"a6": setup}) if kernel == "texturing_gentle" \
+        else Case(kernel, memory, {"d0": number}, {"a0": setup})
+    trial = Trial(case, f"{chain}, {settings.mapper}, box {sides.box}: {described(vertices)}",
+                  writes=plane_writes(out, t) + start_writes(room["left"], edges, t),
+                  also=steps_check(out, t, [vertices[k] for k in sides.corners],
+                                   "u" if chain == "CHAIN_SHADES" else "uv"))
+    if kernel == "texturing_gentle":
+        trial.outputs["d0"] = layout.load().constants["POLYGON_DRAWN"]
+    return trial
 
 
-def polygon_find_trials(rng) -> list[Trial]:
-    made = [*seen_polygons(rng)[::4], *triangles(rng, 40)]
-    return [polygon_find_trial(p, bool(k & 1), bool(k & 2)) for k, p in enumerate(made)]
+def gentle_trials(rng) -> list[Trial]:
+    """As those of texturing_plane, for all gradients."""
+    made = seen_polygons(rng) + triangles(rng, 120)
+    return [trial for k, p in enumerate(made) for each in GENTLE
+            if (trial := gentle_trial(p, *each, bool(k & 1)))]
 
 
 def plane_find_trials(rng) -> list[Trial]:
-    found = []
-    for vertices in triangles(rng, 40):
-        wanted, sides = wanted_sides(vertices), model_edges.measure(vertices, WIDTH, HEIGHT)
-        if sides is None:
-            continue
-        memory = Memory()
-        at = vertex_block(memory, vertices)
-        setup, scratch = setup_block(memory, vertices, at)
-        embed(memory, setup, "setup", "sides", "sides", sides_pointers(at, vertices, wanted),
-              **sides_numbers(vertices, wanted), spare=[0] * 3, area=list(wanted[4].to_bytes(8, "big")))
-        embed(memory, setup, "setup", "box", "rectangle", {},
-              **dict(zip(("left", "top", "right", "bottom"), sides.box)))
-        edge, = model_edges.side(vertices, wanted[0], sides.direction, *sides.box[1::2], True)[:1]
-        place = memory.struct("edge", {}, **dict.fromkeys(layout.load().struct("edge").fields, 0) | {
-            "x": edge.column(edge.top) + BIAS, "top": edge.top, "whole": edge.whole})
-        embed(memory, setup, "setup", "edges", "edge_plan", {"left": place}, right=0, lines=0,
-              lefts=1, rights=0, dudx=0, dvdx=0)
-        t = texturing.plane(vertices, sides.corners, sides.box, model.Settings(), True)
-        found.append(Trial(
-            Case("plane_find", memory, {"d0": layout.load().constants["CHAIN_PLANE"]}, {"a0": setup}),
-            described(vertices), writes=plane_writes(setup, t) + start_writes(place, edge, t)))
-    return found
+    return [trial for p in triangles(rng, 40)
+            if (trial := gentle_trial(p, "CHAIN_PLANE", model.Settings(), True, "plane_find"))]
+
+
+def outline_trial(kernel: str, vertices, exact: bool, has_plane: bool) -> Trial:
+    """polygon_find, or its body for any vertices or for three."""
+    wanted, sides = wanted_sides(vertices), model_edges.measure(vertices, WIDTH, HEIGHT)
+    memory = Memory()
+    at = vertex_block(memory, vertices)
+    setup, room = setup_block(memory, vertices, at)
+    edge_size = layout.load().struct("edge").size
+    constants = layout.load().constants
+    chain = constants["CHAIN_PLANE"] if has_plane else -1
+    case = Case(kernel, memory, {"d0": int(exact), "d1": chain & M32},
+                {"a0" if kernel == "polygon_find" else "a6": setup})
+    trial = Trial(case, f"exact {exact}, plane {has_plane}: {described(vertices)}")
+    sides_at, plan = (setup + at_of("setup", name) for name in ("sides", "edges"))
+    if kernel != "triangle_outline":
+        trial.writes += fields(setup, "setup", {}, {"outline_sides": sides_at})
+    outside = any(not -FAR <= n < FAR for v in vertices for n in v)
+    if outside or sides is None:
+        trial.outputs["d0"] = constants["POLYGON_OUTSIDE_RANGE" if outside else "POLYGON_EMPTY"]
+        trial.writes.append(anything(sides_at, layout.load().struct("sides").size))
+        return trial
+    trial.outputs["d0"] = constants["POLYGON_DRAWN"]
+    numbers = sides_numbers(vertices, wanted)
+    if len(vertices) == 3:
+        del numbers["left_step"]
+    trial.writes += fields(sides_at, "sides", numbers, sides_pointers(at, vertices, wanted))
+    trial.writes.append(Write(sides_at + at_of("sides", "area"), wanted[4].to_bytes(8, "big")))
+    trial.writes += fields(setup + at_of("setup", "box"), "rectangle",
+                           dict(zip(("left", "top", "right", "bottom"), sides.box)))
+    counts = {}
+    for side, way in (("left", 1), ("right", -1)):
+        edges = model_edges.side(vertices, wanted[0], way * sides.direction, sides.box[1],
+                                 sides.box[3], exact)
+        counts[f"{side}s"] = len(edges)
+        for k, edge in enumerate(edges):
+            found = (exact_fields if exact else rounded_fields)(edge)
+            trial.writes += fields(room[side] + k * edge_size, "edge",
+                                   found | {"lines": edge.end - edge.top, "top": edge.top},
+                                   {"upper": vertex_at(at, vertices.index(edge.upper)),
+                                    "lower": vertex_at(at, vertices.index(edge.lower))})
+    trial.writes += fields(plan, "edge_plan", counts)
+    if has_plane:
+        edges = left_edges(vertices, sides, exact)
+        t = plane_of(vertices, sides, edges, "CHAIN_PLANE", model.Settings())
+        trial.writes += plane_writes(setup + at_of("setup", "texturing"), t)
+        trial.writes += start_writes(room["left"], edges, t)
+    return trial
+
+
+def beyond() -> list[list[tuple]]:
+    """Triangles and a square with one coordinate just outside the range, or far outside."""
+    made = []
+    for count in (3, 4):
+        for index in range(count):
+            for field in range(4):
+                for value in (FAR, -FAR - 1, 0x7FFFFFFF, -0x80000000):
+                    corners = [[0, 0, 0, 0], [ONE, 0, 0, 0], [ONE, ONE, 0, 0], [0, ONE, 0, 0]][:count]
+                    corners[index][field] = value
+                    made.append([tuple(v) for v in corners])
+    return made
+
+
+def outline_trials(rng) -> list[Trial]:
+    """Polygons in all orders of vertices, large and without area, in the frame and beyond."""
+    made = [*seen_polygons(rng)[::4], *triangles(rng, 60), *polygons(rng)]
+    made += [[*p[k:], *p[:k]][::way] for p in triangles(rng, 20) for k in range(3) for way in (1, -1)]
+    made += beyond()
+    trials = []
+    for k, p in enumerate(made):
+        kernels = ("polygon_find", "polygon_outline", "triangle_outline")[:3 if len(p) == 3 else 2]
+        trials.append(outline_trial(kernels[k % len(kernels)], p, bool(k // 3 & 1), bool(k // 6 & 1)))
+    return trials
 
 
 def longest_trials(rng) -> list[Trial]:
@@ -268,7 +313,6 @@ def shade_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    makers = (sides_three_trials, edges_three_trials, gentle_trials, polygon_find_trials,
-              plane_find_trials, longest_trials, along_trials, shade_trials)
+    makers = (gentle_trials, outline_trials, plane_find_trials, longest_trials, along_trials, shade_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng([9, seed]))]

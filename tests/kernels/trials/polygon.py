@@ -7,7 +7,7 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
-from tmap.base.fixed import ONE
+from tmap.base.fixed import M32, ONE
 from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial, Write, anything, fields, values
 from tmap.build import layout
@@ -135,8 +135,8 @@ def exact_fields(edge: model.Edge) -> dict[str, int]:
     numerator = x0 * height + width * ((edge.top << 16) - y0)  # of x in 16.16
     pixels = -(-numerator // (height << 16))
     below = (pixels * height << 16) - numerator >> 16
-    return {"x": pixels + BIAS, "whole": width // height, "error": ~below,
-            "part": width % height, "height": height}
+    return {"x": pixels + BIAS, "whole": edge.whole, "error": ~below,
+            "part": 0 if edge.is_single else width % height, "height": height}
 
 
 def rounded_fields(edge: model.Edge) -> dict[str, int]:
@@ -146,7 +146,7 @@ def rounded_fields(edge: model.Edge) -> dict[str, int]:
 
 
 def edge_trials(exact: bool, rng) -> list[Trial]:
-    """Single edges from a line on."""
+    """Single edges from a line on, with one line and with more; by vertices and by extents."""
     far = FAR - 1
     ends = [((0, 0), (0, 1), 0), ((-FAR, -FAR), (far, far), 0), ((5, -FAR), (-far, far), 95),
             ((-far, -far), (far, far), 0), ((far, -far), (-far, far), 16383),
@@ -162,17 +162,34 @@ def edge_trials(exact: bool, rng) -> list[Trial]:
         for line in {first, last, int(rng.integers(first, last + 1))}:
             ends.append(((x0, y0), (x1, y1), line))
     trials = []
-    for upper, lower, line in ends:
-        memory = Memory()
-        at = vertex_block(memory, [(*upper, 0, 0), (*lower, 0, 0)])
-        out = memory.room("edge")
-        edge = model.Edge(upper, lower, line, line + 1, exact)
-        trials.append(Trial(
-            Case("edge_exact" if exact else "edge_rounded", memory, {"d1": line},
-                 {"a0": out, "a1": at, "a2": vertex_at(at, 1)}),
-            values(x0=upper[0], y0=upper[1], x1=lower[0], y1=lower[1], line=line),
-            writes=fields(out, "edge", (exact_fields if exact else rounded_fields)(edge))))
+    kernel = "edge_exact" if exact else "edge_rounded"
+    for k, (upper, lower, line) in enumerate(ends):
+        most = max(-(-lower[1] // ONE) - line, 1)
+        for lines in {1, most, 1 + k % most}:
+            edge = model.Edge(upper, lower, line, line + lines, exact)
+            found = (exact_fields if exact else rounded_fields)(edge)
+            title = values(x0=upper[0], y0=upper[1], x1=lower[0], y1=lower[1], line=line, lines=lines)
+            memory = Memory()
+            at = vertex_block(memory, [(*upper, 0, 0), (*lower, 0, 0)])
+            out = edge_block(memory, lines)
+            trials.append(Trial(
+                Case(kernel, memory, {"d1": line}, {"a0": out, "a1": at, "a2": vertex_at(at, 1)}), title,
+                writes=fields(out, "edge", found)))
+            memory = Memory()
+            out = edge_block(memory, lines)
+            width, height = edge.extent
+            registers = {"d1": (line << 16) - upper[1], "d4": width, "d5": height, "d6": lines,
+                         "d7": upper[0]}
+            trials.append(Trial(
+                Case(f"{kernel}_across", memory, {name: n & M32 for name, n in registers.items()},
+                     {"a0": out}), title, writes=fields(out, "edge", found)))
     return trials
+
+
+def edge_block(memory: Memory, lines: int) -> int:
+    """struct edge before its numbers are found."""
+    return memory.struct("edge", {}, **dict.fromkeys(layout.load().struct("edge").fields, 0) | {
+        "lines": lines})
 
 
 def sides_block(memory: Memory, at: int, vertices, wanted) -> int:

@@ -9,7 +9,8 @@ tools/tmap/ideal/bounds_coverage.py.
 **Steps.** With g, h the exact gradients in x and y (u, v or shade per pixel):
 
 * `plane`: d = r/2 + e(g), with e and r from tools/tmap/ideal/ideal.py: r is U, or 2^cut U if the
-  spans drop ``cut`` low bits.
+  spans drop ``cut`` low bits. Starts are raised for d over the whole box, from its middle on, or from
+  the first pixel of the left side if gradients are gentle: then up to twice as many pixels.
 * `polygon`: the longest line's width w and rise are off by U/2 each, their quotient by U/2, and if
   cut is not 0, rounding to a multiple of 2^cut U adds half of that:
   d = (1 + |g|) U/2 / (w - U/2) + R, R = U/2 or (1 + 2^cut) U/2. It saturates at 32,768 texels per

@@ -21,14 +21,17 @@ The bounds are derived in pixels and texels, with 1 unit = 1/2^16:
   bits: 2 for u if its lowest bit is free for a wrap of v, 2 for v of tiles, 8 for columns, 4
   for levels of light. The error is d(g) = |g - the nearest one| + 2 e(g) per pixel: by e(g) or
   2 e(g), the other of two almost equally near ones may be chosen.
-* Reference pixel, the middle of the box, (x, y) away from the first vertex: two products, each
-  rounded to half a unit, and the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy).
+* Reference pixel, (x, y) away from the first vertex: two products, each rounded to half a unit, and
+  the gradients' errors over that way: 1/2^16 + |x| e(gx) + |y| e(gy). It is the middle of the box, with
+  gentle gradients the first pixel right of the left side on the first line.
 * So at pixel (i, j), before u is raised: the error of the reference, and |i - i_ref| steps in x and
   |j - j_ref| steps in y.
 * u is raised by the largest such error anywhere in the box. With w and h the ways from the
   reference to the box's sides and a = |x| + |y| + w + h + 2, that is w d(gx) + h d(gy) + 3/2^16 +
-  (|gx| + |gy| + 5) a 2/2^32 at most; with gentle gradients w d(gx) + h d(gy) + 2/2^16 + 2 a/2^27.
-  Then u is raised to a multiple: by less than that multiple, and by 1/2^16 if the free bit is set.
+  (|gx| + |gy| + 5) a 2/2^32 at most. Gentle gradients: w and h are the ways to the farthest sides, and
+  each of their pixels counts half of a step's multiple m, whatever the step: (w + h) m/2 + 2/2^16 +
+  2 a/2^27. Then u is raised to a multiple: by less than that multiple, and by 1/2^16 if the free bit is
+  set.
 
 So a drawn value is never below the exact one, and above it by the sum of the last two points at
 most. If a gradient is 2^30 texels per pixel or more it may be below as well.

@@ -24,12 +24,16 @@ class Edge:
         """Width and height between the vertices, 16.16."""
         return self.lower[0] - self.upper[0], self.lower[1] - self.upper[1]
 
+    @property
+    def is_single(self) -> bool:
+        """True if the edge has only one line: no slope is needed."""
+        return self.end - self.top == 1
+
     @cached_property
     def slope(self) -> int:
         """Pixels per line, 16.16; 0 if the edge has only one line."""
         width, height = self.extent
-        several = ceil16(self.lower[1]) - ceil16(self.upper[1]) > 1
-        return mul_div(width, ONE, height) if several else 0
+        return 0 if self.is_single else mul_div(width, ONE, height)
 
     @cached_property
     def first(self) -> int:
@@ -51,9 +55,9 @@ class Edge:
 
     @property
     def whole(self) -> int:
-        """Whole pixels per line."""
+        """Whole pixels per line; 0 if the edge has only one line."""
         width, height = self.extent
-        return width // height if self.exact else self.slope >> 16
+        return self.slope >> 16 if self.is_single or not self.exact else width // height
 
 
 @dataclass
