@@ -32,7 +32,8 @@ enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon
 
     if (begins_outside(renderer, polygon))
         return polygon_draw_beyond(renderer, polygon, material);
-    return polygon->count == 3 && three_set(&three, renderer, material)
+    return material->edges != EDGES_SNAPPED && polygon->count == 3
+        && three_set(&three, renderer, material)
          ? three_polygon(&three, polygon->vertices)
          : draw_inside(renderer, polygon, material);
 }

@@ -130,7 +130,7 @@
         add.l   #EDGE_ERROR,d3
         cmp.l   three_right(a6),d3
         bhi     .rest
-        moveq   #SPAN_FILL,d3
+        move.l  setup_kind(a6),d3
         tst.w   d2
         beq     .lines
         subq.w  #THREE_REST,d2
