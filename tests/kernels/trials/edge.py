@@ -1,5 +1,7 @@
 """Trials of src68k/edge: scanline tables against the closed forms of their lines."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
@@ -138,11 +140,19 @@ def scissor_trials(kernel: str, rng) -> list[Trial]:
             for k, pair in enumerate(picked)]
 
 
+def called_as(kernel: str, found: list[Trial]) -> list[Trial]:
+    """Returns the same trials of another routine that takes and does the same."""
+    return [replace(trial, case=replace(trial.case, kernel=kernel)) for trial in found]
+
+
 def trials() -> list[Trial]:
     made = []
     for seed, form in enumerate(("addx", "plain", "swap", "flat", "right")):
         for exact in ("", "_exact") if form != "swap" else ("",):
-            made += edge_trials(f"edge_{form}{exact}", np.random.default_rng([1, seed, len(exact)]))
+            found = edge_trials(f"edge_{form}{exact}", np.random.default_rng([1, seed, len(exact)]))
+            made += found
+            if form in ("addx", "plain", "flat"):  # the same for assembly
+                made += called_as(f"lines_{form}{exact}", found[::4])
     for seed, form in enumerate(("addx", "plain", "flat")):
         made += scissor_trials(f"scissor_{form}", np.random.default_rng([2, seed]))
     return made

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
+from tests.kernels.trials.edge import called_as
 from tests.kernels.trials.polygon import (FAR, HEIGHT, WIDTH, box_block, described, exact_fields,
                                           polygons, rounded_fields, seen_polygons, sides_block,
                                           sides_numbers, sides_pointers, vertex_at, vertex_block,
@@ -314,5 +315,8 @@ def shade_trials(rng) -> list[Trial]:
 
 def trials() -> list[Trial]:
     makers = (gentle_trials, outline_trials, plane_find_trials, longest_trials, along_trials, shade_trials)
-    return [trial for seed, maker in enumerate(makers)
+    made = [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng([9, seed]))]
+    for kernel, other in (("texturing_longest", "longest_find"), ("texturing_edges", "crossings_find")):
+        made += called_as(other, [trial for trial in made if trial.case.kernel == kernel][::2])
+    return made
