@@ -23,6 +23,9 @@ static inline int32 begins_outside(const struct renderer *renderer, const struct
 /* Polygons whose first vertex is inside the frame, and outside. */
 polygon_routine polygon_draw_inside, polygon_draw_beyond;
 
+/* Triangles whose first vertex is inside the frame; not with EDGES_SNAPPED. */
+polygon_routine polygon_draw_three;
+
 /* The same without routines for triangles, and without the test of whether all of it is outside. */
 polygon_routine polygon_draw_whole;
 

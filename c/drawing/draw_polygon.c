@@ -1,5 +1,4 @@
 #include "drawing/draw.h"
-#include "drawing/three.h"
 #include "triangle/triangles.h"
 
 /* Draws a polygon by routines for triangles, if they can, or else by its own outline. */
@@ -28,12 +27,9 @@ enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct 
 enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon *polygon,
                                  const struct material *material)
 {
-    struct three three;
-
     if (begins_outside(renderer, polygon))
         return polygon_draw_beyond(renderer, polygon, material);
     return material->edges != EDGES_SNAPPED && polygon->count == 3
-        && three_set(&three, renderer, material)
-         ? three_polygon(&three, polygon->vertices)
+         ? polygon_draw_three(renderer, polygon, material)
          : draw_inside(renderer, polygon, material);
 }

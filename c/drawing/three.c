@@ -1,6 +1,7 @@
 #include "drawing/three.h"
 
 #include "drawing/clamp.h"
+#include "drawing/draw.h"
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
@@ -168,4 +169,13 @@ enum polygon_result three_polygon(struct three *three, const struct vertex *vert
             return draw_flat(three, made, top);
     }
     return three_draw(three, made);
+}
+
+enum polygon_result polygon_draw_three(struct renderer *renderer, const struct polygon *polygon,
+                                       const struct material *material)
+{
+    struct three three;
+
+    return three_set(&three, renderer, material) ? three_polygon(&three, polygon->vertices)
+                                                 : polygon_draw_inside(renderer, polygon, material);
 }
