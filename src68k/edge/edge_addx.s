@@ -38,6 +38,7 @@ addx_step macro
 ;
 ; like:    edge_addx
 ; trashes: d0-d7/a0-a6
+; cost:    about 80 cycles less than edge_addx
         routine lines_addx
         edge_left addx,error_rounded,edge_right
 
@@ -53,5 +54,6 @@ addx_step macro
 ;
 ; like:    edge_addx_exact
 ; trashes: d0-d7/a0-a6
+; cost:    about 80 cycles less than edge_addx_exact
         routine lines_addx_exact
         edge_left addx,error_exact,edge_right_exact

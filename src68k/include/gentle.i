@@ -7,6 +7,10 @@ edges           equ     setup_edges
 sides           equ     setup_sides
 box             equ     setup_box
 
+; The longest way to the box's farthest sides, pixels in x and y added: with it values are off by less
+; than 1/128 texel: half of 1 << cut units a pixel, and raised by as much, with a cut of 1: 480 units.
+WAYS_MOST       equ     240
+
 ; On the stack:
 mask            equ     0               ; -(1 << cut)
 limit           equ     4               ; of a numerator's upper half

@@ -52,8 +52,8 @@ MARGIN          equ     1<<14
 ;          are 0; u, v, du, dv of the left edges as texturing_starts
 ; formats: as texturing_plane, but with gradients in 5.27, and (i, j) is the first pixel right of the
 ;          left side. It does all the work itself if gradients are below 8 texels a pixel, twice the
-;          area is 1/2 to 2^20 square pixels, and the top vertex is within 1,024 pixels of (i, j), in
-;          x and in y. texturing_plane and texturing_starts do it otherwise. u is raised by the most
+;          area is 1/2 to 2^20 square pixels, the top vertex is within 1,024 pixels of (i, j), in x and in
+;          y, and the box's farthest sides are within WAYS_MOST, x and y added. texturing_plane and texturing_starts do it otherwise. u is raised by the most
 ;          that it may be below the plane at any pixel of the box. v does not wrap if MARGIN around
 ;          the range of its vertices is between two multiples of 256
 ; error:   of a gradient: e = 2 / 2^27 texels a pixel: D keeps 31 bits (cut: 1 in 2^30 of 8
@@ -106,6 +106,8 @@ MARGIN          equ     1<<14
 .farther
         add.l   box+rectangle_bottom(a6),d0
         sub.l   d3,d0
+        cmp.l   #WAYS_MOST,d0
+        bhi     .far
         add.l   d0,d4
         add.l   d5,d4
         addq.l  #2,d4

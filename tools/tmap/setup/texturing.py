@@ -16,6 +16,8 @@ GENTLE = 27
 #: How far v of a gentle plane's pixels may be outside the range of the vertices' v, units: MARGIN of
 #: src68k/polygon/texturing_gentle.s.
 MARGIN = ONE // 4
+#: The longest way of a gentle plane, pixels: WAYS_MOST of src68k/include/gentle.i.
+WAYS_MOST = 240
 #: Low bits of u and v that a mapper's spans drop; "levels": those of levels of light.
 CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 
@@ -190,6 +192,8 @@ def gentle_plane(vertices, corners, box, settings: Settings, first: tuple[int, i
     left, _, right, bottom = box
     i, j = first
     ways = max(right - i, i - left) + bottom - j
+    if ways > WAYS_MOST:
+        return None
     way = sum(abs(a) >> 16 for a in away) + ways + 2
 
     def coordinate(key: int, cut: int) -> tuple[int, int, int]:
