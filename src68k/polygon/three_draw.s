@@ -12,7 +12,7 @@
 ; writes:  the plan's setup, scratch memory; pixels
 ; formats: those of triangle_outline and of the spans
 ; error:   theirs
-; cost:    bench rows polygon_*_exact
+; cost:    about 5,500 cycles for 8 textured pixels, 47,000 for 2,000
 
         routine three_draw,a0,a1
         save_all
@@ -32,7 +32,7 @@
 ; writes:  as three_draw
 ; formats: as three_draw
 ; error:   as three_draw
-; cost:    as three_draw, and 50 a polygon
+; cost:    50 cycles a polygon more than three_draw
         routine three_run,a0,a1,d0
         save_all
         movea.l a0,a6
