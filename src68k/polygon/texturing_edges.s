@@ -134,6 +134,7 @@ STEEP_256       equ     256
 ;
 ; like:    texturing_edges
 ; trashes: d0-d7/a0-a6
+; cost:    80 cycles less than texturing_edges
         routine crossings_find
         movea.l a0,a3
         movea.l a1,a0
