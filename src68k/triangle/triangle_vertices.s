@@ -10,7 +10,7 @@
 ;          VALUES_LEVELS. One out of range gets -1 as x and y, and any values
 ; formats: 16.16; x and y to 12.4, others to 12.20
 ; error:   x and y 1/32 pixel; u and v half of 1/65536 texel if the plan has a scale, else none
-; cost:    bench rows triangle_vertices
+; cost:    78 to 204 cycles a vertex, by the mapper
 
 ; The vertices up to a3 with \1_values.
 vertices macro
