@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "extent.i"
 
 ; edge_exact - an edge by integer quotient and remainder, from any of its lines on
 ;
@@ -19,15 +19,7 @@
 ; ceil is taken once.
 
         routine edge_exact
-        swap    d1
-        clr.w   d1
-        sub.l   vertex_y(a1),d1
-        move.l  vertex_y(a2),d5
-        sub.l   vertex_y(a1),d5
-        move.l  vertex_x(a1),d7
-        move.l  vertex_x(a2),d4
-        sub.l   d7,d4
-        move.l  edge_lines(a0),d6
+        extent
         jmp     edge_exact_across
 
 ; edge_exact_across - the same from the edge's extent

@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "extent.i"
 
 ; edge_rounded - an edge in 16.16, from any of its lines on
 ;
@@ -11,15 +11,7 @@
 ; cost:    about 340 cycles
 
         routine edge_rounded
-        swap    d1
-        clr.w   d1
-        sub.l   vertex_y(a1),d1
-        move.l  vertex_y(a2),d5
-        sub.l   vertex_y(a1),d5
-        move.l  vertex_x(a1),d7
-        move.l  vertex_x(a2),d4
-        sub.l   d7,d4
-        move.l  edge_lines(a0),d6
+        extent
         jmp     edge_rounded_across
 
 ; \1:\2 = its quotient by d5, to the nearest, halves up, in \2. d3 = d5 / 2, d1 = 0.

@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "outline.i"
 
         xref    edge_exact_across,edge_rounded_across,texturing_gentle_from
 
@@ -24,13 +24,6 @@ turn    macro
         exg     \5,\6
         endm
 
-; Rounds \1 up to a whole number.
-upwards macro
-        add.l   #$ffff,\1
-        swap    \1
-        ext.l   \1
-        endm
-
 ; On the stack: the vectors from the top to the bottom and to the middle vertex, as texturing_gentle takes
 ; them, and the chain.
 bottom  equ     0
@@ -51,7 +44,7 @@ chain   equ     32
 ; cost:    about 1,600 cycles with exact edges and a cold cache; with its plane 3,300
 
 ; Vertices: a2 is the top one, a4 the middle one, a3 the bottom one. One side is the edge from top to
-; bottom, the other goes by the middle; of its two edges one may cover no line.
+; bottom, the other has two edges, which meet at the middle; one of these may cover no line.
         routine triangle_outline
         move.l  d1,-(sp)
         lea     edge_exact_across,a5
@@ -143,27 +136,17 @@ chain   equ     32
         movea.l setup_frame(a6),a1
         move.l  a0,d3
         sub.l   #EDGE_ERROR,d3
-        upwards d3
-        bpl.s   .left
-        moveq   #0,d3
-.left   move.l  setup_sides+sides_x_high(a6),d5
+        box_begin d3
+        move.l  setup_sides+sides_x_high(a6),d5
         add.l   #EDGE_ERROR,d5
-        upwards d5
-        cmp.l   frame_width(a1),d5
-        ble.s   .right
-        move.l  frame_width(a1),d5
-.right  cmp.l   d5,d3
+        box_end d5,frame_width(a1)
+        cmp.l   d5,d3
         bge     .empty
         move.l  d2,d4
-        upwards d4
-        bpl.s   .top
-        moveq   #0,d4
-.top    add.l   d2,d6
-        upwards d6
-        cmp.l   frame_height(a1),d6
-        ble.s   .bottom
-        move.l  frame_height(a1),d6
-.bottom cmp.l   d6,d4
+        box_begin d4
+        add.l   d2,d6
+        box_end d6,frame_height(a1)
+        cmp.l   d6,d4
         bge     .empty
         movem.l d3-d6,setup_box(a6)     ; left, top, right, bottom
 
