@@ -173,9 +173,13 @@ void lanes_convert(struct player *player)
         struct lane *lane = &player->lane[i];
 
         if (lane->stale & hidden) {
+            uint32 taken;
+
             player_lap(player);
             convert_rows(player, i, step->top, step->rows);
-            lane->converting = player_lap(player);
+            taken = player_lap(player);
+            if (lane->converting < taken)
+                lane->converting = taken;
             lane->stale &= ~hidden;
             if (player->whole) {
                 convert_rows(player, i, 0, lane->frame.height);

@@ -41,7 +41,7 @@ enum player_end {
 struct lane {
     struct frame frame;         /* within the player's */
     uint32 used;                /* colour clocks of drawing: PART_RACE and PART_FAIR go by them */
-    uint32 last, converting;    /* of the last picture, and of turning it into planes */
+    uint32 last, converting;    /* of the last picture; the most that turning one into planes took */
     uint32 pictures;            /* drawn; */
     uint32 seen, figured;       /* pictures and field of the last figures */
     uint32 counted, pixels;     /* colour clocks and pixels of the pictures that were counted since */
