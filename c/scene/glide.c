@@ -100,8 +100,6 @@ int32 scene_make_pipes(struct scene *scene, int32 kind)
     const struct scene_header *h = scene->header;
     uint8 *memory = (uint8 *)h + h->glide_memory_at;
 
-    if (!h->pipes)
-        return 1;
     if (!mem_alloc(&scene->glide, (int32)(h->glide_units * sizeof *scene->glide), MEMORY_ANY)
         || !mem_alloc(&scene->pipe, (int32)(h->pipes * sizeof *scene->pipe), MEMORY_ANY)
         || !mem_alloc(&scene->tiles, sizeof *scene->tiles, MEMORY_ANY))

@@ -151,7 +151,8 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
     scene->tried_reciprocals = scene->tried_logarithms = scene->tried_triangles = 0;
     if (!scene_make_maps(scene, kind))
         return SCENE_TEXTURES;
-    if (!scene_make_units(scene, kind) || !scene_make_pipes(scene, kind))
+    if ((scene->header->units && !scene_make_units(scene, kind))
+        || (scene->header->pipes && !scene_make_pipes(scene, kind)))
         return SCENE_UNITS;
     if (!make_materials(scene)
         || !mem_alloc(&scene->scratch, sizeof *scene->scratch, MEMORY_ANY))

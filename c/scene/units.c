@@ -33,8 +33,6 @@ int32 scene_make_units(struct scene *scene, int32 kind)
     const struct scene_header *h = scene->header;
     const uint8 *dram = (const uint8 *)h + h->dram_at;
 
-    if (!h->units)
-        return 1;
     if (!mem_alloc(&scene->engines, (int32)(h->units * sizeof *scene->engines), MEMORY_ANY))
         return 0;
     scene->n64_reciprocals = 0;
