@@ -23,11 +23,12 @@ static inline int32 begins_outside(const struct renderer *renderer, const struct
 /* Polygons whose first vertex is inside the frame, and outside. */
 polygon_routine polygon_draw_inside, polygon_draw_beyond;
 
+/* Polygons by their own outline: without routines for triangles, and without a test of whether all of
+   them is outside. */
+polygon_routine polygon_draw_whole;
+
 /* Triangles whose first vertex is inside the frame; not with EDGES_SNAPPED. */
 polygon_routine polygon_draw_three;
-
-/* The same without routines for triangles, and without the test of whether all of it is outside. */
-polygon_routine polygon_draw_whole;
 
 /* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
 void polygon_count_snapped(struct renderer *renderer, const struct polygon *polygon,

@@ -5,19 +5,18 @@
 #include "triangle/triangles.h"
 
 /* INSET: how far u and v of a triangle may be outside the vertices' range at a pixel's centre. The
-   parts, in 1/2^17 texel, 8,192 in all: edges by EDGES_32: 4,000. Gentle planes: steps are rounded by 1
-   each, over up to 1,023 pixels in both directions, 2,046, and starts are raised by 2,048; gradients are off
-   by 1/2^26 texel a pixel over 2^12 pixels, 8, with starts raised by as much and by 3 units more: 22.
-   Other planes start in the middle of the box: 1,024 and 1,024; the plane itself is off by less than
-   2,048, as gradients below STEEP_256 are off by 1/2^23 texel a pixel over 2^15 pixels, and starts are
-   raised by twice that. ON_PLANE: only the edges count if the range is that of the stepped plane.
-   EDGES_32: rounded edges are off by 1/2^17 pixel a line and 1/2^17 more; the step times that stays below
-   it. Cutting vertices moves them more, so with it steps are below STEEP_4. */
+   parts, in 1/2^17 texel, 8,192 in all: edges by EDGES_32: 4,096. 512 steps are rounded by 1 each in both
+   directions, 1,024, and starts are raised by as much; the plane itself is off by less than 512, as
+   gradients below STEEP_256 are off by 1/2^23 texel a pixel over 2^15 pixels, and starts are raised by
+   twice that. Gentle planes have shorter ways: their parts are smaller. ON_PLANE: only the edges count if
+   the range is that of the stepped plane. EDGES_32: rounded edges are off by 1/2^17 pixel a line and 1/2^17
+   more; the step times that stays below it. Cutting vertices moves them more, so with it steps are below
+   STEEP_4. */
 #define INSET SHADE_INSET
 #define ON_PLANE (3 * INSET / 4)
 #define STEEP_256 (256 * 65536)
 #define STEEP_4 (4 * 65536)
-#define EDGES_32 4000           /* texels a pixel times lines */
+#define EDGES_32 4096           /* texels a pixel times lines */
 
 /* Makes x and y of the set-up's vertices. */
 static void set_places(struct vertex *to, const struct vertex *from, int32 count, enum edges edges)

@@ -38,7 +38,7 @@ static inline const struct vertex *material_vertices(struct vertex *to, const st
 void material_range(struct clamp_plan *clamp, const struct setup *s);
 
 /* Returns the least step, 16.16, with which errors of edges and of gradients may move u or v of a pixel
-   by more than material_made allows in a polygon of so many lines; 0 if any step may. */
+   by more than material_made allows in a polygon of that many lines; 0 if any step may. */
 uint32 material_steep(const struct material *material, int32 lines);
 
 /* Returns non-zero if a pixel might leave these ranges, by errors of edges and of the stepped

@@ -242,7 +242,7 @@ static void make_values(struct mesh_place *to, const struct scene_normal *normal
     }
 }
 
-/* Sets the marks of so many points to 0 or MARKED. */
+/* Sets the marks of count points to 0 or MARKED. */
 static void mark_all(uint8 *marks, int32 count, uint8 mark)
 {
     uint32 *four = (uint32 *)marks;

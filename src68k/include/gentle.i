@@ -7,8 +7,8 @@ edges           equ     setup_edges
 sides           equ     setup_sides
 box             equ     setup_box
 
-; The longest way to the box's farthest sides, pixels in x and y added: with it values are off by less
-; than 1/128 texel: half of 1 << cut units a pixel, and raised by as much, with a cut of 1: 480 units.
+; The longest way to the box's farthest sides, pixels in x and y added. With a cut of 0 or 1, values are
+; off by less than 1/128 texel, 512 units: by a unit a pixel at most, raised by as much, and 22 more.
 WAYS_MOST       equ     240
 
 ; On the stack:

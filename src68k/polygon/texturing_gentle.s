@@ -35,9 +35,9 @@ distance macro
 
 ; How far v of a pixel may be outside the vertices' range, in 1/1024 texel. Edges are within 1/64 pixel
 ; along a line, at less than 8 texels a pixel: 128. Four cuts by clipping move vertices by 1/2^17 pixel
-; each, in x or in y: 1. Steps are off by 1/2^17, over 1,024 pixels in x and in y: 16; v is raised by as
-; much: 16. Gradients, 1/2^26 over 4,096 pixels, as much again, and 4 units: 1. Corners beyond three may
-; be off the plane by 1/64: 16. The sum is 178; MARGIN is 256.
+; each, in x or in y: 1. Steps are off by 1/2^17 over WAYS_MOST pixels: 2; v is raised by as much: 2.
+; Gradients, 1/2^26 over 4,096 pixels, as much again, and 4 units: 1. Corners beyond three may be off the
+; plane by 1/64: 16. The sum is 150; MARGIN is 256.
 MARGIN          equ     1<<14
 
 ; texturing_gentle - the plane of a polygon, relative to the first pixel on its left side
@@ -53,9 +53,10 @@ MARGIN          equ     1<<14
 ; formats: as texturing_plane, but with gradients in 5.27, and (i, j) is the first pixel right of the
 ;          left side. It does all the work itself if gradients are below 8 texels a pixel, twice the
 ;          area is 1/2 to 2^20 square pixels, the top vertex is within 1,024 pixels of (i, j), in x and in
-;          y, and the box's farthest sides are within WAYS_MOST, x and y added. texturing_plane and texturing_starts do it otherwise. u is raised by the most
-;          that it may be below the plane at any pixel of the box. v does not wrap if MARGIN around
-;          the range of its vertices is between two multiples of 256
+;          y, and the box's farthest sides are within WAYS_MOST, x and y added. texturing_plane and
+;          texturing_starts do it otherwise. u is raised by the most that it may be below the plane
+;          at any pixel of the box. v does not wrap if MARGIN around the range of its vertices is
+;          between two multiples of 256
 ; error:   of a gradient: e = 2 / 2^27 texels a pixel: D keeps 31 bits (cut: 1 in 2^30 of 8
 ;          texels), the quotient is cut. Raised by half of 1 << cut units a pixel over the box, by e
 ;          over the way from the first vertex to the farthest pixel, by 1 for the two products and by

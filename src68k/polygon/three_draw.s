@@ -13,7 +13,6 @@
 ; formats: those of triangle_outline and of the spans
 ; error:   theirs
 ; cost:    about 5,500 cycles for 8 textured pixels, 47,000 for 2,000
-
         routine three_draw,a0,a1
         save_all
         movea.l a0,a6

@@ -24,7 +24,7 @@ FAR = 16384 << 16
 INSET = ONE // 16  # see c/drawing/material.c
 ON_PLANE = 3 * INSET // 4
 STEEP_4, STEEP_256 = 4 << 16, 256 << 16
-EDGES_32 = 4000  # texels a pixel times lines
+EDGES_32 = 4096  # texels a pixel times lines
 
 
 @dataclass
