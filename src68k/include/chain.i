@@ -11,8 +11,8 @@
 ; Packs u (\1) and v (\2), both 16.16, into S (\1, lower word 0), Q (\3) and P (\2's
 ; lower word; its upper word is left over).
 pack_uv macro
-        move.l  \2,\3
-        and.l   #$ff,\3
+        moveq   #0,\3
+        move.b  \2,\3
         ror.l   #8,\3                   ; v---
         lsr.l   #8,\2                   ; -.Vv
         swap    \1                      ; uuUU
@@ -189,7 +189,6 @@ draw_wide macro
 wide_chain macro
         chain_open
         movea.l d4,a3
-        move.l  (sp),d5
         span_line d0,d1,*\1
         span_rounds_out 4
         add.l   a4,d1
@@ -198,7 +197,7 @@ wide_chain macro
         texel_next d2,d3
         draw_wide \1
         endr
-        span_close d5
+        span_close d5,0
         endm
 
 ; ... S, Q and P apart, ...
@@ -237,18 +236,26 @@ wide_row macro
         span_close d3
         endm
 
-; Opens a span with the chain of two registers (see span_open). \1: another field of the
-; plan to push, if given.
+; Opens a span with the chain of two registers (see span_open), d5 = the pitch. If \1 is given, it is another
+; field of the plan to push, on the pitch, which is not in d5.
 chain_open macro
-        span_open
-        move.l  span_plan_map(a0),d4    ; mm00
         ifnb    \1
+        span_open
         move.l  span_plan_\1(a0),-(sp)
+        else
+        span_begin
         endc
+        move.l  span_plan_map(a0),d4    ; mm00
         move.l  span_plan_dudx(a0),d2
         move.l  span_plan_dvdx(a0),d5
+        ifb     \1
+        movea.l span_plan_pitch(a0),a2
+        endc
         span_table
         chain_steps
+        ifb     \1
+        move.l  a2,d5
+        endc
         endm
 
 ; Opens a span with S, Q and P in separate registers. \1: as in chain_open.

@@ -19,7 +19,6 @@ DITHER_BYTES    equ     28
 ; a0 = table. Its entries have 12 bytes, so bit 2 of the address after an entry alternates from
 ; line to line.
 dither_open macro
-        save_all
         movea.l span_plan_row(a0),a6
         movea.l span_plan_lines(a0),a5
         move.l  span_plan_count(a0),d0
@@ -153,7 +152,7 @@ dither_chain_lines macro
 .empty  addq.l  #4,a0
         bra.s   .line_next
 .done   lea     DITHER_BYTES(sp),sp
-        return_all
+        rts
         endm
 
 ; Draws lines with S, Q and P, 8 pixels a round. \1: bytes a pixel, \2: log2 of that, \3 \4: draws
@@ -204,5 +203,5 @@ dither_apart_lines macro
 .empty  addq.l  #4,a0
         bra     .line_next
 .done   lea     DITHER_BYTES(sp),sp
-        return_all
+        rts
         endm

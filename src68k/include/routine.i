@@ -13,6 +13,11 @@
 ; does the same for a pass of a texture unit over a line's pixels: a0 its input, a1 its output, a2
 ; other data, d0 how many. Its entry for C saves a2 and calls the other entry.
 
+;       span name
+;
+; does the same for a routine that draws a scanline table: a0 its span_plan. The entry for assembly keeps
+; no registers; it is SPAN_SAVED bytes behind C's, whose address is in kind_spans.
+
         ifnd    ROUTINE_I
 ROUTINE_I equ   1
 
@@ -56,6 +61,17 @@ pass    macro
         rts
 \1:
         endm
+
+span    macro
+        c_entry \1
+        movea.l 4(sp),a0
+        save_all
+        bsr.s   \1
+        return_all
+\1:
+        endm
+
+SPAN_SAVED      equ     16
 
 ; A routine that needs most registers begins with save_all and ends with return_all.
 save_all macro

@@ -4,13 +4,10 @@
 
         include "chain.i"
 
-SHORT_KEPT reg  d2-d7/a2-a4/a6
-
 ; Takes the plan in a0; after it a3 is the pitch, a6 the row and d7 the number of
 ; lines. If \1 is given, the map is in d4 (mm00), dudx in \1 and dvdx in \2. \3: another field
 ; of the plan to push. The code that follows must set a0 to the lines and go to .line.
 short_open macro
-        movem.l SHORT_KEPT,-(sp)
         movea.l span_plan_pitch(a0),a3
         movea.l span_plan_row(a0),a6
         move.l  span_plan_count(a0),d7
@@ -68,6 +65,5 @@ short_close macro
         ifnb    \1
         addq.l  #\1,sp
         endc
-        movem.l (sp)+,SHORT_KEPT
         rts
         endm

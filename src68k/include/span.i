@@ -6,8 +6,12 @@
 
 ; Takes the plan in a0; after it (sp) is the pitch and a6 the row.
 span_open macro
-        save_all
         move.l  span_plan_pitch(a0),-(sp)
+        span_begin
+        endm
+
+; The same without the pitch.
+span_begin macro
         movea.l span_plan_row(a0),a6
         movea.l span_plan_lines(a0),a5
         move.l  span_plan_count(a0),d0
@@ -97,14 +101,15 @@ span_next macro
         ifb     \2
         addq.l  #4,sp
         else
+        ifne    \2
         addq.l  #\2,sp
         endc
-        return_all
+        endc
+        rts
         endm
 
 ; Opens a span of one colour: a1 = table, d7 = lines, a6 = row, a5 = pitch.
 fill_open macro
-        save_all
         movea.l span_plan_lines(a0),a1
         move.l  span_plan_count(a0),d7
         movea.l span_plan_row(a0),a6

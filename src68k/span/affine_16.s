@@ -10,5 +10,5 @@
 ; The index is a signed word. Forming a longword address, as for 8-bit texels, would need a page
 ; of 65,536 texels at a multiple of its size, and a shift of U and V.
 
-        routine span_affine_16,a0
+        span span_affine_16
         wide_chain 2

@@ -12,8 +12,7 @@
 
 ROUND   equ     32              ; longwords
 
-        routine span_affine_16_copy,a0
-        save_all
+        span span_affine_16_copy
         movea.l span_plan_map(a0),a4
         move.l  span_plan_pitch(a0),d6
         movea.l span_plan_row(a0),a6
@@ -65,7 +64,7 @@ ROUND   equ     32              ; longwords
         lsr.w   #5,d2
         jmp     (a3,d0.w*4)
 
-.done   return_all
+.done   rts
 
 .wraps  sub.w   #256,d0
         move.w  d0,d3                   ; pixels after the row's end - 1

@@ -7,5 +7,5 @@
 ;          texels, at any multiple of 4; plan->row is 4 EDGE_BIAS bytes before its
 ;          first pixel
 
-        routine span_affine_32,a0
+        span span_affine_32
         wide_chain 4

@@ -5,5 +5,5 @@
 ; like:    span_affine_row
 ; formats: as span_affine_row and span_affine_32
 
-        routine span_affine_32_row,a0
+        span span_affine_32_row
         wide_row 4

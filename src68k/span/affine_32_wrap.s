@@ -5,5 +5,5 @@
 ; like:    span_affine_addx_wrap
 ; formats: as span_affine_addx_wrap and span_affine_32
 
-        routine span_affine_32_wrap,a0
+        span span_affine_32_wrap
         wide_apart 4

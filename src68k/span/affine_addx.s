@@ -3,6 +3,7 @@
 ; span_affine_addx - draws a scanline table from a 256x256 map, the addx chain
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps
+; trashes: d0-d7/a0-a6
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.16, both wrap at 256; 8-bit texels and pixels. If v wraps inside
@@ -17,9 +18,8 @@
 ; DBRA keep X between pixels. A's v runs one step ahead, so that its carry is
 ; ready when B needs it. V's own overflow enters u's lowest bit: see formats.
 
-        routine span_affine_addx,a0
+        span span_affine_addx
         chain_open
-        move.l  (sp),d5
         lea     .pixels_end-12(pc),a3
         span_line d0,d1
         span_rounds 4
@@ -28,4 +28,4 @@
 .pixels rept    16
         pixel_chain
         endr
-        span_close d5
+        span_close d5,0

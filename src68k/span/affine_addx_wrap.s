@@ -9,7 +9,7 @@
 ; instead of entering u. One addition more than the chain: it costs 2 cycles with
 ; the map in fast RAM and none in chip RAM, where the loop waits for the bus anyway.
 
-        routine span_affine_addx_wrap,a0
+        span span_affine_addx_wrap
         apart_open
         lea     .pixels_end-14(pc),a3
         span_line d0,d1

@@ -3,6 +3,7 @@
 ; span_affine_column - span_affine_addx if u's step is 0: walls on their side
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the step dvdx
+; trashes: d0-d7/a0-a6
 ; reads:   the plan, its lines (start1 = Vv, start2 = v--U), the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: v 8.16, U 8 bits; both wrap at 256; 8-bit texels and pixels. dvdx is used
@@ -12,7 +13,7 @@
 
 ; v alone, in a chain of one register: v-Vv, with the spare byte and the borrow of pack_alone.
 
-        routine span_affine_column,a0
+        span span_affine_column
         alone_open dvdx
         moveq   #0,d3                   ; the spare byte of a line's start
         lsl.l   #8,d2

@@ -16,8 +16,7 @@
 
 ALIGNED equ     48              ; pixels
 
-        routine span_affine_copy,a0
-        save_all
+        span span_affine_copy
         move.l  span_plan_map(a0),d1    ; mm00
         move.l  span_plan_pitch(a0),d6
         movea.l span_plan_row(a0),a6
@@ -84,7 +83,7 @@ ALIGNED equ     48              ; pixels
 
 .empty  addq.l  #4,a0
         bra.s   .next
-.done   return_all
+.done   rts
 
 .wraps  sub.w   #256,d0
         move.w  d0,d3                   ; pixels after the row's end - 1

@@ -11,7 +11,7 @@
 
 ; A line's texels are in one row of the map: u alone, in a chain of one register.
 
-        routine span_affine_row,a0
+        span span_affine_row
         alone_open dudx
         pack_alone d2,d5,a4
         move.l  (sp),d3

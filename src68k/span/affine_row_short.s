@@ -5,7 +5,7 @@
 ; like:    span_affine_row
 ; formats: as span_affine_row; a line has SHORT_AFFINE_ROW pixels at most
 
-        routine span_affine_row_short,a0
+        span span_affine_row_short
         short_open d2
         movea.l span_plan_lines(a0),a0
         pack_alone d2,d5,a4

@@ -7,7 +7,7 @@
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their
 ;          steps, the map
 
-        routine span_affine_scanline,a0
+        span span_affine_scanline
         span_open
         move.l  span_plan_steps(a0),-(sp)
         move.l  span_plan_map(a0),d4    ; mm00
@@ -32,4 +32,4 @@
         cmpa.l  a5,a0
         bne     .line
         addq.l  #8,sp
-        return_all
+        rts

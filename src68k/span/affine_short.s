@@ -5,7 +5,7 @@
 ; like:    span_affine_addx
 ; formats: as span_affine_addx; a line has SHORT_AFFINE pixels at most
 
-        routine span_affine_short,a0
+        span span_affine_short
         short_open d2,d5
         movea.l span_plan_lines(a0),a0
         chain_steps

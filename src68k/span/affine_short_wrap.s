@@ -5,7 +5,7 @@
 ; like:    span_affine_addx_wrap
 ; formats: as span_affine_addx_wrap; a line has SHORT_AFFINE_WRAP pixels at most
 
-        routine span_affine_short_wrap,a0
+        span span_affine_short_wrap
         short_open d5,d2
         movea.l span_plan_lines(a0),a0
         apart_steps

@@ -9,7 +9,7 @@
 ; The best form found without addx: v is held 8 bits higher, so that V is above U once
 ; u's lower bytes have replaced v's, and one swap makes both an index.
 
-        routine span_affine_swap,a0
+        span span_affine_swap
         span_open
         movea.l span_plan_map(a0),a4
         adda.l  #32768,a4               ; the index is signed: v starts 128 rows on

@@ -46,7 +46,7 @@ first_texel macro
         adda.w  d0,a4
         endm
 
-        routine span_arbitrary,a0
+        span span_arbitrary
         span_open
         move.l  (sp),-(sp)
         move.l  span_plan_map(a0),4(sp)

@@ -133,6 +133,7 @@ columns_18_\1:
 ; span_columns - draws a scanline table from a map in columns 4 texels wide
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, its layout, the steps
+; trashes: d0-d7/a0-a6
 ; reads:   the plan, its lines (start0 = uu, start1 = UU, start2 = VVvv), the map,
 ;          its column_layout
 ; writes:  the pixels of the lines, nothing else
@@ -141,7 +142,7 @@ columns_18_\1:
 ;          u8 = floor(u / 8) and so on: u and v are cut to 13 fraction bits
 ; cost:    bench row columns; maps of more than 65,536 texels 2 cycles a pixel more
 ;          (frame and map in chip RAM 8)
-        routine span_columns,a0
+        span span_columns
         column_span b,1
 
 ; span_columns_16 - the same from 16-bit texels to a 16-bit frame
@@ -151,5 +152,5 @@ columns_18_\1:
 ; formats: as span_columns, with 16-bit texels and pixels
 ; cost:    bench row columns_16; maps of more than 65,536 texels 2 cycles a pixel more
 ;          (frame and map in chip RAM 8)
-        routine span_columns_16,a0
+        span span_columns_16
         column_span w,2

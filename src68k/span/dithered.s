@@ -13,7 +13,7 @@
 ; evenly. Their mean over 2x2 pixels approximates that of the bilinear filter, which is over all
 ; points within half a texel. Two steps by turns, in the chain of span_affine_addx.
 
-        routine span_dithered,a0
+        span span_dithered
         dither_chain_open
         lea     .pixels(pc),a3
         dither_chain_lines draw,,,a3

@@ -5,7 +5,7 @@
 ; like:    span_dithered_wrap
 ; formats: as span_dithered_wrap and span_dithered_32
 
-        routine span_dithered_32_wrap,a0
+        span span_dithered_32_wrap
         dither_apart_open
         movea.l d4,a3
         dither_apart_lines 4,2,draw_wide,4,*4

@@ -7,6 +7,6 @@
 
 ; All data registers are taken, so the loop ends by the pixel's address.
 
-        routine span_dithered_wrap,a0
+        span span_dithered_wrap
         dither_apart_open
         dither_apart_lines 1,0,draw

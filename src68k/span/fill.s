@@ -3,6 +3,7 @@
 ; span_fill - draws a scanline table in one colour
 ;
 ; in:      a0  span_plan*  the table, the frame, the colour
+; trashes: d0-d7/a0-a6
 ; reads:   the plan, left and last of its lines
 ; writes:  the pixels of the lines, nothing else
 ; formats: 8-bit chunky pixels
@@ -12,7 +13,7 @@
 
 SHORT                   equ     12
 
-        routine span_fill,a0
+        span span_fill
         fill_open
         move.b  span_plan_colour+3(a0),d0
         move.b  d0,d1
@@ -35,7 +36,7 @@ SHORT                   equ     12
 .next   adda.l  d6,a1
         adda.l  a5,a6
         dbra    d7,.line
-        return_all
+        rts
 
 .line   move.l  (a1)+,d2                ; --:left
         lea     (a6,d2.w),a0

@@ -7,7 +7,7 @@
 
 ; One pixel up to a longword boundary, longwords 32 at a time, one pixel at the end.
 
-        routine span_fill_16,a0
+        span span_fill_16
         fill_open
         move.w  span_plan_colour+2(a0),d0
         move.w  d0,d1
@@ -39,4 +39,4 @@
 .next   adda.l  d6,a1
         adda.l  a5,a6
         dbra    d7,.line
-        return_all
+        rts

@@ -5,7 +5,7 @@
 ; like:    span_fill
 ; formats: 32-bit pixels at multiples of 4
 
-        routine span_fill_32,a0
+        span span_fill_32
         fill_open
         move.l  span_plan_colour(a0),d0
         lea     .longwords_end(pc),a3
@@ -22,4 +22,4 @@
 .next   adda.l  d6,a1
         adda.l  a5,a6
         dbra    d7,.line
-        return_all
+        rts

@@ -7,6 +7,7 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ; span_generated - draws a scanline table by code written for the polygon's steps
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the steps, the code
+; trashes: d0-d7/a0-a6
 ; reads:   the plan, its lines (start1 = UU, start2 = VVvv), the map with its
 ;          margins (MAP_MARGINS, texel (0, 0) at a multiple of 65536)
 ; writes:  the pixels of the lines; of the code, 4 bytes for each pixel of the longest
@@ -30,7 +31,7 @@ RETURN          equ     $4ed3           ; jmp (a3)
 ; uu, where the step adds the integers; u's carry goes into the offset. The sum
 ; below uu must not carry: from a step of -256 on, v runs the other way (-v, -256).
 
-        routine span_generated,a0
+        span span_generated
         span_open
         move.l  a0,-(sp)
         movea.l a5,a0

@@ -3,6 +3,7 @@
 ; span_gouraud - draws a scanline table with interpolated shades
 ;
 ; in:      a0  span_plan*  the table, the frame, the step dudx
+; trashes: d0-d7/a0-a6
 ; reads:   the plan, its lines (start0 = ss, start1 = SS)
 ; writes:  the pixels of the lines, nothing else
 ; formats: s 16.16, pixels are its integer modulo 256; dudx is shades a pixel, used
@@ -12,7 +13,7 @@
 ; A chain of one register, as pack_alone packs it; MOVE, JMP and DBRA keep X between
 ; pixels.
 
-        routine span_gouraud,a0
+        span span_gouraud
         span_open
         move.l  span_plan_dudx(a0),d2
         span_table

@@ -5,7 +5,7 @@
 ; like:    span_gouraud
 ; formats: as span_gouraud; a line has SHORT_GOURAUD pixels at most
 
-        routine span_gouraud_short,a0
+        span span_gouraud_short
         short_open
         move.l  span_plan_dudx(a0),d2
         movea.l span_plan_lines(a0),a0

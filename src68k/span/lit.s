@@ -9,7 +9,7 @@
 ; error:   none: pixel n shows light[texel (floor(u + n dudx), floor(v + n dvdx))]
 ; cost:    bench row affine_lit
 
-        routine span_lit,a0
+        span span_lit
         chain_open light
         move.l  (sp),d5                 ; lll0
         lea     .pixels_end-16(pc),a3

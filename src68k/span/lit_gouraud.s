@@ -3,6 +3,7 @@
 ; span_lit_gouraud - draws a scanline table from a 256x256 map, lit pixel by pixel
 ;
 ; in:      a0  span_plan*  the table, the frame, the map, the light, all steps
+; trashes: d0-d7/a0-a6
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v--U), their shades
 ;          (c-Cc, as edge_shade packs them for this dvdx), the map, the light table
 ; writes:  the pixels of the lines, nothing else
@@ -22,7 +23,7 @@
 ; one less. Either fails once in 65,536 texels, at most twice in a line: the two bits
 ; below c are reserved for that, 0 if v rises and 3 if it falls.
 
-        routine span_lit_gouraud,a0
+        span span_lit_gouraud
         span_open
         move.l  span_plan_map(a0),d6    ; mm00
         move.l  span_plan_dudx(a0),d3
@@ -82,4 +83,4 @@
         cmpa.l  (sp),a0
         bne     .line
         addq.l  #8,sp
-        return_all
+        rts

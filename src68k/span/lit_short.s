@@ -6,7 +6,7 @@
 ; formats: as span_lit; a line has SHORT_LIT pixels at most
 ; cost:    bench row affine_lit_short
 
-        routine span_lit_short,a0
+        span span_lit_short
         short_open d2,d5
         chain_steps
         move.l  span_plan_light(a0),d5  ; lll0

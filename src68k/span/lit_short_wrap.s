@@ -6,7 +6,7 @@
 ; formats: as span_lit_wrap; a line has SHORT_LIT_WRAP pixels at most
 ; cost:    bench row affine_lit_short_wrap
 
-        routine span_lit_short_wrap,a0
+        span span_lit_short_wrap
         short_open d5,d2,light
         movea.l span_plan_lines(a0),a0
         apart_steps

@@ -6,7 +6,7 @@
 ; formats: as span_affine_addx_wrap
 ; cost:    bench row affine_lit_wrap
 
-        routine span_lit_wrap,a0
+        span span_lit_wrap
         apart_open light
         lea     .pixels_end-18(pc),a3
         span_line d0,d1

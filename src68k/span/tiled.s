@@ -30,7 +30,7 @@ pack_tiled macro
         and.l   d6,\2
         endm
 
-        routine span_tiled,a0
+        span span_tiled
         span_open
         move.l  span_plan_map(a0),d4    ; mm00
         move.l  span_plan_dudx(a0),d2

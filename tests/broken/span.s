@@ -5,7 +5,7 @@
         include "routine.i"
 
 ; \1: name, which says what is wrong
-span    macro
+variant macro
         routine \1,a0
         movem.l d2-d7/a2-a6,-(sp)
         movea.l span_plan_lines(a0),a1
@@ -77,15 +77,15 @@ span    macro
         rts
         endm
 
-        span    span_well
-        span    span_trashes_d2
-        span    span_writes_past
-        span    span_writes_before
-        span    span_skips_last
-        span    span_texel_beside
-        span    span_leaves_stack
-        span    span_changes_map
-        span    span_changes_lines
-        span    span_changes_guard
-        span    span_hangs
-        span    span_illegal
+        variant span_well
+        variant span_trashes_d2
+        variant span_writes_past
+        variant span_writes_before
+        variant span_skips_last
+        variant span_texel_beside
+        variant span_leaves_stack
+        variant span_changes_map
+        variant span_changes_lines
+        variant span_changes_guard
+        variant span_hangs
+        variant span_illegal

@@ -15,8 +15,8 @@ the registers that C allows, TRASHED. Without ``error`` a kernel has none. Witho
 ``writes`` a routine reads what its pointers to const point to or writes what its others do.
 ``cost`` is no other routine's: without it, it is the bench row of a kernel's own name, which has
 no "span_".
-A routine begins with the macro ``routine`` or ``pass``, whose last argument is the count, or with
-an exported label of a code section. Other labels that a documented routine runs into are entries
+A routine begins with the macro ``routine``, ``pass``, whose last argument is the count, or ``span``,
+or with an exported label of a code section. Other labels that a documented routine runs into are entries
 of that routine. The entry ``start`` of a command may be documented under the command's name.
 
 ``python -m tmap.build.contracts SRC OUT`` writes OUT/kernel_table.s: names and addresses of all
@@ -40,6 +40,8 @@ ATTRIBUTES = {"in": "inputs", "out": "outputs"}
 TRASHED = "d0-d1/a0-a1"
 #: The registers of a pass, and the last one's argument, which no block gives.
 PASS, COUNT = ("a0", "a1", "a2", "d0"), ("d0", "int32", "count")
+#: Macros with which a routine begins, and the registers of C's arguments; None: it names them.
+OPENING = {"routine": None, "pass": PASS, "span": ("a0",)}
 REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
 #: Folders whose routines are kernels: called one by one by the program bench.
 KERNELS = ("math", "mesh", "polygon", "edge", "span", "triangle", "n64", "glide", "screen")
@@ -240,8 +242,8 @@ def find_entries(file_statements: list[Statement]) -> list[Entry]:
     in_code, runs_on = True, False      # vasm starts in a code section
     for statement, following in zip(file_statements, file_statements[1:] + [None]):
         number, label, operation, operands = statement
-        if operation in ("routine", "pass"):
-            registers = PASS if operation == "pass" else tuple(operands[1:])
+        if operation in OPENING:
+            registers = OPENING[operation] or tuple(operands[1:])
             entries.append(Entry(number, operands[0], registers, True, False))
             in_code = runs_on = True
             continue

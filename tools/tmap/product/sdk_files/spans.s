@@ -59,7 +59,9 @@ _main:
         move.l  a2,span_plan_map(a0)
         move.l  #DUDX,span_plan_dudx(a0)
         move.l  #DVDX,span_plan_dvdx(a0)
+        move.l  a3,-(sp)                ; a span changes all registers
         jsr     span_affine_addx
+        movea.l (sp)+,a3
 
         lea     planar,a0
         move.l  a3,planar_plan_pixels(a0)
