@@ -49,12 +49,6 @@ static void place(struct vertex *to, const struct vertex *from, uint32 count,
     }
 }
 
-/* Returns non-zero if a pose moves nothing. */
-static int32 is_still(const struct scene_pose *pose)
-{
-    return !(pose->x0 | pose->y0 | pose->xy | pose->yx) && pose->xx == 65536 && pose->yy == 65536;
-}
-
 /* Draws polygons of a material; returns `refused`, or why one of them was. */
 static enum polygon_result draw_run(struct renderer *renderer, const struct polygon *run,
                                     const struct polygon *end, const struct material *material,
@@ -85,7 +79,6 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
     for (; object < objects_end; object++) {
         uint32 age = (uint32)number - object->first_frame;      /* huge before the first */
         const struct vertex *vertices;
-        const struct scene_pose *pose;
 
         if (age >= object->poses)
             continue;
@@ -100,9 +93,8 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
             full = &run[material->draw == polygon_draw ? RUN_POLYGONS : 1];
         }
         vertices = &scene->vertices[object->vertex];
-        pose = &scene->poses[object->pose + age];
-        if (!is_still(pose)) {
-            place(room, vertices, object->vertices, pose);
+        if (object->pose != NO_POSE) {
+            place(room, vertices, object->vertices, &scene->poses[(uint32)object->pose + age]);
             vertices = room;
             room += object->vertices;
             left -= object->vertices;

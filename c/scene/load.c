@@ -179,7 +179,7 @@ static const char *wrong_rectangle(const struct scene *scene, const struct scene
         if (!is_short(v->t))
             return "vertex.t";
     }
-    for (uint32 left = object->poses; left; left--, pose++)
+    for (uint32 left = object->pose == NO_POSE ? 0 : object->poses; left; left--, pose++)
         if (pose->xx != 65536 || pose->yy != 65536 || pose->xy || pose->yx)
             return "pose.xx, xy, yx or yy";
         else if (is_fraction(pose->x0 | pose->y0))
@@ -233,7 +233,8 @@ static const char *wrong_object(const struct scene *scene)
             || (o->vertices > 3 && m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON)
             || (scene_has_own(scene, m) && (o->vertices < 6 || o->vertices & 1)))
             return "object.vertices";
-        if (o->poses < 1 || o->pose > h->poses || o->poses > h->poses - o->pose)
+        if (o->poses < 1 || (o->pose != NO_POSE
+                             && ((uint32)o->pose > h->poses || o->poses > h->poses - (uint32)o->pose)))
             return "object.poses";
         if (o->first_frame >= (uint32)h->frames)
             return "object.first_frame";

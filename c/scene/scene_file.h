@@ -15,12 +15,13 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 12,
+    SCENE_VERSION = 13,
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     NO_TEXTURE = -1,
     NO_UNIT = -1,
     NO_VIEW16 = -1,
+    NO_POSE = -1,
     NO_TABLE = -1,
     GUARD_MIN = 6,
     GUARD_MAX = 13              /* 8,192 pixels */
@@ -118,7 +119,7 @@ struct scene_pipe {
     uint32 adds;                /* 1: glide_pipe_adds; or 0 */
 };
 
-/* One moving convex polygon, or a rectangle. In frame f it is drawn with pose
+/* One convex polygon, or a rectangle. In frame f it is drawn with pose
    pose + (f - first_frame), as long as f - first_frame is 0 to poses - 1. Objects are drawn in the
    order of the file. Vertices have x and y before the pose, and for MAPPER_ARBITRARY s and t inside
    the map. Poses only move a rectangle, by whole pixels. */
@@ -126,7 +127,8 @@ struct scene_object {
     uint32 material;            /* index */
     uint32 vertex, vertices;    /* first vertex, number: 3 if the gradients require it, 2 for a
                                    rectangle */
-    uint32 pose, poses;         /* first pose, number of frames with the object */
+    int32 pose;                 /* the first, or NO_POSE: it never moves */
+    uint32 poses;               /* number of frames with the object */
     uint32 first_frame;
     uint32 planar;              /* enum planar_values that are on planes; others are checked when
                                    it is drawn */

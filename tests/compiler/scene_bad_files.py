@@ -149,7 +149,7 @@ def wrong_tables() -> list[Row]:
     for name, values, said in (
             ("material", (2, M32), ""), ("vertices", (2, 65, 7, M32), ""),
             ("vertex", (4, 6, M32, M32 - 1), "object.vertices"),
-            ("pose", (2, 4, M32), "object.poses"), ("poses", (0, 5, M32), ""),
+            ("pose", (2, 4, M32 - 1), "object.poses"), ("poses", (0, 5, M32), ""),
             ("first_frame", (3, M32), ""), ("planar", (16, M32), "")):
         plain.entry("objects", 0, name, *values, said=said)
     return rows

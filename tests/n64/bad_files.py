@@ -4,7 +4,7 @@ import numpy as np
 
 from tests.helpers.wrong_fields import M32, Row, WrongFields
 from tests.helpers import mesh_cases
-from tmap.scene_file.scene_file import IDENTITY, Material, Object, Scene
+from tmap.scene_file.scene_file import ONE, Material, Object, Scene
 
 KINDS = ("rectangles", "coloured")
 
@@ -23,7 +23,8 @@ def primitives() -> Scene:
     materials = [*(Material("n64", unit=0, primitive=kind) for kind in KINDS), Material()]
     return with_engine(Scene(
         8, 8, 3, 0, np.zeros((256, 3), np.uint8), [], materials,
-        [Object(0, 0, 2, 0, 3, 0), Object(1, 2, 3, 0, 3, 0)], vertices, np.array([IDENTITY] * 4)))
+        [Object(0, 0, 2, 0, 3, 0), Object(1, 2, 3, 0, 3, 0)], vertices,
+        np.array([(ONE, 0, 0, ONE, k * ONE, 0) for k in range(4)])))
 
 
 def boxes() -> Scene:

@@ -70,7 +70,4 @@ def ring(along: int, around: int, thick: float) -> bytes:
                tube(along, around))
 
 
-#: The demo's rings: triangles, and faces along and around.
-RINGS = {192: (16, 6), 80: (10, 4)}
-FILES = {"knot.obj": knot} | {f"demo/ring{triangles}.obj": lambda sides=sides: ring(*sides, 0.45)
-                              for triangles, sides in RINGS.items()}
+FILES = {"knot.obj": knot, "demo/ring80.obj": lambda: ring(10, 4, 0.45)}

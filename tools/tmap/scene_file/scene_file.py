@@ -175,14 +175,29 @@ def records(table, struct: layout.Struct) -> bytes:
     return out.tobytes()
 
 
+def pose_rows(scene: Scene) -> tuple[list[int], np.ndarray]:
+    """Returns the first pose of each object, NO_POSE for one that never moves, and the others' poses."""
+    ranges = [slice(obj.pose, obj.pose + obj.poses) for obj in scene.objects]
+    moves = [(scene.poses[each] != IDENTITY).any() for each in ranges]
+    used = np.zeros(len(scene.poses), bool)
+    for each, moving in zip(ranges, moves):
+        used[each] |= moving
+    place = np.cumsum(used) - 1
+    return [int(place[each.start]) if moving else layout.load().constants["NO_POSE"]
+            for each, moving in zip(ranges, moves)], scene.poses[used]
+
+
 def rows_of(scene: Scene) -> dict[str, list | np.ndarray]:
     """Returns the rows of all tables except the textures', one number a field."""
     rows = {table: getattr(scene, table)
-            for table in ("vertices", "poses", *scene_meshes.COLUMNS, *scene_units.COLUMNS,
+            for table in ("vertices", *scene_meshes.COLUMNS, *scene_units.COLUMNS,
                           *scene_pipes.COLUMNS)}
     for table in RECORDS:
         fields = layout.load().struct(TABLES[table]).fields
         rows[table] = [[getattr(each, name) for name in fields] for each in getattr(scene, table)]
+    first, rows["poses"] = pose_rows(scene)
+    at = list(layout.load().struct(TABLES["objects"]).fields).index("pose")
+    rows["objects"] = [[*row[:at], pose, *row[at + 1:]] for row, pose in zip(rows["objects"], first)]
     rows["materials"] = [
         [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour,
          m.light, m.tolerance, m.unit, scene_units.PRIMITIVES.index(m.primitive)]
@@ -202,7 +217,7 @@ def write(scene: Scene, with_palette: bool = True) -> bytes:
     palette = np.zeros((256, 4), np.uint8)
     palette[:, 1:] = scene.palette
     texels = [data + bytes(-len(data) % 4) for data in map(ordered, scene.textures)]
-    values = {table: len(getattr(scene, table)) for table in TABLES}
+    values = {table: len(rows.get(table, scene.textures)) for table in TABLES}
     at = header.size + PALETTE_BYTES * with_palette + sum(
         values[table] * built.struct(struct).size for table, struct in TABLES.items())
     for block in BYTES:
