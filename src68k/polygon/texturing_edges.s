@@ -1,7 +1,8 @@
         include "nearest.i"
 
 ; Finds \1, u or v, from \2, s or t, along the edge a0 from a1 to a2, and its step a line: d4 =
-; its height, d5 = from the upper end down to the first line. Uses d0-d3.
+; its height, d5 = from the upper end down to the first line. \1 is raised by half of \3 and the edge's
+; lines, if that is given and not negative. Uses d0-d3.
 along   macro
         move.l  vertex_\2(a1),d3
         move.l  vertex_\2(a2),d0
@@ -13,6 +14,14 @@ along   macro
         nearest d1,d0
         add.l   d0,d3
 .on_line\@
+        ifnb    \3
+        move.l  \3,d0
+        bmi.s   .steep\@
+        add.l   edge_lines(a0),d0
+        lsr.l   #1,d0
+        add.l   d0,d3
+.steep\@
+        endc
         move.l  d3,edge_\1(a0)
         moveq   #0,d0
         moveq   #1,d1
@@ -27,7 +36,7 @@ along   macro
 .one\@  move.l  d0,edge_d\1(a0)
         endm
 
-; Finds the start and steps of the edge a0. Uses d0-d7/a1-a2.
+; Finds the start and steps of the edge a0; \1, \2: by what u and v are raised. Uses d0-d7/a1-a2.
 edge    macro
         movem.l edge_upper(a0),a1-a2    ; and lower
         move.l  vertex_y(a1),d0
@@ -40,8 +49,8 @@ edge    macro
         move.l  d4,d7
         lsr.l   #1,d7
         moveq   #0,d6
-        along   u,s
-        along   v,t
+        along   u,s,\1
+        along   v,t,\2
         endm
 
 ; texturing_along - u and v where an edge crosses its lines
@@ -58,15 +67,8 @@ edge    macro
         movem.l (sp)+,d2-d7/a2
         rts
 
-; Raises \1 of the edge a0 by \2 and the edge's lines, and it and its step to multiples of 1 <<
-; the cut d2. Uses d0-d1.
-raise   macro
-        move.l  \2,d0
-        bmi.s   .steep\@
-        add.l   edge_lines(a0),d0
-        lsr.l   #1,d0
-        add.l   d0,edge_\1(a0)
-.steep\@
+; Raises \1 of the edge a0 and its step to multiples of 1 << their cut. Uses d0-d2.
+cut     macro
         move.l  texturing_\1_cut(a3),d2
         beq.s   .whole\@
         moveq   #1,d0
@@ -98,7 +100,7 @@ short   macro
         bra.s   .short\@
 .gentle\@
         addq.l  #1,d0
-        lsl.l   #2,d0
+        lsl.l   #3,d0
         add.l   d3,d0
         move.l  texturing_\1_cut(a3),d1
         beq.s   .short\@
@@ -120,7 +122,7 @@ STEEP_256       equ     256
 ; reads:   *texturing; lines, top, upper, lower of the edges; y, s, t of their vertices
 ; writes:  u, v, du, dv of the edges
 ; formats: as texturing_along; with w = the step's whole texels, cut away, and 2: u is raised by
-;          2 w + 2 + (lines + (pixels + 1) c) / 2 units, c being 1, or 1 + 2^cut where the span
+;          4 w + 4 + (lines + (pixels + 1) c) / 2 units, c being 1, or 1 + 2^cut where the span
 ;          does not keep cut low bits; nothing if w is above STEEP_256. Then it and its step are
 ;          raised to multiples of 1 << cut units
 ; error:   as texturing_along; raised as stated
@@ -143,12 +145,13 @@ STEEP_256       equ     256
         addq.l  #1,d3
         short   u,a4
         short   v,a5
-.edge   edge
-        raise   u,a4
-        raise   v,a5
+.edge   edge    a4,a5
+        cut     u
+        cut     v
         move.l  texturing_wrap_bit(a3),d0
+        beq.s   .free
         or.l    d0,edge_u(a0)
-        lea     edge_sizeof(a0),a0
+.free   lea     edge_sizeof(a0),a0
         subq.l  #1,a6
         move.l  a6,d0
         bne     .edge

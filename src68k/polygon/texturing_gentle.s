@@ -16,29 +16,21 @@ vector  macro
         movea.l sp,\2
         endm
 
-; \3 = the distance from the coordinate \2 to the pixel \1, 11.21. Goes to .far if that has no room.
-; \2 = its whole pixels, rounded down. Uses d0.
+; \1 = the distance from the coordinate \2 to the pixel \1, 10.22. Goes to .far if that has no room.
 distance macro
-        move.l  \1,d0
-        swap    d0
-        clr.w   d0
-        sub.l   \2,d0
-        asl.l   #5,d0
+        swap    \1
+        clr.w   \1
+        sub.l   \2,\1
+        asl.l   #6,\1
         bvs     .far
-        movea.l d0,\3
-        minus   <neg.l d0>
-        clr.w   d0
-        swap    d0
-        lsr.w   #5,d0
-        move.l  d0,\2
         endm
 
 ; How far v of a pixel may be outside the vertices' range, in 1/1024 texel. Edges are within 1/64 pixel
-; along a line, at less than 8 texels a pixel: 128. Four cuts by clipping move vertices by 1/2^17 pixel
-; each, in x or in y: 1. Steps are off by 1/2^17 over WAYS_MOST pixels: 2; v is raised by as much: 2.
-; Gradients, 1/2^26 over 4,096 pixels, as much again, and 4 units: 1. Corners beyond three may be off the
-; plane by 1/64: 16. The sum is 150; MARGIN is 256.
-MARGIN          equ     1<<14
+; along a line, at less than 16 texels a pixel: 256. Four cuts by clipping move vertices by 1/2^17 pixel
+; each, in x or in y: 2. Steps are off by 1/2^17 over WAYS_MOST pixels: 2; v is raised by as much: 2.
+; Gradients, 3.1 units of 2^-16, as much again, and RAISED: 1. Corners beyond three may be off the
+; plane by 1/64: 16. The sum is 279; MARGIN is 512.
+MARGIN          equ     1<<15
 
 ; texturing_gentle - the plane of a polygon, relative to the first pixel on its left side
 ;
@@ -47,20 +39,20 @@ MARGIN          equ     1<<14
 ;          d1  int32   enum chain
 ; out:     d0  int32   POLYGON_DRAWN
 ; trashes: d1-d7/a0-a5
-; reads:   sides and their vertices, box, left edges, u_cut, v_cut
+; reads:   vertices, count, sides, box, left edges, u_cut, v_cut
 ; writes:  texturing except v_cut; u_cut if the chain needs a bit; with CHAIN_SHADES v and its steps
 ;          are 0; u, v, du, dv of the left edges as texturing_starts
-; formats: as texturing_plane, but with gradients in 5.27, and (i, j) is the first pixel right of the
-;          left side. It does all the work itself if gradients are below 8 texels a pixel, twice the
-;          area is 1/2 to 2^20 square pixels, the top vertex is within 1,024 pixels of (i, j), in x and in
-;          y, and the box's farthest sides are within WAYS_MOST, x and y added. texturing_plane and
-;          texturing_starts do it otherwise. u is raised by the most that it may be below the plane
-;          at any pixel of the box. v does not wrap if MARGIN around the range of its vertices is
-;          between two multiples of 256
-; error:   of a gradient: e = 2 / 2^27 texels a pixel: D keeps 31 bits (cut: 1 in 2^30 of 8
-;          texels), the quotient is cut. Raised by half of 1 << cut units a pixel over the box, by e
-;          over the way from the first vertex to the farthest pixel, by 1 for the two products and by
-;          1 for rounding up
+; formats: as texturing_plane, but with gradients in 6.26, and (i, j) is the first pixel right of the
+;          left side. It does all the work itself if twice the area is 1/2 to 2^20 square pixels,
+;          gradients are below 8 texels a pixel (2^(k+4) / twice the area, if that is 2^k or more), the top
+;          vertex is within 512 pixels of (i, j), in x and in y, and the box's farthest sides are
+;          within WAYS_MOST, x and y added. texturing_plane and texturing_starts do it otherwise. u is
+;          raised by the most that it may be below the plane at any pixel of the box. v does not
+;          wrap if MARGIN around the range of its vertices is between two multiples of 256
+; error:   of a gradient: e = 2.5 / 2^26 texels a pixel. With D cut to 31 bits, it is a unit too large at
+;          most (1 in 2^30 of 16 texels); the numerator, cut to 32 bits, and the reciprocal of D, cut
+;          to 31, each take half a unit at most, cutting the product one. Raised by half of 1 << cut
+;          units a pixel over the box and by RAISED
 ; cost:    about 1,700 cycles with a cold cache, 900 for CHAIN_SHADES
         routine texturing_gentle
         move.l  d1,-(sp)
@@ -96,54 +88,46 @@ MARGIN          equ     1<<14
         sub.l   #EDGE_BIAS,d2
         move.l  box+rectangle_top(a6),d3
         movem.l d2-d3,texturing+texturing_i(a6)         ; and j
-        distance d2,d4,a4
-        distance d3,d5,a5
         move.l  box+rectangle_right(a6),d0
         sub.l   d2,d0
-        sub.l   box+rectangle_left(a6),d2
-        cmp.l   d2,d0
+        move.l  d2,d1
+        sub.l   box+rectangle_left(a6),d1
+        cmp.l   d1,d0
         bge.s   .farther
-        move.l  d2,d0
+        move.l  d1,d0
 .farther
         add.l   box+rectangle_bottom(a6),d0
         sub.l   d3,d0
         cmp.l   #WAYS_MOST,d0
         bhi     .far
-        add.l   d0,d4
-        add.l   d5,d4
-        addq.l  #2,d4
-        add.l   d4,d4
-        moveq   #10,d1
-        lsl.l   d1,d0
-        move.l  d4,-(sp)
+        distance d2,d4
+        distance d3,d5
+        movea.l d2,a4
+        movea.l d3,a5
         move.l  d0,-(sp)
+        subq.l  #4,sp
 
         move.l  sides+sides_area+number64_hi(a6),d0
         move.l  sides+sides_area+number64_lo(a6),d7
+        add.l   d7,d7
+        addx.l  d0,d0
         bfffo   d0{0:32},d5
-        move.l  d7,d1
-        rol.l   #3,d1
-        and.w   #7,d1
-        move.l  d0,d4
-        lsl.l   #3,d4
-        or.w    d1,d4                   ; D >> 29
-        moveq   #12,d1
+        beq     .handed
+        moveq   #11,d1
         cmp.l   d1,d5
-        blo     .large
-        moveq   #4,d1
-        cmp.l   d1,d4
-        blo     .large
-        move.l  d4,-(sp)
-        subq.l  #4,sp
-        moveq   #33,d6
-        sub.l   d5,d6
-        lsr.l   d6,d7
+        blo     .handed
         subq.l  #1,d5
         lsl.l   d5,d0
-        or.l    d0,d7
-        subq.l  #5,d5
         moveq   #32,d6
         sub.l   d5,d6
+        lsr.l   d6,d7
+        or.l    d0,d7                   ; D, 31 bits
+        subq.l  #2,d5
+        addq.l  #2,d6
+        move.l  #(1<<29)-1,d0
+        moveq   #-1,d1
+        divu.l  d7,d0:d1
+        move.l  d1,d7
 
         move.l  chain(sp),d0
         subq.l  #CHAIN_SHADES,d0
@@ -153,8 +137,9 @@ MARGIN          equ     1<<14
         beq.s   .whole
         subq.l  #CHAIN_ANYWHERE,d0
         beq     .wraps
-        movea.l sides+sides_first(a6),a0
-        movea.l sides+sides_last(a6),a1
+        movea.l setup_vertices(a6),a0
+        move.l  setup_count(a6),d3
+        subq.w  #2,d3
         move.l  vertex_t(a0),d0
         move.l  d0,d1
 .vertex lea     vertex_sizeof(a0),a0
@@ -167,8 +152,7 @@ MARGIN          equ     1<<14
         bge.s   .not_greatest
         move.l  d2,d1
 .not_greatest
-        cmpa.l  a1,a0
-        bne.s   .vertex
+        dbra    d3,.vertex
         sub.l   #MARGIN,d0
         add.l   #MARGIN,d1
         eor.l   d0,d1
@@ -178,8 +162,9 @@ MARGIN          equ     1<<14
         clr.l   texturing+texturing_wrap_bit(a6)
 .u      axis    u,s
         move.l  texturing+texturing_wrap_bit(a6),d0
+        beq.s   .free
         or.l    d0,texturing+texturing_u(a6)
-        lea     size(sp),sp
+.free   lea     size(sp),sp
 
         movea.l edges+edge_plan_left(a6),a1
         move.l  edge_whole(a1),d4
@@ -214,8 +199,7 @@ MARGIN          equ     1<<14
 .once   jsr     texturing_wrap
         bra     .u
 
-.steep  addq.l  #8,sp
-.large  addq.l  #8,sp
+.handed addq.l  #8,sp
 .far    lea     2*16(sp),sp
         move.l  (sp)+,d1
         beq.s   .unchained

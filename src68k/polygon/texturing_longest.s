@@ -3,15 +3,18 @@
         xref    texturing_wrap
 
 ; \2 = what field \1 of the middle vertex a3 has more than the longest scanline's other end, on the
-; edge from a1 down to a2: d4 lines high, d5 of them above the middle. Uses d0-d1.
+; edge from a1 down to a2, d5 / 2^31 of it below a1. Uses d0-d1.
 across  macro
         move.l  \1(a2),d0
         sub.l   \1(a1),d0
         muls.l  d5,d1:d0
-        nearest d1,d0
+        add.l   d0,d0
+        addx.l  d1,d1
+        add.l   d0,d0
+        addx.l  d6,d1
         move.l  \1(a3),\2
         sub.l   \1(a1),\2
-        sub.l   d0,\2
+        sub.l   d1,\2
         endm
 
 ; Puts the step \1 = \1 / d4, 16.16, into the field \2; d4 is above 0, d6 and d7 are as nearest
@@ -60,11 +63,13 @@ cut     macro
 ;          d1  int32       enum chain
 ; reads:   u_cut, v_cut; *sides, its vertices, the rectangle
 ; writes:  dudx, dvdx, wraps, wrap_bit; u_cut if the chain needs a bit
-; formats: 16.16; with x', s' = those of the long edge on the middle's line, to the nearest unit:
-;          dudx = (s - s') / (x - x') to the nearest unit and then to a multiple of 1 << cut units;
-;          at most 32,768 texels, and 0 where x = x'
-; error:   of x and s: half a unit each; (1 + |g|) / 2^17 / (width - 2^-17) of a gradient g
-; cost:    about 700 cycles with a cold cache
+; formats: 16.16; with x', s' = those of the long edge on the middle's line, to the nearest unit, its
+;          part above this line being the nearest multiple of 2^-31, below 1: dudx = (s - s') /
+;          (x - x') to the nearest unit and then to a multiple of 1 << cut units; at most 32,768
+;          texels, and 0 where x = x'
+; error:   of x and s: h, half a unit and 1 in 2^32 of the edge's width or rise, which is another half at
+;          most; (1 + |g|) h / (width - h) of a gradient g
+; cost:    about 600 cycles with a cold cache
         routine texturing_longest,a0,a1,d0,d1
         movem.l d2-d7/a2-a3,-(sp)
         jsr     longest_find
@@ -87,17 +92,20 @@ cut     macro
         sub.l   d0,d4
         move.l  d4,d7
         lsr.l   #1,d7
-        move.l  vertex_y(a3),d5
-        sub.l   d0,d5
+        move.l  vertex_y(a3),d1
+        sub.l   d0,d1
+        moveq   #0,d0
+        lsr.l   #1,d1
+        roxr.l  #1,d0
+        add.l   d7,d0
+        addx.l  d6,d1
+        divu.l  d4,d1:d0
+        move.l  d0,d5
+        minus   <subq.l #1,d5>
         across  vertex_s,d2
         across  vertex_t,d3
-        move.l  (a2),d0
-        sub.l   (a1),d0
-        muls.l  d5,d1:d0
-        nearest d1,d0
-        move.l  (a3),d4
-        sub.l   (a1),d4
-        sub.l   d0,d4                   ; width
+        across  vertex_x,d4             ; width
+        tst.l   d4
         bgt.s   .right
         beq     .narrow
         neg.l   d4

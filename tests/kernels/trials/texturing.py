@@ -67,7 +67,7 @@ def steps_check(out: int, t: model.Texturing, corners, names: str = "uv") -> Che
             error = int.from_bytes(result.memory[place:place + 4], "big") - gradient * ONE
             error -= round(error / (1 << 32)) * (1 << 32)
             half = Fraction(1 << t.cuts["uv".index(name[1])], 2)
-            cut = Fraction(2, 2**27) if t.gentle else abs(gradient) / 2**31 + Fraction(3, 2**32)
+            cut = Fraction(5, 2**27) if t.gentle else abs(gradient) / 2**31 + Fraction(3, 2**32)
             allowed = half + cut * ONE
             if abs(error) > allowed:
                 return (f"{name}: exact is {float(gradient):.9f} modulo 2^16: off by "

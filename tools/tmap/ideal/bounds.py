@@ -11,9 +11,9 @@ tools/tmap/ideal/bounds_coverage.py.
 * `plane`: d = r/2 + e(g), with e and r from tools/tmap/ideal/ideal.py: r is U, or 2^cut U if the
   spans drop ``cut`` low bits. Starts are raised for d over the whole box, from its middle on, or from
   the first pixel of the left side if gradients are gentle: then up to twice as many pixels.
-* `polygon`: the longest line's width w and rise are off by U/2 each, their quotient by U/2, and if
-  cut is not 0, rounding to a multiple of 2^cut U adds half of that:
-  d = (1 + |g|) U/2 / (w - U/2) + R, R = U/2 or (1 + 2^cut) U/2. It saturates at 32,768 texels per
+* `polygon`: the longest line's width w and rise are off by H each: U/2 by rounding, and 1 in 2^32 of
+  the long edge's own, U/2 at most. Their quotient is off by U/2, and if cut is not 0, rounding to a
+  multiple of 2^cut U adds half of that: d = (1 + |g|) H / (w - H) + R, R = U/2 or (1 + 2^cut) U/2. It saturates at 32,768 texels per
   pixel: with g near that, or w below U, d = |g| + 32,768.
 
 **Start of line j.** Its edge crosses at x and its first pixel is c; it is n lines below the
@@ -35,9 +35,9 @@ Pixel i is i - c steps from there: (i - c) d more.
 **One side.** Values of `plane`, `subtexel` are never below the exact ones
 (tools/tmap/ideal/ideal.py). The same holds for `polygon`, `subtexel` if the longest line is a pixel
 wide or more, |g| is below 250, and no edge begins farther left of the frame than the box is wide.
-With N lines and W pixels, starts are raised by (N (3 + g') + (W + 1) 2R/U) / 2 + 2 g' + 2 units, g'
+With N lines and W pixels, starts are raised by (N (3 + g') + (W + 1) 2R/U) / 2 + 4 g' + 4 units, g'
 between |g| and |g| + 2.5. That is the most that the sums above can be: N/2 along the edge, N in
-moves, N |g| / 2 by x, and d over W + 1 pixels, w + 1 of them by the quotient. `truncated` is raised
+moves, N |g| / 2 by x, and d over W + 1 pixels, 3 w of them at most by the quotient. `truncated` is raised
 by the same without the part of the moves. If a texel's border is exactly on a pixel's centre, the
 texel that begins there is shown.
 
@@ -144,6 +144,7 @@ class Coordinate:
     h: float  # texels per line
     step: float  # d, per pixel
     down: float  # d_y, per line (plane)
+    end: float = 0.0  # H, of the longest line's ends (polygon)
 
 
 def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings) -> Coordinate:
@@ -160,11 +161,13 @@ def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings
     height = vertices[bottom][1] - vertices[top][1]
     width = abs(plane.d / height) * UNIT if height else 0.0
     step = g + LARGEST
-    if width > UNIT:
-        rounded = (1 + g) * UNIT / 2 / (width - UNIT / 2) + coarse(cut) * UNIT / 2
+    reach = max(abs(vertices[bottom][k] - vertices[top][k]) for k in (0, key))
+    end = UNIT / 2 + reach * UNIT / 2**32
+    if width > 2 * UNIT:
+        rounded = (1 + g) * end / (width - end) + coarse(cut) * UNIT / 2
         if g + rounded < LARGEST - 1:
             step = rounded
-    return Coordinate("..uv"[key], plane, cut, g, h, step, 0.0)
+    return Coordinate("..uv"[key], plane, cut, g, h, step, 0.0, end)
 
 
 def coarse(cut: int) -> int:
@@ -195,7 +198,7 @@ def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> 
     """Returns the most by which starts of `polygon` are raised, in texels."""
     lines, whole = edge.end - edge.top, min(c.g + c.step + 2, STEEP_256)
     line = 3 + whole if settings.start == "subtexel" else 1
-    return ((lines * line + (width + 1) * coarse(c.cut)) / 2 + 2 * whole + 2) * UNIT
+    return ((lines * line + (width + 1) * coarse(c.cut)) / 2 + 4 * whole + 4) * UNIT
 
 
 def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
@@ -212,8 +215,7 @@ def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
     if settings.gradients == "plane":
         return off, off
     # if the longest line is narrower than a pixel, its quotient is off by more than half a texel
-    wide = exact and c.g < STEEP_256 - 6 and c.step < (1
-                                                       + c.g) * UNIT / 2 + coarse(c.cut) * UNIT / 2
+    wide = exact and c.g < STEEP_256 - 6 and c.step < (1 + c.g) * c.end + coarse(c.cut) * UNIT / 2
     width = t.box[2] - t.box[0]
     sure = wide and i - edge.column(edge.top) <= width and i - column <= width
     return 0.0 if sure else off, off + raised_starts(c, edge, width, settings)

@@ -15,8 +15,9 @@ The bounds are derived in pixels and texels, with 1 unit = 1/2^16:
   steps by a slope rounded to the nearest unit (n/2): (n + 1) / 2^17 pixels.
 * Plane gradient g: the divisor is cut to 32 bits (|g| / 2^31), the numerator by as many bits
   (1 in a divisor of 2^31 or more: 2/2^32 texels per pixel), the quotient is cut to
-  1/2^32: e(g) = |g| / 2^31 + 3/2^32. Gentle gradients, below 8 texels per pixel, have 27 bits of
-  fraction in spans: the divisor is cut to 31 bits (8 / 2^30), the quotient to 1/2^27: e(g) = 2/2^27.
+  1/2^32: e(g) = |g| / 2^31 + 3/2^32. Gentle gradients, below 16 texels per pixel, have 26 bits of
+  fraction in spans: the divisor is cut to 31 bits (16 / 2^30, one way), the numerator to 32 and the
+  divisor's reciprocal to 31 (half of 1/2^26 each, the other way), the product to 1/2^26: e(g) = 2.5/2^26.
 * Step: the gradient rounded to a multiple of 1/2^16 texel, or of more units if the spans drop low
   bits: 2 for u if its lowest bit is free for a wrap of v, 2 for v of tiles, 8 for columns, 4
   for levels of light. The error is d(g) = |g - the nearest one| + 2 e(g) per pixel: by e(g) or
@@ -29,8 +30,8 @@ The bounds are derived in pixels and texels, with 1 unit = 1/2^16:
 * u is raised by the largest such error anywhere in the box. With w and h the ways from the
   reference to the box's sides and a = |x| + |y| + w + h + 2, that is w d(gx) + h d(gy) + 3/2^16 +
   (|gx| + |gy| + 5) a 2/2^32 at most. Gentle gradients: w and h are the ways to the farthest sides, and
-  each of their pixels counts half of a step's multiple m, whatever the step: (w + h) m/2 + 2/2^16 +
-  2 a/2^27. Then u is raised to a multiple: by less than that multiple, and by 1/2^16 if the free bit is
+  each of their pixels counts half of a step's multiple m, whatever the step: ((w + h) m/2 + 5)/2^16, as
+  a e(g) is at most 3.1/2^16. Then u is raised to a multiple: by less than that multiple, and by 1/2^16 if the free bit is
   set.
 
 So a drawn value is never below the exact one, and above it by the sum of the last two points at
@@ -46,6 +47,7 @@ import numpy as np
 
 from tmap.model import model
 from tmap.model.model import Polygon, Settings
+from tmap.setup.texturing import RAISED
 
 UNIT = 1 / 65536
 
@@ -205,7 +207,7 @@ class Plane:
     @staticmethod
     def cut(gradient: float, gentle: bool = False) -> float:
         """Returns e(g), a gradient's largest error before it is rounded to a step."""
-        return 2 / 2**27 if gentle else abs(gradient) / 2**31 + 3 / 2**32
+        return 2.5 / 2**26 if gentle else abs(gradient) / 2**31 + 3 / 2**32
 
     def rounding(self, cut: int, gentle: bool = False) -> list[float]:
         """The largest errors of steps per pixel and per line, texels; ``cut``: low bits of 0."""
@@ -221,8 +223,7 @@ class Plane:
         to_pixel = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT)
         if t.gentle:
             ways = max(t.box[2] - t.i, t.i - t.box[0]) + t.box[3] - t.j
-            return (UNIT * (ways * (1 << cut) / 2 + 2 + (1 << cut))
-                    + (to_pixel + ways + 2) * self.cut(0, True))
+            return UNIT * (ways * (1 << cut) / 2 + RAISED + (1 << cut))
         ways = t.i - t.box[0], t.j - t.box[1]
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
         steps = sum(way * off for way, off in zip(ways, self.rounding(cut)))

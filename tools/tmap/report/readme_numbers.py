@@ -59,7 +59,7 @@ FORMATS = (
            "none where edges are exact", "c/span/scanline.h", "tests/kernels/trials/edge.py"),
     Format("32.32", "gradients of planes before they are rounded to steps", 64, 32, True, "towards 0",
            "src68k/polygon/texturing_plane.s", "tests/kernels/trials/texturing.py"),
-    Format("5.27", "those of spans without perspective, below 8 texels a pixel", 31, 27, True, "towards 0",
+    Format("6.26", "those of spans without perspective, below 16 texels a pixel", 31, 26, True, "down",
            "src68k/polygon/texturing_gentle.s", "tests/kernels/trials/outline.py"),
     Format("6.16", "levels of light, multiples of 4 units", 22, 16, False,
            "steps: nearest, starts: up", "c/span/scanline.h", "tests/kernels/trials/lit.py"),

@@ -12,12 +12,14 @@ CHAINED = ("affine", "lit")
 #: Texels per pixel from which on the shortfall of a step without a plane is not compensated.
 STEEP_256 = 256
 #: Bits of the fraction of gentle gradients.
-GENTLE = 27
+GENTLE = 26
 #: How far v of a gentle plane's pixels may be outside the range of the vertices' v, units: MARGIN of
 #: src68k/polygon/texturing_gentle.s.
-MARGIN = ONE // 4
+MARGIN = ONE // 2
 #: The longest way of a gentle plane, pixels: WAYS_MOST of src68k/include/gentle.i.
 WAYS_MOST = 240
+#: Units by which values of a gentle plane are raised beside their steps, as there.
+RAISED = 5
 #: Low bits of u and v that a mapper's spans drop; "levels": those of levels of light.
 CUT = {"tiled": (0, 1), "columns": (3, 3), "levels": (2, 0)}
 
@@ -148,37 +150,41 @@ def gradients(corners, key: int) -> tuple[int, int] | None:
 
 
 def gentle_gradients(corners, key: int) -> tuple[int, int] | None:
-    """Returns ``gradients`` in 5.27, as ``texturing_gentle`` finds them; None if it does not."""
+    """Returns ``gradients`` in 6.26, as ``texturing_gentle`` finds them; None if it does not."""
     a, b = ([p - q for p, q in zip(corner, corners[0])] for corner in corners[1:])
     d = a[0] * b[1] - b[0] * a[1]
     if d < 0:
         a, b, d = b, a, -d
     numerators = a[key] * b[1] - b[key] * a[1], a[0] * b[key] - b[0] * a[key]
-    if not 1 << 31 <= d < 1 << 52 or any((n ^ n >> 63) >> 32 >= d >> 29 for n in numerators):
+    if not 1 << 31 <= d < 1 << 52:
         return None
-    cut = d.bit_length() - 31
-    return tuple(cut_quotient(n << GENTLE - cut, d >> cut) for n in numerators)
+    top = d.bit_length() - 1
+    inverse = ((1 << 61) - 1) // (d >> top - 30)
+    upper = [n >> top - 27 for n in numerators]
+    if not all(-1 << 31 <= n < 1 << 31 for n in upper):
+        return None
+    return tuple(n * inverse >> 32 for n in upper)
 
 
-def gentle_shortfall(ways: int, way: int, cut: int) -> int:
+def gentle_shortfall(ways: int, cut: int) -> int:
     """Returns the units by which a coordinate may be below its plane at any pixel of a box, rounded up,
-    with gradients in 5.27.
+    with gradients in 6.26.
 
-    ``ways``: pixels from the first pixel to the box's farthest sides, the sum of x and y; ``way``: as
-    in ``shortfall``. Steps are off by half of 2^cut units, gradients by 2 in 2^27, the value at the
-    first pixel by a unit.
+    ``ways``: pixels from the first pixel to the box's farthest sides, the sum of x and y. Steps are off
+    by half of 2^cut units; RAISED is for gradients, by 2.5 in 2^26 over up to 1,270 pixels, and for the
+    value at the first pixel, by a unit.
     """
-    return ((ways << GENTLE - 17 + cut) + 2 * way >> GENTLE - 16) + 2
+    return (ways << cut >> 1) + RAISED
 
 
-def gentle_axis(corner: int, both: tuple[int, int], away, ways: int, way: int,
+def gentle_axis(corner: int, both: tuple[int, int], away, ways: int,
                 cut: int) -> tuple[int, int, int]:
-    """Returns steps and raised value of a coordinate with gradients in 5.27; ``corner``: its value
+    """Returns steps and raised value of a coordinate with gradients in 6.26; ``corner``: its value
     at the first corner."""
     low = GENTLE - 16 + cut
     steps = [g + (1 << low - 1) >> low << cut for g in both]
-    at = corner + sum(g * (a << 5) + (1 << 31) >> 32 for g, a in zip(both, away))
-    return *(s & M32 for s in steps), raised(at + gentle_shortfall(ways, way, cut), cut)
+    at = corner + sum(g * (a << 6) + (1 << 31) >> 32 for g, a in zip(both, away))
+    return *(s & M32 for s in steps), raised(at + gentle_shortfall(ways, cut), cut)
 
 
 def gentle_plane(vertices, corners, box, settings: Settings, first: tuple[int, int]) -> Texturing | None:
@@ -187,17 +193,16 @@ def gentle_plane(vertices, corners, box, settings: Settings, first: tuple[int, i
     three = [vertices[k] for k in corners]
     found = [gentle_gradients(three, key) for key in (2, 3)]
     away = [signed((at << 16) - corner) for at, corner in zip(first, three[0])]
-    if None in found or not all(-1 << 26 <= a < 1 << 26 for a in away):
+    if None in found or not all(-1 << 25 <= a < 1 << 25 for a in away):
         return None
     left, _, right, bottom = box
     i, j = first
     ways = max(right - i, i - left) + bottom - j
     if ways > WAYS_MOST:
         return None
-    way = sum(abs(a) >> 16 for a in away) + ways + 2
 
     def coordinate(key: int, cut: int) -> tuple[int, int, int]:
-        return gentle_axis(three[0][2 + key], found[key], away, ways, way, cut)
+        return gentle_axis(three[0][2 + key], found[key], away, ways, cut)
 
     u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
     dvdx, dvdy, v = coordinate(1, v_cut)
@@ -255,8 +260,8 @@ def longest(vertices, corners, box, settings: Settings) -> Texturing:
     top, bottom, middle = (vertices[k] for k in corners)
     whole, part = ([p - q for p, q in zip(v, top)] for v in (bottom, middle))
     if whole[1] > 0:
-        y = part[1]
-        part = [p - mul_div(w, y, whole[1]) for p, w in zip(part, whole)]
+        above = min(((part[1] << 31) + (whole[1] >> 1)) // whole[1], (1 << 31) - 1)  # 0.31
+        part = [p - (w * above + (1 << 30) >> 31) for p, w in zip(part, whole)]
     dudx, dvdx = (saturated_step(part[k], part[0]) if part[0] else 0 for k in (2, 3))
     has_wrap_bit, wrap_bit, wraps = wrap_bits(dvdx, box[2] - box[0], settings.mapper in CHAINED)
     u_cut, v_cut = CUT.get(settings.mapper, (0, 0))
@@ -272,7 +277,7 @@ def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> i
     whole = (abs(signed(step)) >> 16) + 2
     coarse = (1 << cut) + 1 if cut else 1
     line = 3 + whole if start == "subtexel" else 1
-    return 0 if whole > STEEP_256 else (lines * line + (width + 1) * coarse >> 1) + 2 * whole + 2
+    return 0 if whole > STEEP_256 else (lines * line + (width + 1) * coarse >> 1) + 4 * whole + 4
 
 
 def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
