@@ -45,7 +45,9 @@ static enum three_way way_of(const struct three *three, const struct material *m
 
 static void set_lines(struct three *three)
 {
-    three->lines = line_routines[kind_lines[three->s.kind]].lines[three->exact];
+    const int32 exact = EDGES_ARE_EXACT(three->s.material->edges);
+
+    three->lines = line_routines[kind_lines[three->s.kind]].lines[exact];
 }
 
 void three_starts(struct three *three)
@@ -103,13 +105,12 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     s->span.pitch = frame->pitch;
     s->span.map = material->map ? material->map->texels : 0;
     s->span.colour = material->colour;
-    three->exact = EDGES_ARE_EXACT(material->edges);
+    three->edges = EDGES_ARE_EXACT(material->edges) ? edge_exact_across : edge_rounded_across;
     three->chain = chain_of(material);
     three->way = way_of(three, material);
     set_lines(three);
     three->row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
     three->right = (uint32)frame->width << 16;
-    three->below = (uint32)frame->height << 16;
     three->vertices = vertices_of(material);
     three->mask = material->edges == EDGES_INTEGER ? ~0xffffu : ~0u;
     three->starts = starts_of(material);
@@ -127,7 +128,7 @@ void three_rest(struct three *three)
     if (three->way != THREE_FLAT)
         lower_by_steps(s);
     routines = &line_routines[kind_lines[s->kind]];
-    outline_lines(s, three->exact ? routines->exact_edges : routines->edges, routines->scissor);
+    outline_lines(s, EDGES_ARE_EXACT(material->edges) ? routines->exact_edges : routines->edges, routines->scissor);
     if (material->mapper == MAPPER_GOURAUD && three->way != THREE_FLAT)
         clamp_lines(s);
     kind_spans[s->kind](&s->span);

@@ -27,15 +27,15 @@ enum three_vertices {
 /* How a material's triangles are drawn. */
 struct three {
     struct setup s;             /* of the last triangle */
-    int32 exact;                /* 1: exact edges, 0: rounded ones */
     int32 chain;                /* enum chain, or OUTLINE_ALONE */
+    void (*edges)(void);        /* edge_exact_across or edge_rounded_across */
     int32 way;                  /* enum three_way */
     int32 vertices;             /* enum three_vertices */
     uint32 mask;                /* of x and y */
     int32 starts;               /* enum three_starts */
     void (*lines)(void);        /* makes lines in the form of the way's spans */
     uint8 *row;                 /* the frame's first, at pixel -EDGE_BIAS */
-    uint32 right, below;        /* the frame's size, pixels, 16.16 */
+    uint32 right;               /* the frame's width, pixels, 16.16 */
     uint32 steep;               /* THREE_SHADES: steps from here on may need clamp_lines */
 };
 
@@ -50,8 +50,7 @@ enum polygon_result three_polygon(struct three *three, const struct vertex *vert
 /* The same, with vertices from material_vertices. src68k/polygon: contracts there. */
 enum polygon_result three_draw(struct three *three, const struct vertex *vertices);
 
-/* Draws polygons up to one that is not a triangle with its first vertex inside the frame, or is out of
-   range, or has three equal shades; returns its address or `end`. Not for THREE_MADE. */
+/* Draws polygons up to one that is not a triangle, or is out of range, or has three equal shades; returns its address or `end`. Not for THREE_MADE. */
 const struct polygon *three_run(struct three *three, const struct polygon *polygons,
                                 const struct polygon *end);
 

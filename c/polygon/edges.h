@@ -17,8 +17,10 @@ fix16 edge_slope(const struct edge *edge);
 /* Returns the number of pixels in a scanline table. */
 uint32 lines_pixels(const struct scanline *line, int32 count);
 
-/* src68k/polygon: contract there. */
+/* src68k/polygon: contracts there. The latter two are for assembly. */
 void edges_make(struct edge_plan *plan, const struct sides *sides, const struct rectangle *box,
                 int32 exact);
+void edge_exact_across(void);
+void edge_rounded_across(void);
 
 #endif

@@ -59,6 +59,7 @@ struct vertex;
 struct edge {
     int32 top;                  /* the first line in the frame; no stepper reads it */
     int32 lines;                /* 1 or more */
+    const struct vertex *upper, *lower;         /* no stepper reads these */
     uint32 height;              /* subtracted from error after a carry; 0 for fixed point */
     uint32 error;
     int32 whole;                /* floor(slope); with one line, whole and part may be 0 */
@@ -66,7 +67,6 @@ struct edge {
     uint32 x;                   /* of the first line's first pixel + EDGE_BIAS */
     uint32 u, v;                /* left edges: at the first line's first pixel; */
     fix16 du, dv;               /* steps of a line and `whole` pixels; 16.16 modulo 2^32 */
-    const struct vertex *upper, *lower;         /* no stepper reads these */
 };
 
 /* Everything a scanline stepper needs. */

@@ -63,7 +63,19 @@
         moveq   #1,d0
         cmp.l   d0,d6
         beq.s   .one
-        divsl.l d5,d2:d4                ; d4 = W / H towards zero
+        move.l  d4,d2
+        bmi.s   .back
+        moveq   #0,d4
+        cmp.l   d5,d2
+        blt.s   .floor
+        move.l  d2,d4
+        bra.s   .divide
+.back   moveq   #-1,d4
+        add.l   d5,d2
+        bpl.s   .floor
+        move.l  d2,d4
+        sub.l   d5,d4
+.divide divsl.l d5,d2:d4                ; d4 = W / H towards zero
         tst.l   d2
         bpl.s   .floor
         add.l   d5,d2

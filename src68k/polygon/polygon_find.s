@@ -1,6 +1,7 @@
         include "outline.i"
 
         xref    sides_find,edges_make,triangle_outline,texturing_gentle
+        xref    edge_exact_across,edge_rounded_across
 
 ; polygon_outline - a polygon's sides, box, edges and, if it is textured, its plane
 ;
@@ -23,7 +24,12 @@
         moveq   #3,d2
         cmp.l   setup_count(a6),d2
         bne.s   .many
-        jmp     triangle_outline
+        movea.l setup_vertices(a6),a2
+        lea     edge_exact_across,a5
+        tst.l   d0
+        bne.s   .exact
+        lea     edge_rounded_across,a5
+.exact  jmp     triangle_outline
 
 .many   movem.l d0-d1,-(sp)
         movea.l setup_vertices(a6),a1

@@ -1,6 +1,6 @@
         include "outline.i"
 
-        xref    edge_exact_across,edge_rounded_across,texturing_gentle_from
+        xref    texturing_gentle_from
 
 ; d0 = \1 or d0 with bit 31 set where it is not in -POLYGON_FAR to POLYGON_FAR: d7 = POLYGON_FAR in
 ; 16.16. Uses d1.
@@ -33,12 +33,13 @@ chain   equ     32
 ; triangle_outline - what polygon_outline finds, for three vertices
 ;
 ; in:      a6  setup*  the polygon; with a chain, the cuts of its texturing are set
-;          d0  int32   1: exact edges, 0: rounded ones
+;          a2  vertex*  the first of the three
+;          a5  void*  edge_exact_across or edge_rounded_across
 ;          d1  int32   enum chain; below 0: the plane is not found
 ; out:     d0  int32   as polygon_outline
 ; trashes: d1-d7/a0-a5
 ; reads:   as polygon_outline
-; writes:  as polygon_outline, but left_step of the sides; if nothing is drawn, a part of it
+; writes:  as polygon_outline, but first, last and left_step of the sides; if nothing is drawn, a part of it
 ; formats: as polygon_outline
 ; error:   as polygon_outline
 ; cost:    about 1,600 cycles with exact edges and a cold cache; with its plane 3,300
@@ -47,15 +48,9 @@ chain   equ     32
 ; bottom, the other has two edges, which meet at the middle; one of these may cover no line.
         routine triangle_outline
         move.l  d1,-(sp)
-        lea     edge_exact_across,a5
-        tst.l   d0
-        bne.s   .exact
-        lea     edge_rounded_across,a5
-.exact  lea     -chain(sp),sp
-        movea.l setup_vertices(a6),a2
+        lea     -chain(sp),sp
         lea     vertex_sizeof(a2),a4
         lea     2*vertex_sizeof(a2),a3
-        movem.l a2-a3,setup_sides+sides_first(a6)       ; and last
         move.l  #POLYGON_FAR<<16,d7
         move.l  vertex_s(a2),d0
         add.l   d7,d0
@@ -168,8 +163,7 @@ chain   equ     32
         tst.b   setup_sides+sides_middle_right(a6)
         bne.s   .long
         exg     a0,a1
-.long   movem.l d4/d6,edge_top(a0)      ; and lines
-        movem.l a2-a3,edge_upper(a0)    ; and lower
+.long   movem.l d4/d6/a2-a3,edge_top(a0)        ; lines, upper, lower
         movem.l bottom+8(sp),d4-d5
         move.l  (a2),d7
         jsr     (a5)
@@ -180,8 +174,7 @@ chain   equ     32
         move.l  setup_box+rectangle_top(a6),d4
         tst.l   d6
         ble.s   .lower
-        movem.l d4/d6,edge_top(a0)
-        movem.l a2/a4,edge_upper(a0)
+        movem.l d4/d6/a2/a4,edge_top(a0)
         movem.l middle(sp),d4-d5
         move.l  (a2),d7
         jsr     (a5)
