@@ -12,7 +12,8 @@ static int32 is_plain(const struct renderer *renderer, const struct material *ma
     return material->edges != EDGES_SNAPPED && material->mapper <= MAPPER_AFFINE
         && material->gradients != GRADIENTS_SCANLINE && !material->perspective && !material->whole
         && material->clip == CLIP_SCISSOR
-        && !renderer->counts && !renderer->off && renderer->form == FORM_ADDX;
+        && !renderer->counts && !renderer->off && renderer->form == FORM_ADDX
+        && renderer->frame->pitch == (int16)renderer->frame->pitch;
 }
 
 /* Returns non-zero if the mapper can draw the material's map to the frame. */

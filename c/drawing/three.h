@@ -41,7 +41,7 @@ struct three {
 
 /* Sets what the frame and the material decide. Returns 0 if polygon_draw_inside draws the material's
    triangles: EDGES_SNAPPED, CLIP_VERTICES, GRADIENTS_SCANLINE, `whole`, other spans and forms, a rule is
-   off, or polygons are counted. */
+   off, polygons are counted, or the pitch is not an int16. */
 int32 three_set(struct three *three, const struct renderer *renderer, const struct material *material);
 
 /* Draws a triangle of the plan's material. */

@@ -21,8 +21,8 @@ uint32 texturing_raised(uint32 value, uint32 cut)
 /* Returns the units by which u may fall short along a left edge and the lines that begin there. The
    step g is below `whole`; the longest line is a pixel or wider. Along the edge u is off by half a
    unit a line. Presteps are rounded down, and x is off by half a unit a line, which adds g times
-   that. The step is off by half of `coarse` a pixel and by 1 + g units over the longest line, which
-   may be a third of width + 1. */
+   that. The step is off by half of `coarse` a pixel and by (1 + g) / w units of the longest line's
+   width w; a line has w + 2 steps at most, 3 w. */
 static uint32 shortfall(fix16 step, uint32 cut, int32 lines, int32 width)
 {
     const int32 whole = (int32)(fix_magnitude(step) >> 16) + 2;

@@ -12,7 +12,7 @@
 ;
 ; does the same for a pass of a texture unit over a line's pixels: a0 its input, a1 its output, a2
 ; other data, d0 how many. Its entry for C saves a2 and calls the other entry.
-
+;
 ;       span name
 ;
 ; does the same for a routine that draws a scanline table: a0 its span_plan. The entry for assembly keeps
@@ -69,6 +69,9 @@ span    macro
         bsr.s   \1
         return_all
 \1:
+        ifne    \1-_\1-SPAN_SAVED
+        fail    SPAN_SAVED is not the distance of both entries
+        endc
         endm
 
 SPAN_SAVED      equ     16

@@ -33,7 +33,7 @@
 ; trashes: d0-d5/d7
 ; writes:  as edge_exact
 ; formats: as edge_exact
-; cost:    about 270 cycles, 200 for one line
+; cost:    about 280 cycles, 220 if the edge is less than 45 degrees from upright, 200 for one line
         routine edge_exact_across
         move.l  d4,d3
         muls.l  d1,d2:d3                ; W * dy

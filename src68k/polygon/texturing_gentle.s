@@ -53,7 +53,7 @@ MARGIN          equ     1<<15
 ;          most (1 in 2^30 of 16 texels); the numerator, cut to 32 bits, and the reciprocal of D, cut
 ;          to 31, each take half a unit at most, cutting the product one. Raised by half of 1 << cut
 ;          units a pixel over the box and by RAISED
-; cost:    about 1,700 cycles with a cold cache, 900 for CHAIN_SHADES
+; cost:    about 1,450 cycles with a cold cache, 800 for CHAIN_SHADES
         routine texturing_gentle
         move.l  d1,-(sp)
         movea.l sides+sides_top(a6),a2
@@ -81,7 +81,7 @@ MARGIN          equ     1<<15
 ; writes:  as texturing_gentle; takes these from the stack
 ; formats: as texturing_gentle
 ; error:   as texturing_gentle
-; cost:    about 1,500 cycles with a cold cache, 700 for CHAIN_SHADES
+; cost:    about 1,250 cycles with a cold cache, 600 for CHAIN_SHADES
         routine texturing_gentle_from
         movea.l edges+edge_plan_left(a6),a0
         move.l  edge_x(a0),d2

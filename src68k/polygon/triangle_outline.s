@@ -34,7 +34,7 @@ chain   equ     32
 ;
 ; in:      a6  setup*  the polygon; with a chain, the cuts of its texturing are set
 ;          a2  vertex*  the first of the three
-;          a5  void*  edge_exact_across or edge_rounded_across
+;          a5  void*   edge_exact_across or edge_rounded_across
 ;          d1  int32   enum chain; below 0: the plane is not found
 ; out:     d0  int32   as polygon_outline
 ; trashes: d1-d7/a0-a5
@@ -42,7 +42,7 @@ chain   equ     32
 ; writes:  as polygon_outline, but first, last and left_step of the sides; if nothing is drawn, a part of it
 ; formats: as polygon_outline
 ; error:   as polygon_outline
-; cost:    about 1,600 cycles with exact edges and a cold cache; with its plane 3,300
+; cost:    about 1,500 cycles with exact edges and a cold cache; with its plane 2,950
 
 ; Vertices: a2 is the top one, a4 the middle one, a3 the bottom one. One side is the edge from top to
 ; bottom, the other has two edges, which meet at the middle; one of these may cover no line.

@@ -47,7 +47,7 @@ def test_moves_part_a_texel_evenly() -> None:
 def test_the_pattern_is_the_frames() -> None:
     """Two triangles show the same as their square; a frame that cuts more off shows the same
     pixels, and so does a square that is moved by an even number of them. (Where a frame cuts the left
-    side off, texels exactly on a border may depend on where.)"""
+    side off, values are raised by half a unit more a pixel: a texel within a unit of its border may differ.)"""
     whole = drawn(SQUARE)
     assert np.array_equal(drawn(SQUARE[:3], [SQUARE[0], *SQUARE[2:]]), whole)
     assert np.array_equal(drawn(SQUARE, width=40, height=33), whole[:33, :40])

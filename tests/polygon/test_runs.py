@@ -6,7 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from tests.helpers import guest_program
 from tmap.base.fixed import fix
+from tmap.base.paths import GUEST
 from tmap.base.pixel_formats import FORMATS
 from tmap.corpus import random_maps
 from tmap.guest import emulator, guest_frames
@@ -147,3 +149,11 @@ def test_a_run_keeps_its_order(middle: str):
     assert len({frame.tobytes() for frame in frames}) == len(orders)
     for order, frame, digest in zip(orders, frames, digests):
         guest_frames.require_models([frame], digest, f"{middle}, {order}", (made(order), "addx", MACHINE))
+
+
+def test_frames_upside_down_show_the_same(tmp_path) -> None:
+    """A run of exact triangles goes up a frame whose pitch is negative."""
+    guest_program.build(tmp_path, GUEST / "upside.c")
+    result, = emulator.run_batch(["upside"], {}, MACHINE, tmp_path / "run", programs=tmp_path)
+    drawn, wrong = result.output.split(" drawn, wrong ")
+    assert int(drawn) > 1000 and int(wrong) == 0, result.output

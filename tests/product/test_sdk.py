@@ -42,8 +42,9 @@ COMPILERS = {
 #: The functions that C code for texture engines needs from the program, as listed in README.txt.
 ASKED = {"_mem_take"}
 #: Routines that are not public: parts of others, and loops used only for measuring.
-PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_rounded", "polygon_outline", "triangle_outline", "texturing_gentle",
-         "texturing_gentle_from", "three_one", "longest_find", "crossings_find"}
+PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_rounded", "polygon_outline",
+         "triangle_outline", "texturing_gentle", "texturing_gentle_from", "three_one", "longest_find",
+         "crossings_find"}
 #: What three_draw refers to: C, in the list of sources that polygon_draw needs.
 IN_C = {"_kind_spans", "_three_rest", "_three_starts"}
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}

@@ -14,7 +14,7 @@ tools/tmap/ideal/bounds_coverage.py.
 * `polygon`: the longest line's width w and rise are off by H each: U/2 by rounding, and 1 in 2^32 of
   the long edge's own, U/2 at most. Their quotient is off by U/2, and if cut is not 0, rounding to a
   multiple of 2^cut U adds half of that: d = (1 + |g|) H / (w - H) + R, R = U/2 or (1 + 2^cut) U/2. It saturates at 32,768 texels per
-  pixel: with g near that, or w below U, d = |g| + 32,768.
+  pixel: with g near that, or w below 2 H, d = |g| + 32,768.
 
 **Start of line j.** Its edge crosses at x and its first pixel is c; it is n lines below the
 edge's first line in the frame:
@@ -163,7 +163,7 @@ def coordinate(vertices, key: int, t: model.Texturing | None, settings: Settings
     step = g + LARGEST
     reach = max(abs(vertices[bottom][k] - vertices[top][k]) for k in (0, key))
     end = UNIT / 2 + reach * UNIT / 2**32
-    if width > 2 * UNIT:
+    if width > 2 * end:
         rounded = (1 + g) * end / (width - end) + coarse(cut) * UNIT / 2
         if g + rounded < LARGEST - 1:
             step = rounded

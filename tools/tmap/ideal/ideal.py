@@ -220,10 +220,10 @@ class Plane:
 
     def raised(self, t: model.Texturing, cut: int) -> float:
         """The most by which set-up raises the values, in texels; ``cut``: low bits that are 0."""
-        to_pixel = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT)
         if t.gentle:
             ways = max(t.box[2] - t.i, t.i - t.box[0]) + t.box[3] - t.j
             return UNIT * (ways * (1 << cut) / 2 + RAISED + (1 << cut))
+        to_pixel = abs(t.i - self.x0 * UNIT) + abs(t.j - self.y0 * UNIT)
         ways = t.i - t.box[0], t.j - t.box[1]
         steep = (abs(self.nx) + abs(self.ny)) / abs(self.d) + 5
         steps = sum(way * off for way, off in zip(ways, self.rounding(cut)))
