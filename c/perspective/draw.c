@@ -1,5 +1,6 @@
 /* Draws lines with perspective: by tables if they are accurate enough, otherwise exactly. */
-#include "perspective/perspective.h"
+#include "perspective/far.h"
+#include "span/far.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 
@@ -30,14 +31,15 @@ union made {
 
 SCRATCH_FITS(union made);
 
-/* K, u and v are nearer than this to their bases, so that C fits 64 bits. */
+/* K, u and v are nearer than this to their bases, so that C fits 64 bits with 6 bits, or with 3. */
 #define FAR_512 (512 << 16)
+#define FAR_4096 (4096 << 16)
 
-/* Returns 1 if K (value) and the range are nearer than FAR_512 to the base, and K is at most reach
+/* Returns 1 if K (value) and the range are nearer than `far` to the base, and K is at most reach
    outside the range: some line may then be within reach of K. */
-static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach)
+static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach, fix16 far)
 {
-    return value > -FAR_512 && value < FAR_512 && low > -FAR_512 && high < FAR_512
+    return value > -far && value < far && low > -far && high < far
         && low - value <= reach && value - high <= reach;
 }
 
@@ -50,26 +52,44 @@ static int32 farthest(fix16 k, fix16 low, fix16 high)
 }
 
 /* Finds K and C. Returns 0 if no line can be drawn with them. reach: texels from K, 16.16, beyond
-   which lines are not drawn. Lines may be off by less than `off` units and `part` quarters of a
-   unit for each texel from K: K is raised by that. */
-static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 off, int32 part)
+   which lines are not drawn. */
+static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 bits)
 {
     const struct perspective_plan *planes = plan->planes;
+    const fix16 far = bits == FAR_BITS ? FAR_4096 : FAR_512;
     int32 y = 0;
+
+    plan->bits = bits;
 
     while (planes->lines[y].last < planes->lines[y].left)
         if (++y == planes->count)
             return 0;
-    if (!planes->gentle
-        || !reciprocal_find(plan, planes->lines[y].left - EDGE_BIAS - planes->left, y)
-        || !is_near(plan->ku, planes->u_low, planes->u_high, reach)
-        || !is_near(plan->kv, planes->v_low, planes->v_high, reach))
-        return 0;
+    return planes->gentle
+        && reciprocal_find(plan, planes->lines[y].left - EDGE_BIAS - planes->left, y)
+        && is_near(plan->ku, planes->u_low, planes->u_high, reach, far)
+        && is_near(plan->kv, planes->v_low, planes->v_high, reach, far);
+}
+
+/* Lines may be off by less than `off` units and `part` quarters of a unit for each texel from K: K is
+   raised by that. */
+static void raise(struct reciprocal_plan *plan, int32 off, int32 part)
+{
+    const struct perspective_plan *planes = plan->planes;
+
     plan->ku += planes->u + off
               + (farthest(plan->ku, planes->u_low, planes->u_high) * part >> 2);
     plan->kv += planes->v + off
               + (farthest(plan->kv, planes->v_low, planes->v_high) * part >> 2);
-    return 1;
+}
+
+static int32 is_drawn_from_afar(const struct setup *s)
+{
+    struct reciprocal_plan plan;
+    const int32 piece = far_piece(s->perspective, ways[s->setting].piece);
+
+    plan.planes = s->perspective;
+    plan.table = s->renderer->reciprocals;
+    return piece && find_constants(&plan, FAR_4096, FAR_BITS) && far_draw(s, &plan, piece);
 }
 
 /* Draws the lines it can and empties them; returns how many are left. So below. */
@@ -87,10 +107,10 @@ static int32 draw_reciprocals(const struct setup *s, union made *made, int32 wid
     plan.to = made->reciprocals;
     reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
           - width / RECIPROCAL_REACH_WIDTH;
-    if (!find_constants(&plan, reach << 16, width / 2 + (plan.piece == PERSPECTIVE_PIECE_EVERY16
-                                                         ? RECIPROCAL_OFF_16 : RECIPROCAL_OFF_8),
-                        RECIPROCAL_OFF_PART))
+    if (!find_constants(&plan, reach << 16, RECIPROCAL_BITS))
         return planes->count;
+    raise(&plan, width / 2 + (plan.piece == PERSPECTIVE_PIECE_EVERY16
+                              ? RECIPROCAL_OFF_16 : RECIPROCAL_OFF_8), RECIPROCAL_OFF_PART);
     plan.limit = (uint32)reach << (24 - plan.piece);
     left = reciprocal_lines(&plan);
     if (s->renderer->only_counts)
@@ -118,8 +138,9 @@ static int32 draw_logarithms(const struct setup *s, union made *made)
     int32 left;
 
     plan.planes = planes;
-    if (!find_constants(&plan, FAR_512, LOGARITHM_OFF, 0))
+    if (!find_constants(&plan, FAR_512, RECIPROCAL_BITS))
         return planes->count;
+    raise(&plan, LOGARITHM_OFF, 0);
     left = logarithm_lines(&plan, tables, made->logarithms);
     if (s->renderer->only_counts)
         return left;
@@ -204,7 +225,7 @@ void perspective_draw(struct setup *s)
     if (s->counts)              /* before lines that are drawn become empty */
         count_lines(s, pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
     if (pieces && s->renderer->reciprocals)
-        left = draw_reciprocals(s, made, width);
+        left = is_drawn_from_afar(s) ? 0 : draw_reciprocals(s, made, width);
     else if (setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
         left = draw_logarithms(s, made);
     if (s->counts)

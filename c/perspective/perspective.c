@@ -86,11 +86,11 @@ static void to_vector(struct plane_corner *to, const struct plane_corner *first)
     to->t -= first->t;
 }
 
-/* Returns the least q that the plane has at a vertex. */
-static int32 least_q(const struct screen_plane *q, const struct vertex *v, int32 count,
-                     const struct rectangle *box)
+/* Finds the least and the greatest q that the plane has at a vertex. */
+static void find_q(struct perspective_plan *plan, const struct screen_plane *q, const struct vertex *v,
+                   int32 count, const struct rectangle *box)
 {
-    int32 at = (int32)(q->at.hi << 16 | q->at.lo >> 16), least = 0x7fffffff;
+    int32 at = (int32)(q->at.hi << 16 | q->at.lo >> 16), least = 0x7fffffff, most = 0;
 
     for (; count > 0; count--, v++) {
         int32 here = at + mul_wide(&q->dx, v->x - (box->left << 16))
@@ -98,8 +98,11 @@ static int32 least_q(const struct screen_plane *q, const struct vertex *v, int32
 
         if (here < least)
             least = here;
+        if (here > most)
+            most = here;
     }
-    return least;
+    plan->q_low = least;
+    plan->q_high = most;
 }
 
 /* Returns the units that a plane may be off after so many pixels and lines, and 2 more. */
@@ -148,7 +151,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     to_vector(&corners.b, &corners.first);
     corners.area = sides->area;
     planes_find(&planes, &corners);
-    least = least_q(&planes.q, vertices, count, box);
+    find_q(plan, &planes.q, vertices, count, box);
+    least = plan->q_low;
     right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
     down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
     off_q = plane_error(&planes.q, right, down);
@@ -170,7 +174,6 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     plan->gentle = is_gentle(&planes.q.dx) && is_gentle(&planes.q.dy) && is_gentle(&planes.s.dx)
                 && is_gentle(&planes.t.dx);
     plan->left = box->left;
-    plan->q_low = least;
     return 1;
 }
 
@@ -201,7 +204,7 @@ int32 perspective_of_texturing(struct perspective_plan *plan, const struct textu
     if (!is_flat(t->dudx) || !is_flat(t->dudy) || !is_flat(t->dvdx) || !is_flat(t->dvdy)
         || box->right - box->left > PERSPECTIVE_LEVEL_WIDTH)
         return 0;
-    plan->q.at.hi = plan->q_low = Q_ONE;
+    plan->q.at.hi = plan->q_low = plan->q_high = Q_ONE;
     plan->q.at.lo = plan->q.dx.hi = plan->q.dx.lo = plan->q.dy.hi = plan->q.dy.lo = 0;
     plane_of(&plan->s, t->u, t->dudx, t->dudy, t, box);
     plane_of(&plan->t, t->v, t->dvdx, t->dvdy, t, box);

@@ -1,5 +1,6 @@
 #include "scene/tables.h"
 
+#include "span/far.h"
 #include "span/logarithm.h"
 #include "system/system.h"
 #include "triangle/triangles.h"
@@ -44,7 +45,7 @@ static void make_reciprocals(struct scene *scene)
     uint16 *table;
 
     scene->tried_reciprocals = 1;
-    if (mem_alloc(&table, RECIPROCAL_COUNT * sizeof *table, MEMORY_ANY))
+    if (mem_alloc(&table, (RECIPROCAL_COUNT + FAR_COUNT) * sizeof *table, MEMORY_ANY))
         scene->reciprocals = reciprocals_make(table);
 }
 

@@ -43,7 +43,7 @@ struct perspective_plan {
     int32 count;                        /* lines, 1 or more */
     struct screen_plane q, s, t;        /* at pixel (left, the first line) */
     int32 left;                         /* no pixel of the table is left of this */
-    int32 q_low;                        /* least q.hi; above 0 */
+    int32 q_low, q_high;                /* least and greatest q.hi at the vertices; above 0 */
     int32 gentle;                       /* 1: q.dx, q.dy, s.dx, t.dx are below 2^30 units of q.hi */
     fix16 u, u_low, u_high;             /* the base, a unit above a texel; range of u - base */
     fix16 v, v_low, v_high;

@@ -13,6 +13,7 @@ enum reciprocal_constants {
     RECIPROCAL_LOWEST = 10920,
     RECIPROCAL_COUNT = 65536 - RECIPROCAL_LOWEST,
     RECIPROCAL_ORIGIN = RECIPROCAL_LOWEST + RECIPROCAL_COUNT / 2,   /* index 0 in the table */
+    RECIPROCAL_BITS = 6,            /* of a plan */
     RECIPROCAL_FURTHEST = 8,        /* a line's larger q is at least 2^(31 - this) */
     /* E, the texels from K that a line may reach with pieces of 16 and of 8 pixels so that its
        error stays within 1/32 texel, 2048 units. The error, E (32768 / i + i / 16384)
@@ -31,7 +32,8 @@ enum reciprocal_constants {
 /* Everything reciprocal_lines needs. */
 struct reciprocal_plan {
     const struct perspective_plan *planes;  /* lines that are taken may be emptied in it */
-    struct number64 cu, cv;             /* C * 64 at the first line */
+    int32 bits;                         /* 6, or 3: K then may be 8 times as far away */
+    struct number64 cu, cv;             /* C * 2^bits at the first line */
     struct number64 dcu, dcv;           /* steps of these a line */
     fix16 ku, kv;
     uint32 limit;                       /* of |C| r, 256 texels being 2^(32 - piece) */
@@ -62,7 +64,8 @@ struct reciprocal_span {
     const uint16 *table;        /* at index 0 */
 };
 
-/* Fills RECIPROCAL_COUNT words; returns the address of index 0, for plan and span. */
+/* Fills RECIPROCAL_COUNT words, and FAR_COUNT behind them; returns the address of index 0 of the first, for
+   plan and span. */
 const uint16 *reciprocals_make(uint16 *table);
 
 /* src68k: contracts there. */

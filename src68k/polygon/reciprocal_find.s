@@ -63,17 +63,19 @@ constant macro
 .grows\@
         cmp.l   #FLAT,d2
         blo     .not
+        move.l  reciprocal_plan_bits(a0),d6
+        moveq   #32,d7
+        sub.l   d6,d7
+        move.l  d0,d5
+        lsr.l   d7,d5
+        bne     .not
         move.l  d0,d4
+        lsl.l   d6,d4
         move.l  d1,d5
-        lsl.l   #6,d4
-        rol.l   #6,d5
-        moveq   #63,d7
-        and.l   d7,d5
+        lsr.l   d7,d5
         or.l    d5,d4
-        cmp.l   #1<<26,d0
-        bhs     .not
         cmp.l   d2,d4
-        bhs     .not                    ; K would be 1,024 texels or more
+        bhs     .not                    ; K would be 2^(16 - bits) texels or more
         bfffo   d2{0:32},d7
         moveq   #32,d6
         sub.l   d7,d6
@@ -95,7 +97,7 @@ constant macro
         movem.l perspective_plan_\2+screen_plane_dy(a5),d0-d1
         movem.l perspective_plan_q+screen_plane_dy(a5),d2-d3
         less_product
-        bsr     .times64
+        bsr     .grown
         movem.l d0-d1,reciprocal_plan_dc\1(a0)
         movem.l (sp),d6-d7
         at      q
@@ -105,7 +107,7 @@ constant macro
         move.l  a3,d2
         move.l  a4,d3
         less_product
-        bsr     .times64
+        bsr     .grown
         move.l  reciprocal_plan_dc\1+number64_lo(a0),d3
         mulu.l  d7,d2:d3
         sub.l   d3,d1
@@ -123,8 +125,8 @@ FLAT    equ     1<<8                    ; if q grows less than this a pixel, no 
 ; in:      a0  reciprocal_plan*  the plan to fill in; its planes
 ;          d0  int32             a pixel of the polygon: its distance to the right
 ;          d1  int32             and down from that of the planes
-; out:     d0  int32             1; 0 if K of u or v is 1,024 texels or more from the base
-; reads:   the plan's planes
+; out:     d0  int32             1; 0 if K of u or v is 2^(16 - bits) texels or more from the base
+; reads:   the plan's planes, bits
 ; writes:  cu, cv, dcu, dcv; ku and kv, less their bases
 ; formats: K = (ds/dx) / (dq/dx), 32.32 here and 16.16 in the plan; C = s - K q,
 ;          which does not change along a line. No gradient of q by x or y, nor of s
@@ -151,12 +153,14 @@ FLAT    equ     1<<8                    ; if q grows less than this a pixel, no 
         subx.l  d7,d0
         rts
 
-.times64
-        move.l  d1,d3
-        lsl.l   #6,d0
-        moveq   #63,d2
-        rol.l   #6,d3
-        and.l   d3,d2
-        or.l    d2,d0
-        lsl.l   #6,d1
+; d0:d1 = d0:d1 times 2^bits. Uses d2-d3/a1.
+.grown  move.l  reciprocal_plan_bits(a0),d3
+        moveq   #32,d2
+        sub.l   d3,d2
+        movea.l d1,a1
+        lsl.l   d3,d0
+        lsr.l   d2,d1
+        or.l    d1,d0
+        move.l  a1,d1
+        lsl.l   d3,d1
         rts

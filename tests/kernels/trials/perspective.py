@@ -82,7 +82,7 @@ def any_perspective(rng) -> model.Perspective:
     q = any_plane(rng, int(rng.integers(least, (1 << 30) + 1)) << 32)
     return model.Perspective(q, any_plane(rng, any_size(rng, 30) << scale),
                              any_plane(rng, any_size(rng, 30) << scale), int(rng.integers(0, 40)), 0,
-                             tuple(any_size(rng, 13) << 16 for _ in "uv"), scale, least,
+                             tuple(any_size(rng, 13) << 16 for _ in "uv"), scale, least, 1 << 30,
                              tuple(-abs(any_size(rng, reach)) for _ in "uv"),
                              tuple(abs(any_size(rng, reach)) for _ in "uv"))
 

@@ -53,23 +53,24 @@ def triangles(rng, count: int):
             yield deep, right - left, lines
 
 
-def find_trial(deep, width: int, lines) -> Trial:
+def find_trial(deep, lines, bits: int) -> Trial:
     memory = Memory()
-    found, x, y = reciprocal.constants_of(deep, 4, width, lines)
+    x, y = next((left - deep.i, k) for k, (left, right, _) in enumerate(lines) if right > left)
+    found = model.asymptotes(deep, x, y, bits) if deep.gentle else None
     planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
     at = memory.struct("reciprocal_plan", dict(planes=planes, table=planes, to=planes), ku=0, kv=0,
-                       limit=0, piece=4, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
+                       limit=0, piece=4, bits=bits, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
     shape = layout.load().struct("reciprocal_plan").fields
-    title = f"{deep}, pixel {x}, {y}"
+    title = f"{deep}, pixel {x}, {y}, {bits} bits"
     case = Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at})
     if not found:
-        taken = None not in [model.asymptote(deep.q, plane) for plane in (deep.s, deep.t)]
+        taken = None not in [model.asymptote(deep.q, plane, bits) for plane in (deep.s, deep.t)]
         first, last = shape["cu"]["offset"], shape["kv"]["offset"] + 4
         return Trial(case, title, {"d0": int(taken)}, writes=[anything(at + first, last - first)])
-    writes = fields(at, "reciprocal_plan", {name: k - base - raised for name, k, base, raised
-                                            in zip(("ku", "kv"), found.k, deep.base, found.raised)})
+    ks, cs, dcs = found
+    writes = fields(at, "reciprocal_plan", dict(zip(("ku", "kv"), ks)))
     writes += [Write(at + shape[name]["offset"], (n % (1 << 64)).to_bytes(8, "big"))
-               for name, n in zip(("cu", "cv", "dcu", "dcv"), found.c + found.dc)]
+               for name, n in zip(("cu", "cv", "dcu", "dcv"), cs + dcs)]
     return Trial(case, title, {"d0": 1}, writes=writes)
 
 
@@ -136,7 +137,7 @@ def trials() -> list[Trial]:
     polygons = list(triangles(rng, 60))
     made = [piece_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
             for piece in (3, 4)]
-    return [*(find_trial(*each) for each in polygons),
+    return [*(find_trial(deep, lines, bits) for deep, _, lines in polygons for bits in (3, model.BITS)),
             *filter(None, made),
             *(span_trial(piece, rng) for piece in (3, 4)
               for _ in range(20))]

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
-from tmap.bench import (dithered, edges, effects, instruction_costs, logarithm, mesh, mesh_batches,
+from tmap.bench import (dithered, edges, effects, far, instruction_costs, logarithm, mesh, mesh_batches,
                         n64, perspective, reciprocal, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
@@ -53,6 +53,7 @@ def span_calls(length: int) -> dict[str, Call]:
             | {name: mapper_case(name, length) for name in ("gouraud", "arbitrary", "generated")}
             | {name: perspective.span_case(*how, length) for name, how in perspective.SPANS.items()}
             | {name: reciprocal.span_case(m, length) for name, m in reciprocal.SPANS.items()}
+            | {name: far.span_case(piece, length) for name, piece in far.SPANS.items()}
             | {"persp_pixel": logarithm.span_case(length),
                "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
             | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()})

@@ -41,6 +41,10 @@ one's cut steps, measured from the chords of the exact curve.
 quarter of its tolerance), and a unit per step, as steps are rounded up. If q does not change, they
 are never below the exact value.
 
+**From the far end** (tmap.setup.far): pieces are measured from the chords that begin at the line's far end,
+the last one beyond its near end; ``far.bound`` is added, and what lines are raised by: they are never below
+the exact value at the far end.
+
 Lines by tables are off from their planes' quotients by ``reciprocal.bound`` and
 ``logarithm.bound``, which are kept within 1/32 texel; by logarithms that is all of the setting's
 tolerance. It is added, and so are the units by which these lines are raised for it: they are never
@@ -66,7 +70,7 @@ from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves
-from tmap.setup import reciprocal, spans
+from tmap.setup import far, reciprocal, spans
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
@@ -142,6 +146,16 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
     return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
 
 
+def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
+    """The intended error of a line that is drawn from its far end: its last piece is a whole one's
+    beginning."""
+    m, way = 1 << record.constants.piece, -1 if record.leftwards else 1
+    first = record.left + (record.n if record.leftwards else 0)
+    nodes = np.arange(0, record.n + 1 + m, m)
+    values = np.interp(np.arange(record.n + 1), nodes, curve.values(first + way * nodes, y))
+    return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
+
+
 def level_bound(b: float, setting: str, n: int) -> float:
     """Returns the bound of a level line of n steps against the exact value, in texels."""
     return b + LEVEL.get(setting, 0) + (n + 1) * UNIT + FLOAT
@@ -211,7 +225,8 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                        level_bound(b, polygon.setting, made.n) + tolerance * polygon.straight)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
-                wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
+                wanted = (intended_from_afar(bound.curve, record, y) if isinstance(record, far.Line)
+                          else intended(bound.curve.values(drawn, y), polygon.setting))[seen]
                 b = bound.line(made, y, inside)
                 allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
                                   else line_bound(b, polygon.setting))
@@ -221,16 +236,19 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
 
 
 def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
-    """Returns true if a triangle's line is below the exact value where it must not be: at its first
-    pixel, or at any pixel if depth does not change or logarithms draw it."""
+    """Returns true if a triangle's line is below the exact value where it must not be: at the pixel that
+    is drawn first, or at any pixel if depth does not change or logarithms draw it."""
     line = polygon.lines[y - polygon.top]
+    record = None if polygon.is_level else polygon.record(line, y)
     if polygon.is_level:
-        sure = len(error) if not polygon.perspective.q.dx else 0
-    elif polygon.setting == "pixel" and polygon.record(line, y):
-        sure = len(error)
+        sure = error[:len(error) if not polygon.perspective.q.dx else 0]
+    elif polygon.setting == "pixel" and record:
+        sure = error
+    elif isinstance(record, far.Line) and record.leftwards:
+        sure = error[-1:] if columns[-1] == line.right - 1 else error[:0]
     else:
-        sure = int(columns[0] == line.left)
-    return bool((error[:sure] < -FLOAT).any())
+        sure = error[:int(columns[0] == line.left)]
+    return bool((sure < -FLOAT).any())
 
 
 def check_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,

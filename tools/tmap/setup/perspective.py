@@ -96,6 +96,7 @@ class Perspective:
     base: tuple[int, int]  # a whole texel plus a unit
     scale: int  # log2 of the factor of S and T
     least: int  # of q
+    most: int
     low: tuple[int, int]  # of u and v, relative to their bases
     high: tuple[int, int]
     gentle: bool = True  # no gradient is too steep for 32 integer bits
@@ -181,8 +182,9 @@ def perspective(vertices, corners, box) -> Perspective | None:
         gx, gy = gradients(three, key)
         planes.append(Plane((three[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16), gx, gy))
     q, *st = planes
-    least = min(signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
-                       + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices)
+    at = [signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
+                 + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices]
+    least = min(at)
     errors = [2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1]) for plane in planes]
     if max(errors) >= TOO_STEEP or least < Q_SURE * max(errors):
         return None
@@ -192,7 +194,7 @@ def perspective(vertices, corners, box) -> Perspective | None:
     base = tuple(b + 1 for b in base)  # quotients are cut
     gentle = all(abs(signed(g, 64)) >> 32 < STEEP_2_14 for g in (q.dx, q.dy, *(p.dx for p in st)))
     return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top, base,
-                       shift, least, low, high, gentle, raised)
+                       shift, least, max(at), low, high, gentle, raised)
 
 
 def is_level(p: Perspective, width: int, setting: str) -> bool:

@@ -20,6 +20,7 @@ ORIGIN = LOWEST + COUNT // 2
 FURTHEST = 8
 TWO, THREE, LEAST = 0x40000000, 0xAAAA0000, LOWEST + 2 << 16
 FLAT = 1 << 8
+BITS = 6  # by which C is kept larger
 FAR_512 = 512 << 16  # of K, u and v from their base
 TABLE = [((1 << 30) + i) // (2 * i + 1) for i in range(LOWEST, 65536)]
 
@@ -66,12 +67,12 @@ def product(k: int, q: int) -> int:
     return a * c + (a * d >> 32) + (b * c >> 32)
 
 
-def asymptote(q, plane) -> int | None:
-    """Returns K of a plane, 32.32; None if it is too far away."""
+def asymptote(q, plane, bits: int = BITS) -> int | None:
+    """Returns K of a plane, 32.32; None if it is 2^(16 - bits) texels away."""
     top, bottom = signed(plane.dx, 64), signed(q.dx, 64)
     sign = -1 if (top < 0) != (bottom < 0) else 1
     top, bottom = abs(top), abs(bottom)
-    if bottom >> 32 < FLAT or top >> 58 or top >> 26 >= bottom >> 32:
+    if bottom >> 32 < FLAT or top >> 64 - bits or top >> 32 - bits >= bottom >> 32:
         return None
     up = 32 - (bottom >> 32).bit_length()
     return sign * ((top << up + 32) // (bottom << up >> 32))
@@ -87,26 +88,38 @@ def raised(piece: int | None, width: int, k: int, low: int, high: int) -> int:
     return found[f"RECIPROCAL_OFF_{1 << piece}"] + width // 2 + (far * found["RECIPROCAL_OFF_PART"] >> 2)
 
 
-def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
-    """Returns the constants of a tmap.setup.perspective.Perspective; None if no line is tried.
-    (x, y): a pixel of the polygon, relative to the planes' (i, j); ``width``: that of its box;
-    ``piece``: log2 of a piece's pixels, None for logarithms."""
+def asymptotes(p, x: int, y: int, bits: int = BITS) -> tuple[list[int], list[int], list[int]] | None:
+    """Returns K of u and v, less their bases, C 2^bits of the first line, and its growth per line; None if
+    there is no K. (x, y): a pixel of the polygon, relative to the planes' (i, j)."""
     if not p.gentle:
         return None
     k, c, dc = [], [], []
     q = signed(p.q.value(x, y), 64)
     for plane in (p.s, p.t):
-        full = asymptote(p.q, plane)
+        full = asymptote(p.q, plane, bits)
         if full is None:
             return None
         k.append(full >> 32)
-        dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << 6, 64))
-        c.append(signed((plane.value(x, y) - product(full, q) << 6) - y * dc[-1], 64))
-    if max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) >= FAR_512:
+        dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << bits, 64))
+        c.append(signed((plane.value(x, y) - product(full, q) << bits) - y * dc[-1], 64))
+    return k, c, dc
+
+
+def is_near(p, k: list[int], reach: int, far: int = FAR_512) -> bool:
+    """Returns true if K and the ranges are nearer than ``far`` to the bases, and K is at most ``reach``
+    outside the ranges."""
+    return (max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) < far
+            and not any(max(low - n, n - high) > reach for n, high, low in zip(k, p.high, p.low)))
+
+
+def find(p, piece: int | None, width: int, x: int, y: int) -> Constants | None:
+    """Returns the constants of a tmap.setup.perspective.Perspective; None if no line is tried.
+    (x, y): a pixel of the polygon, relative to the planes' (i, j); ``width``: that of its box;
+    ``piece``: log2 of a piece's pixels, None for logarithms."""
+    found = asymptotes(p, x, y)
+    if found is None or not is_near(p, found[0], FAR_512 if piece is None else reach(piece, width) << 16):
         return None
-    far = FAR_512 if piece is None else reach(piece, width) << 16
-    if any(max(low - n, n - high) > far for n, high, low in zip(k, p.high, p.low)):
-        return None
+    k, c, dc = found
     more = [raised(piece, width, *each) for each in zip(k, p.low, p.high)]
     return Constants(tuple(b + n + m & M32 for b, n, m in zip(p.base, k, more)), tuple(c), tuple(dc),
                      piece and reach(piece, width) << 24 - piece, piece, more)

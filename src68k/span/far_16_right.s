@@ -1,0 +1,15 @@
+        include "far.i"
+
+; span_far_16_right - draws lines with perspective from their far, left ends on, pieces of 16 pixels
+;
+; in:      a0  far_span*  the lines, the frame, the map, the table, the planes
+; trashes: d0-d7/a0-a6
+; reads:   the span, left and last of its lines, the table, the map
+; writes:  the pixels of the lines, nothing else
+; formats: u, v 8.24, both wrap at 256; 8-bit texels and pixels. A piece's steps are C times the
+;          growth of r in it; a line's last piece is the beginning of a whole one
+; error:   of u a unit of 2^-16 a pixel, and as much again where v wraps or falls; of v none; errors of C
+;          and r: see far.h
+; cost:    bench row persp_far_16
+        span span_far_16_right
+        far_pieces 4,right,0
