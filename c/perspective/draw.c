@@ -85,11 +85,12 @@ static void raise(struct reciprocal_plan *plan, int32 off, int32 part)
 static int32 is_drawn_from_afar(const struct setup *s)
 {
     struct reciprocal_plan plan;
-    const int32 piece = far_piece(s->perspective, ways[s->setting].piece);
+    const int32 shift = far_shift(s->perspective);
 
     plan.planes = s->perspective;
     plan.table = s->renderer->reciprocals;
-    return piece && find_constants(&plan, FAR_4096, FAR_BITS) && far_draw(s, &plan, piece);
+    return shift >= 0 && find_constants(&plan, FAR_4096, FAR_BITS)
+        && far_draw(s, &plan, shift, 1 << ways[s->setting].piece);
 }
 
 /* Draws the lines it can and empties them; returns how many are left. So below. */

@@ -1,14 +1,14 @@
-/* Polygons drawn from the far ends of their lines to the near ones. */
+/* Polygons with perspective that are drawn from the far ends of their lines. */
 #ifndef PERSPECTIVE_FAR_H
 #define PERSPECTIVE_FAR_H
 
 #include "perspective/perspective.h"
 
-/* Returns log2 of the pixels of its pieces, `piece` or 3; 0 if a polygon is not drawn this way. */
-int32 far_piece(const struct perspective_plan *planes, int32 piece);
+/* Returns the bits by which q may have to be shifted left; below 0 if the polygon is not drawn this way. */
+int32 far_shift(const struct perspective_plan *planes);
 
-/* Draws all lines of the setup's perspective plan, or none: then it returns 0. The plan has K, which this
-   raises, and C. */
-int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 piece);
+/* Draws the lines of a plan whose bits are FAR_BITS with pieces of up to `longest` pixels, 16 or 8. Returns 0
+   if K is too far away. */
+int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 shift, int32 longest);
 
 #endif

@@ -7,30 +7,36 @@
 #include "span/scanline.h"
 
 enum far_constants {
-    /* The table: 2^28 / (i + 1/2), rounded, for the indices i from LOWEST to 65535, as signed words. The
-       nearest q of a polygon has the index 2^15, so w may vary by a factor of 4 in it; a line's last piece
-       goes beyond it, to less than twice that index. */
-    FAR_LOWEST = 8192,
-    FAR_COUNT = 65536 - FAR_LOWEST,
-    FAR_ORIGIN = FAR_LOWEST + FAR_COUNT / 2,    /* index 0 in the table */
-    FAR_STEEP = 1 << 25,        /* steps of q a pixel are below this, 1.0 being 2^30: 17 of them and the
-                                   nearest q have less than 31 bits */
+    /* The table: 2^28 / (i + 1/2), rounded, for the indices i from LOWEST on. Pieces begin below 2^15 and grow
+       by up to 2^14. */
+    FAR_LOWEST = 16384,
+    FAR_COUNT = 32770,
+    FAR_ORIGIN = 32768,         /* index 0 in the table */
+    /* The lengths of pieces, by the step of q a pixel where q is 2^30 to 2^31. A chord of h pixels is off by
+       about h^2 / (4 L) pixels, L = q / step: at most one pixel, half of one where pieces have 2. */
+    FAR_MOST_16 = 1 << 24,
+    FAR_MOST_8 = 1 << 26,
+    FAR_MOST_4 = 1 << 28,
+    FAR_MOST = 1 << 29,         /* in pieces of 2 */
+    FAR_DEEP = 8,               /* q is shifted left by at most this: w varies by up to 256 */
     FAR_BITS = 3,               /* of a reciprocal_plan */
     FAR_COARSE = 4,             /* bits that C lacks if it does not fit a word */
+    /* Texels from K to the polygon's farthest, as C r / 2^8 is less than 2^15 where i is 2^15: 256, less a
+       quarter for pixels that rounded edges add; and 16 times as many if C is coarse. */
+    FAR_REACH = 192,
     /* Units by which lines are raised. For each texel from K quarters of a unit: 32768 / i for half an
-       index, i / 8192 for half of r, together 5 where i is 2^13 or 2^15; the index less 2^11 cuts of its
-       steps, 1/4 at 2^13. For half a word of C where r is 2^15: 64 times 2^log2 of a piece's pixels, and 2
-       for the cuts of C's steps and the rest. If C is coarse, starts take it whole: half a unit a line for
-       its cuts, and 8. */
+       index, i / 8192 for half of r, together 5 at most where a line begins; and the cuts of q's steps, one a
+       pixel and line, times 2^b / 2^14. For half a word of C where r is 2^14: 512; for the cuts of C's steps
+       2^b / 64 a line, or if it is coarse, without half a word, 2^b / 4; and 8 for the rest. */
     FAR_OFF_PART = 21,
-    FAR_OFF = 66,
-    FAR_PIECES_8 = 64           /* every16: pieces of 8 pixels if q is below so many steps somewhere */
+    FAR_OFF_WORD = 512,
+    FAR_OFF = 8
 };
 
 /* The table, behind that of reciprocals_make: at index 0, both. */
-#define FAR_TABLE(reciprocals) ((reciprocals) + RECIPROCAL_COUNT / 2 + FAR_COUNT / 2)
+#define FAR_TABLE(reciprocals) ((reciprocals) + RECIPROCAL_COUNT / 2 + (FAR_ORIGIN - FAR_LOWEST))
 
-/* Everything a far span needs: it draws the whole table. Of q and C, integers are indices and words. */
+/* Everything a far span needs: it draws the whole table. */
 struct far_span {
     const struct scanline *lines;       /* left and last are read */
     int32 count;                /* lines, 1 or more */
@@ -38,22 +44,18 @@ struct far_span {
     int32 pitch;                /* bytes from line to line */
     const uint8 *map;           /* MAP_PAGE */
     const uint16 *table;        /* at index 0 */
-    uint32 q;                   /* less FAR_ORIGIN, at pixel -EDGE_BIAS of the first line, 16.16; */
+    uint32 q;                   /* 2.30, at pixel -EDGE_BIAS of the first line; */
     int32 dqdx, dqdy;           /* its steps */
-    uint32 dq;                  /* and that of a piece, above 0; fraction:integer */
+    uint32 dq;                  /* and the magnitude of dqdx, above 0 */
+    uint32 most_16;             /* of this where q is 2^30 to 2^31 for pieces of 16 */
     uint32 ku, kv;              /* K, 8.24 */
-    uint32 dcu, dcv, cu, cv;    /* C: 256 texels are 2^(32 - log2 of a piece's pixels) or, if coarse,
-                                   2^(28 - that), over r; fraction:integer, rounded */
+    uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
 };
 
 /* src68k/span: contracts there. */
-void span_far_16_right(const struct far_span *span);
-void span_far_16_left(const struct far_span *span);
-void span_far_8_right(const struct far_span *span);
-void span_far_8_left(const struct far_span *span);
-void span_far_16_right_coarse(const struct far_span *span);
-void span_far_16_left_coarse(const struct far_span *span);
-void span_far_8_right_coarse(const struct far_span *span);
-void span_far_8_left_coarse(const struct far_span *span);
+void span_far_right(const struct far_span *span);
+void span_far_left(const struct far_span *span);
+void span_far_right_coarse(const struct far_span *span);
+void span_far_left_coarse(const struct far_span *span);
 
 #endif

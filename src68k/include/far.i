@@ -1,10 +1,13 @@
-; Perspective spans that draw each line from its far end to the near one: pieces of 2^\1 pixels.
+; Perspective spans that draw each line from its far end to the near one.
 ;
 ; On a line u = K + C r with r = table[q]: K and the step of q are the polygon's, C is the line's and grows by
-; the same on each. From the far end on, q only grows, so the last piece is an ordinary one that the line's end
-; cuts short: what is behind it is no nearer to the horizon. The chain of two registers as in reciprocal.i.
+; the same on each. q is shifted left by b so that its index is 2^14 to 2^15, C by as much; where q has doubled,
+; b is one less, and the line begins again. Pieces have 16, 8, 4 or 2 pixels, the fewer the faster q doubles.
+; From the far end on, q only grows, so the last piece is an ordinary one that the line's end cuts short: what
+; is behind it is no nearer to the horizon. The chain of two registers as in reciprocal.i.
 ;
-; \3: the bits that C lacks, 0 or 4: if K is far away, C has more bits than a word. Then starts take it whole,
+; \1: right if q grows to the right, or left.
+; \2: the bits that C lacks, 0 or 4: if K is far away, C has more bits than a word. Then starts take it whole,
 ; as rounding it would move the line; steps take the word, as r grows less.
 
         include "chain.i"
@@ -16,11 +19,16 @@ far_pitch       equ     8
 far_q           equ     12              ; at pixel -EDGE_BIAS of the line
 far_dqdx        equ     16
 far_dqdy        equ     20
-far_ku          equ     24
-far_kv          equ     28
-far_dcu         equ     32
-far_dcv         equ     36
-far_bytes       equ     40
+far_dq          equ     24              ; a pixel on
+far_most_16     equ     28              ; of this in pieces of 16
+far_ku          equ     32
+far_kv          equ     36
+far_dcu         equ     40
+far_dcv         equ     44
+far_cu          equ     48              ; of the line, not shifted
+far_cv          equ     52
+far_shift       equ     56              ; b
+far_bytes       equ     60
 
 ; \1: l, or w at a piece's last pixel; \2: left or right, the way that lines are drawn.
 far_pixel macro
@@ -45,45 +53,96 @@ far_steps macro
         move.w  d4,d2                   ; uuVv
         endm
 
-; d2, d3 = u and v, 8.24, where r is d2.
+; \1 = \1, 16.16, rounded to a word in its lower half.
+far_word macro
+        add.l   #$8000,\1
+        swap    \1
+        endm
+
+; \1 = \2, 16.16, times r in d2, 8.24. Uses d0.
+far_whole macro
+        move.l  \2,\1
+        muls.l  d2,d0:\1
+        move.b  d0,\1
+        ror.l   #8,\1
+        endm
+
+; d2, d3 = u and v, 8.24, where r is d2; d6, d7 = Cu, Cv, words.
 far_start macro
         ifeq    \2
+        far_word d6
+        far_word d7
         move.w  d2,d3
         muls.w  d6,d2                   ; Uuuu
         muls.w  d7,d3                   ; Vvvv
-        lsl.l   #\1,d2
-        lsl.l   #\1,d3
+        lsl.l   #4,d2
+        lsl.l   #4,d3
         else
         ext.l   d2
-        move.l  d7,d3
-        far_product \1+\2
+        far_whole d3,d7
         movea.l d3,a2
-        move.l  d6,d3
-        far_product \1+\2
+        far_whole d3,d6
         move.l  d3,d2
         move.l  a2,d3
+        far_word d6
+        far_word d7
         endc
         add.l   far_ku(sp),d2
         add.l   far_kv(sp),d3
         endm
 
-; d3 = C, fraction:integer and rounded, times d2, times 2^\1. Uses d0.
-far_product macro
+; Pieces of 2^\3 pixels; d3: step of q a pixel.
+far_pieces macro
+        lsl.l   #\3,d3
         swap    d3
-        sub.l   #$8000,d3
-        muls.l  d2,d0:d3                ; 32.16
-        lsr.l   #8,d3
-        ifne    16-8-(\1)
-        lsr.l   #16-8-(\1),d3
+        movea.l d3,a4
+.piece\3
+        add.l   a4,d5
+        moveq   #0,d2
+        addx.w  d2,d5
+        move.w  (a3,d5.w*2),d2
+        move.w  d2,d3
+        sub.w   a5,d2
+        movea.w d3,a5
+        move.w  d2,d3
+        muls.w  d6,d2                   ; Uuuu
+        muls.w  d7,d3                   ; Vvvv
+        ifne    4-(\3)+\2
+        lsl.l   #4-(\3)+\2,d2
+        lsl.l   #4-(\3)+\2,d3
         endc
-        swap    d0
-        clr.w   d0
-        lsl.l   #\1,d0
-        or.l    d0,d3
+        rol.l   #8,d2                   ; uuuU
+        swap    d3                      ; vvVv
+        ifc     '\1','right'
+        move.w  a1,d4
+        sub.w   a6,d4
+        else
+        move.w  a6,d4
+        sub.w   a1,d4
+        endc
+        cmp.w   #-(1<<\3),d4
+        bge     .last\3
+        far_steps
+        rept    (1<<\3)-1
+        far_pixel l,\1
+        endr
+        far_pixel w,\1
+.pixels\3
+        tst.w   d5
+        bmi     .piece\3
+        cmpa.l  a6,a1
+        bne     .doubled
+        bra     .below
+
+.last\3 moveq   #0,d5                   ; no further piece
+        lea     .pixels\3(pc,d4.w*4),a2
+        lea     (a2,d4.w*8),a2          ; 12 bytes a pixel
+        far_steps
+        jmp     (a2)
         endm
 
-; Draws the table of the span in a0; \2: right if q grows to the right, or left.
-far_pieces macro
+; Draws the table of the span in a0.
+far_lines macro
         move.l  far_span_count(a0),d0
         movea.l far_span_lines(a0),a1
         lsl.l   #2,d0
@@ -93,17 +152,15 @@ far_pieces macro
         move.l  a2,far_end(sp)
         move.l  far_span_row(a0),far_row(sp)
         move.l  far_span_pitch(a0),far_pitch(sp)
-        movem.l far_span_q(a0),d0-d3    ; dqdx, dqdy, dq
-        movem.l d0-d2,far_q(sp)
-        movea.l d3,a4
-        movem.l far_span_ku(a0),d0-d3/d6-d7     ; kv, dcu, dcv, cu, cv
-        movem.l d0-d3,far_ku(sp)
+        movem.l far_span_q(a0),d0-d7/a1-a2      ; dqdx, dqdy, dq, most_16, ku, kv, dcu, dcv, cu
+        movem.l d0-d7/a1-a2,far_q(sp)
+        move.l  far_span_cv(a0),far_cv(sp)
         move.l  far_span_map(a0),d4     ; mm00
         movea.l far_span_table(a0),a3
-        movea.l a1,a0
+        movea.l far_span_lines(a0),a0
 
         ; a0 line  a1 pixel  a6 the line's end  a4 step of q  a5 r where the piece begins
-        ; d5 q  d6 Cu  d7 Cv
+        ; d4 mm00  d5 q, its index less 2^15  d6 Cu  d7 Cv
 .line   move.l  (a0)+,d0                ; start0:left
         move.w  (a0)+,d1                ; last
         addq.l  #6,a0
@@ -113,7 +170,7 @@ far_pieces macro
         bmi     .below
         addq.w  #1,d2
         moveq   #0,d5
-        ifc     '\2','right'
+        ifc     '\1','right'
         move.w  d0,d5
         lea     (a2,d5.l),a1
         else
@@ -124,10 +181,22 @@ far_pieces macro
         lea     (a1,d2.w),a6
         muls.l  far_dqdx(sp),d5
         add.l   far_q(sp),d5
+        bfffo   d5{1:31},d2
+        subq.l  #1,d2
+        lsl.l   d2,d5
+.begun  move.l  d2,far_shift(sp)
+        move.l  far_dq(sp),d3
+        move.l  far_cu(sp),d6
+        move.l  far_cv(sp),d7
+        lsl.l   d2,d3
+        lsl.l   d2,d6
+        lsl.l   d2,d7
+        movea.l d3,a4
+        bchg    #31,d5
         swap    d5
         move.w  (a3,d5.w*2),d2
         movea.w d2,a5
-        far_start \1,\3
+        far_start \1,\2
         rol.l   #8,d2                   ; uuuU
         swap    d3                      ; vvVv
         move.l  d2,d0
@@ -135,57 +204,39 @@ far_pieces macro
         move.l  d3,d1
         clr.w   d1
         move.b  d2,d1                   ; vv-U
+        move.l  a4,d3
+        cmp.l   far_most_16(sp),d3
+        bhi     .under_16
+        far_pieces \1,\2,4
+.under_16
+        cmp.l   #FAR_MOST_8,d3
+        bhi     .under_8
+        far_pieces \1,\2,3
+.under_8
+        cmp.l   #FAR_MOST_4,d3
+        bhi     .under_4
+        far_pieces \1,\2,2
+.under_4
+        far_pieces \1,\2,1
 
-.piece  add.l   a4,d5
-        moveq   #0,d2
-        addx.w  d2,d5
-        move.w  (a3,d5.w*2),d2
-        move.w  d2,d3
-        sub.w   a5,d2
-        movea.w d3,a5
-        move.w  d2,d3
-        muls.w  d6,d2                   ; Uuuu
-        muls.w  d7,d3                   ; Vvvv
-        ifne    \3
-        lsl.l   #\3,d2
-        lsl.l   #\3,d3
-        endc
-        rol.l   #8,d2                   ; uuuU
-        swap    d3                      ; vvVv
-        ifc     '\2','right'
-        move.w  a1,d4
-        sub.w   a6,d4
-        else
-        move.w  a6,d4
-        sub.w   a1,d4
-        endc
-        cmp.w   #-(1<<\1),d4
-        bge     .last
-        far_steps
-        rept    (1<<\1)-1
-        far_pixel l,\2
-        endr
-        far_pixel w,\2
-.pixels_end
-        cmpa.l  a6,a1
-        bne     .piece
+.doubled
+        swap    d5
+        bchg    #31,d5
+        lsr.l   #1,d5
+        move.l  far_shift(sp),d2
+        subq.l  #1,d2
+        bra     .begun
 
 .below  move.l  far_pitch(sp),d0
         add.l   d0,far_row(sp)
         move.l  far_dqdy(sp),d0
         add.l   d0,far_q(sp)
-        moveq   #0,d2
-        add.l   far_dcu(sp),d6
-        addx.w  d2,d6
-        add.l   far_dcv(sp),d7
-        addx.w  d2,d7
+        move.l  far_dcu(sp),d0
+        add.l   d0,far_cu(sp)
+        move.l  far_dcv(sp),d0
+        add.l   d0,far_cv(sp)
         cmpa.l  far_end(sp),a0
         bne     .line
         lea     far_bytes(sp),sp
         rts
-
-.last   lea     .pixels_end(pc,d4.w*4),a2
-        lea     (a2,d4.w*8),a2          ; 12 bytes a pixel
-        far_steps
-        jmp     (a2)
         endm

@@ -149,9 +149,10 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
 def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
     """The intended error of a line that is drawn from its far end: its last piece is a whole one's
     beginning."""
-    m, way = 1 << record.constants.piece, -1 if record.leftwards else 1
-    first = record.left + (record.n if record.leftwards else 0)
-    nodes = np.arange(0, record.n + 1 + m, m)
+    way = -1 if record.constants.leftwards else 1
+    first = record.left + (record.n if way < 0 else 0)
+    last = record.pieces[-1]
+    nodes = np.array([*(piece.at for piece in record.pieces), last.at + last.pixels])
     values = np.interp(np.arange(record.n + 1), nodes, curve.values(first + way * nodes, y))
     return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
 
@@ -244,7 +245,7 @@ def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool
         sure = error[:len(error) if not polygon.perspective.q.dx else 0]
     elif polygon.setting == "pixel" and record:
         sure = error
-    elif isinstance(record, far.Line) and record.leftwards:
+    elif isinstance(record, far.Line) and record.constants.leftwards:
         sure = error[-1:] if columns[-1] == line.right - 1 else error[:0]
     else:
         sure = error[:int(columns[0] == line.left)]

@@ -1,34 +1,36 @@
 """The integer model's polygons with perspective that are drawn from the far ends of their lines to the
 near ones: c/perspective/far.c and the spans src68k/span/far_*.
 
-On a line u = K + C r with r = TABLE[q]: K and the steps of q belong to the polygon, C to the line. All pieces
-have 2^piece pixels, from the far end on; the near end cuts the last one short.
+On a line u = K + C r with r = TABLE[q]: K and the steps of q belong to the polygon, C to the line. q is shifted
+left so that its index is LOWEST to 2 LOWEST; where it has doubled, the line begins again with a bit less. Pieces
+go from the far end on; the near end cuts the last one short.
 """
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
 from tmap.base.fixed import M32, signed, step_swapped, swap
-from tmap.build import layout
 from tmap.setup import reciprocal
 
-LOWEST = 8192
-COUNT = 65536 - LOWEST
-ORIGIN = LOWEST + COUNT // 2
-STEEP = 1 << 25
+LOWEST = 16384
+COUNT = 32770
+ORIGIN = 32768
+MOST = {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: 1 << 29}  # steps of q at 2^30 to 2^31, by a piece's pixels
+DEEP = 8
 COARSE = 4
 BITS = 3  # of K and C
 FAR_4096 = 4096 << 16
-PIECES_8 = 64
-TABLE = [((1 << 29) + i) // (2 * i + 1) for i in range(LOWEST, 65536)]
-OFF_PART = 21
+REACH = 192
+TABLE = [((1 << 29) + i) // (2 * i + 1) for i in range(LOWEST, LOWEST + COUNT)]
+OFF_PART, OFF_WORD, OFF = 21, 512, 8
 
 
 @dataclass
 class Constants:
-    """A polygon's constants. k: 8.24 with all upper bits; c, dc: 16.16, of the first line, rounded; q, dqdx, dqdy: index and 16
-    bits below it, at pixel (left, top)."""
+    """A polygon's constants. k: 8.24 with all upper bits; c, dc: 16.16, of the first line; q, dqdx, dqdy: 2.30,
+    at pixel (left, top)."""
 
     k: tuple[int, int]
     c: tuple[int, int]
@@ -38,17 +40,27 @@ class Constants:
     dqdy: int
     left: int
     top: int
-    piece: int
+    longest: int  # pixels of a piece
     coarse: int  # 0 or COARSE
     raised: list[int]  # units by which u and v are raised, included in k
-    rows: list[tuple[int, int]] = field(default_factory=list, repr=False)  # C of lines from top on
 
-    def c_at(self, y: int) -> tuple[int, int]:
-        """Returns C of u and v on a line, 16.16, stepped as fraction:integer."""
-        rows = self.rows = self.rows or [tuple(swap(c & M32) for c in self.c)]
-        while len(rows) <= y - self.top:
-            rows.append(tuple(step_swapped(c, swap(dc & M32)) for c, dc in zip(rows[-1], self.dc)))
-        return tuple(signed(swap(c)) for c in rows[y - self.top])
+    @property
+    def leftwards(self) -> bool:
+        """True if lines are drawn from right to left."""
+        return self.dqdx < 0
+
+
+@dataclass
+class Piece:
+    """Pixels of a line from ``at`` on, counted from the far end; its q shifted by ``shift``, the indices of its
+    beginning and end."""
+
+    at: int
+    pixels: int
+    shift: int
+    begin: int
+    end: int
+    is_first: bool  # the line begins here, or again
 
 
 @dataclass
@@ -58,24 +70,28 @@ class Line:
     left: int
     n: int
     q: int
-    c: tuple[int, int]  # 16.16, rounded
+    c: tuple[int, int]  # 16.16
     way: int  # pixels and lines from the planes' own pixel to the far end
+    down: int  # lines from the planes' own
     constants: Constants
 
-    @property
-    def leftwards(self) -> bool:
-        """True if the line is drawn from right to left."""
-        return self.constants.dqdx < 0
-
-    @property
-    def indices(self) -> list[int]:
-        """The index of q at the beginnings and the end of the line's pieces, in drawing order."""
-        q, dq = swap(self.q - (ORIGIN << 16) & M32), self.constants.dqdx << self.constants.piece
-        dq, found = swap(abs(dq)), []
-        for _ in range((self.n >> self.constants.piece) + 2):
-            found.append(signed(q << 16) // 65536 + ORIGIN)
-            q = step_swapped(q, dq)
-        return found
+    @cached_property
+    def pieces(self) -> list[Piece]:
+        """The line's pieces in drawing order."""
+        found, at, dq = [], 0, abs(self.constants.dqdx)
+        shift = 31 - self.q.bit_length()
+        q = self.q << shift
+        while True:
+            pixels = next(m for m, most in MOST.items()
+                          if m <= self.constants.longest and dq << shift <= most)
+            step, x, is_first = swap(dq * pixels << shift), swap(q ^ 1 << 31), True
+            while is_first or x & 0x8000:
+                begin, x = x, step_swapped(x, step)
+                found.append(Piece(at, pixels, shift, *(signed(n, 16) + ORIGIN for n in (begin, x)), is_first))
+                at, is_first = at + pixels, False
+                if at > self.n:
+                    return found
+            q, shift = (swap(x) ^ 1 << 31) >> 1, shift - 1
 
 
 def magnitude(value: int) -> int:
@@ -84,89 +100,89 @@ def magnitude(value: int) -> int:
     return high if high >= 0 else (~high if value & M32 else -high)
 
 
-def piece_of(p, piece: int) -> int | None:
-    """Returns log2 of the pieces' pixels; None if the polygon is not drawn this way."""
+def shift_of(p) -> int | None:
+    """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way."""
     steep = magnitude(signed(p.q.dx, 64)) + 1
-    if steep >= STEEP or (p.least - steep) >> 15 <= LOWEST or p.most > (1 << 30) + steep:
+    least = p.least - steep
+    if least < 1 << 30 - DEEP or p.most > (1 << 30) + steep:
         return None
-    return 3 if p.least // PIECES_8 < steep else piece
+    shift = max(0, 31 - least.bit_length())
+    return shift if steep << shift <= MOST[2] else None
 
 
-def fits(c: int, dc: int, count: int, bits: int) -> bool:
-    """Returns true if C times 2^bits is below 2^31 on all lines."""
-    return magnitude(c) < 1 << 30 - bits and magnitude(dc) < (1 << 29 - bits) // count
-
-
-def find(p, piece: int, lines, box) -> Constants | None:
+def find(p, longest: int, lines, box) -> Constants | None:
     """Returns the constants of a tmap.setup.perspective.Perspective, whose lines begin at the box's first;
-    None if the polygon is drawn another way. ``piece``: log2 of the setting's pixels."""
-    piece = piece_of(p, piece)
+    None if the polygon is drawn another way. ``longest``: the most pixels of a piece."""
+    shift = shift_of(p)
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
-    if piece is None or first is None:
+    if shift is None or first is None:
         return None
     found = reciprocal.asymptotes(p, lines[first].left - box[0], first, BITS)
     if found is None or not reciprocal.is_near(p, found[0], FAR_4096, FAR_4096):
         return None
     ks, cs, dcs = found
-    bits, coarse = 13 - BITS - piece, 0
-    if not all(fits(c, dc, len(lines), bits) for c, dc in zip(cs, dcs)):
-        bits, coarse = bits - COARSE, COARSE
-        if not all(fits(c, dc, len(lines), bits) for c, dc in zip(cs, dcs)):
-            return None
-    off = len(lines) + 8 if coarse else 66 << piece
-    raised = [off + (((max(high - n, n - low) >> 16) + 1) * OFF_PART >> 2)
-              for n, low, high in zip(ks, p.low, p.high)]
-    c, dc = ([signed(n << bits >> 32) for n in each] for each in (cs, dcs))
-    q = [signed(n >> 31) for n in (p.q.at, p.q.dx, p.q.dy)]
-    return Constants(tuple(b + n + m << 8 for b, n, m in zip(p.base, ks, raised)),
-                     tuple(n + 0x8000 for n in c), tuple(dc), *q, p.i, p.j, piece, coarse, raised)
+    farthest = [(max(high - n, n - low) >> 16) + 1 for n, low, high in zip(ks, p.low, p.high)]
+    coarse = COARSE if max(farthest) > REACH else 0
+    if max(farthest) > REACH << coarse:
+        return None
+    part = OFF_PART + (len(lines) + box[2] - box[0] << shift >> 12)
+    off = OFF + (len(lines) << shift >> 2 if coarse else OFF_WORD + (len(lines) << shift >> 6))
+    raised = [off + (n * part >> 2) for n in farthest]
+    c, dc = ([signed(n << 8 - BITS - coarse >> 32) for n in each] for each in (cs, dcs))
+    q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
+    return Constants(tuple(b + n + m << 8 for b, n, m in zip(p.base, ks, raised)), tuple(c), tuple(dc), *q,
+                     p.i, p.j, longest, coarse, raised)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Line:
     """Returns a line's values; ``right`` is excluded."""
-    far = right - 1 if k.dqdx < 0 else left
+    far = right - 1 if k.leftwards else left
     q = k.q + (far - k.left) * k.dqdx + (y - k.top) * k.dqdy & M32
-    return Line(left, right - 1 - left, q,
-                k.c_at(y), abs(far - k.left) + y - k.top, k)
+    return Line(left, right - 1 - left, q, tuple(signed(c + (y - k.top) * dc) for c, dc in zip(k.c, k.dc)),
+                abs(far - k.left) + y - k.top, y - k.top, k)
+
+
+def reciprocal_at(index: int) -> int:
+    """Returns r."""
+    return TABLE[index - LOWEST]
 
 
 def bound(each: Line) -> float:
     """Returns the largest error of a line's u or v against S / q of its planes, at the ends of its pieces,
-    in 1/65536 texel: those of q's index (half of 1, and the steps' cuts), of r (half of 1), of C (half a
-    word; if it is coarse, only times what r has changed; and the steps' cuts); a unit per pixel for u's steps
-    and V's overflow, and 8 for K and the start."""
-    k = each.constants
-    scale = 2.0**(k.piece + k.coarse - 8)  # units of 1 in C r
-    c = max(abs(n) for n in each.c) / 65536 + 1
-    cut = (each.way + each.n + (2 << k.piece)) / 65536
-    found = [(i, TABLE[i - LOWEST]) for i in each.indices]
-    first = found[0][1]
-    return each.n + 8 + max(
-        scale * (c * r * ((0.5 + cut) / i + 0.5 / r) + ((first - r if k.coarse else r) / 2) + r * cut)
-        for i, r in (found[0], found[-1]))
+    in 1/65536 texel: those of q's index (half of 1, and the steps' cuts), of r (half of 1), of C (the steps'
+    cuts, and half a word; if it is coarse, only times what r has changed); a unit per pixel for u's
+    steps and V's overflow, and 8 for K and the start."""
+    k, most = each.constants, 0.0
+    scale = 2.0**(k.coarse - 4)  # units of 1 in C r
+    for piece in each.pieces:
+        up = 2.0**piece.shift / 65536
+        c = (max(abs(n) for n in each.c) + each.down) * up + 1
+        cut = (each.way + piece.at + 2 * piece.pixels) * up
+        if piece.is_first:
+            first = reciprocal_at(piece.begin)
+        for i in (piece.begin, piece.end):
+            r = reciprocal_at(i)
+            most = max(most, scale * (c * r * ((0.5 + cut) / i + 0.5 / r) + (first - r if k.coarse else r) / 2
+                                      + r * each.down * up))
+    return each.n + 8 + most
 
 
 def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
     """Returns u and v of the line's pixels, 16.16 modulo 2^32; see ``reciprocal.coordinates``."""
-    k, m = each.constants, 1 << each.constants.piece
-    rs = [TABLE[i - LOWEST] for i in each.indices]
-    words = [signed(c >> 16, 16) for c in each.c]
-    if k.coarse:
-        at = [base + ((c - 0x8000) * rs[0] >> 16 - k.piece - k.coarse)
-              for base, c in zip(k.k, each.c)]
-    else:
-        at = [base + (c * rs[0] << k.piece) for base, c in zip(k.k, words)]
-    b, a = reciprocal.steps(*at, 0)
-    a &= 0xFFFF00FF
-    us, vs = [], []
-    for old, r in zip(rs, rs[1:]):
-        rest = min(each.n + 1 - len(us), m)
-        if not rest:
-            break
-        du, dv = (c * (r - old) << k.coarse for c in words)
+    k, us, vs = each.constants, [], []
+    for piece in each.pieces:
+        old, r = reciprocal_at(piece.begin), reciprocal_at(piece.end)
+        if piece.is_first:
+            cs = [signed(c << piece.shift) for c in each.c]
+            words = [signed(c + 0x8000 >> 16, 16) for c in cs]
+            at = [base + (c * old >> 8 if k.coarse else w * old << 4)
+                  for base, c, w in zip(k.k, cs, words)]
+            b, a = reciprocal.steps(*at, 0)
+            a &= 0xFFFF00FF
+        du, dv = (w * (r - old) * (16 // piece.pixels) << k.coarse for w in words)
         db, da = reciprocal.steps(du, dv, 0)
         a += da & 0xFFFF0000
-        for _ in range(rest):
+        for _ in range(min(each.n + 1 - piece.at, piece.pixels)):
             us.append(reciprocal.lift((a & 0xFF) << 16 | b >> 16, at[0]))
             vs.append(reciprocal.lift((b & 0xFFFF) << 8, at[1], 255))
             at = at[0] + du, at[1] + dv
@@ -175,6 +191,6 @@ def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
             a = (a & M32) + da + (b >> 32)
             b &= M32
         a = ahead | a & 0xFFFF
-    if each.leftwards:
+    if k.leftwards:
         us.reverse(), vs.reverse()
     return np.array(us), np.array(vs)

@@ -304,7 +304,8 @@ def constants(deep: Perspective, lines: list[Line], box, setting: str):
     if setting == "fine" or first is None:
         return None
     piece = PIECES[setting].bit_length() - 1 if setting in PIECES else None
-    return (piece and far.find(deep, piece, lines, box)) or reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
+    return (piece and far.find(deep, 1 << piece, lines, box)) or reciprocal.find(
+        deep, piece, box[2] - box[0], lines[first].left - box[0], first)
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:

@@ -1,6 +1,6 @@
         include "far.i"
 
-; span_far_16_right - draws lines with perspective from their far, left ends on, pieces of 16 pixels
+; span_far_right - draws lines with perspective from their far, left ends on
 ;
 ; in:      a0  far_span*  the lines, the frame, the map, the table, the planes
 ; trashes: d0-d7/a0-a6
@@ -11,5 +11,5 @@
 ; error:   of u a unit of 2^-16 a pixel, and as much again where v wraps or falls; of v none; errors of C
 ;          and r: see far.h
 ; cost:    bench row persp_far_16
-        span span_far_16_right
-        far_pieces 4,right,0
+        span span_far_right
+        far_lines right,0
