@@ -180,12 +180,13 @@ static void draw_exactly(const struct setup *s, union made *made)
         span_perspective_pieces(&lines);
 }
 
-static void draw_level(const struct setup *s, union made *made)
+static void draw_level(const struct setup *s, union made *made, int32 tilt)
 {
-    const struct perspective_plan *plan = s->perspective;
+    struct perspective_plan *plan = s->perspective;
     const struct span_plan *span = &s->span;
     struct span_plan lines;
 
+    plan->tilt = tilt;
     level_lines(plan, made->steps);
     lines.lines = plan->lines;
     lines.count = plan->count;
@@ -212,15 +213,18 @@ void perspective_draw(struct setup *s)
     union made *made = (union made *)s->scratch->room;
     struct perspective_plan *plan = s->perspective;
     enum perspective setting = s->setting;
-    int32 width = s->box.right - s->box.left, pieces = ways[setting].bend == 0;
+    const int32 width = s->box.right - s->box.left, pieces = ways[setting].bend == 0;
+    const int32 is_level = s->straight || (width <= ways[setting].width
+                                           && perspective_is_level(plan, width, ways[setting].off));
     int32 left = plan->count;
 
-    if (s->straight || (width <= ways[setting].width
-                        && perspective_is_level(plan, width, ways[setting].off))) {
+    /* what a tolerance allows is less than what a setting allows */
+    if (is_level || (pieces && setting == s->material->perspective
+                     && perspective_is_straight(plan, width))) {
         if (s->counts)
             count_lines(s, SPAN_AFFINE_SCANLINE);
         if (!s->renderer->only_counts)
-            draw_level(s, made);
+            draw_level(s, made, is_level ? 0 : (int32)(plan->q.dx.hi << 16 | plan->q.dx.lo >> 16));
         return;
     }
     if (s->counts)              /* before lines that are drawn become empty */

@@ -240,3 +240,11 @@ int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int
         + 1;
     return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
 }
+
+/* Off by about width^2 / L pixels, L = q / |dq/dx| (see span/far.h for chords). */
+int32 perspective_is_straight(const struct perspective_plan *plan, int32 width)
+{
+    const int32 steep = perspective_steepness(&plan->q.dx) + 1;
+
+    return steep < STEEP_2_14 && steep <= (plan->q_low >> 2) / (width * width + 1);
+}

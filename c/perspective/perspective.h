@@ -46,6 +46,10 @@ fix16 perspective_reach(const struct perspective_plan *plan);
    at most `tolerance`, in 1/65536 texel (0 to TOLERANCE_MAX). */
 int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int32 tolerance);
 
+/* Returns 1 if a line may go straight on from its first pixel, as steep there as the curve: it is off by at
+   most a quarter of a pixel's texels on as many pixels as `width`. */
+int32 perspective_is_straight(const struct perspective_plan *plan, int32 width);
+
 /* Draws the lines of the plan with s->setting and s->straight. */
 void perspective_draw(struct setup *s);
 

@@ -47,6 +47,7 @@ struct perspective_plan {
     int32 gentle;                       /* 1: q.dx, q.dy, s.dx, t.dx are below 2^30 units of q.hi */
     fix16 u, u_low, u_high;             /* the base, a unit above a texel; range of u - base */
     fix16 v, v_low, v_high;
+    int32 tilt;                         /* level_lines: q.dx, 16.16, below 2^14; 0: no change of depth */
     int32 bend;                         /* curves: PERSPECTIVE_BEND_...; else 0 */
     struct perspective_line *to;
 };

@@ -1,10 +1,22 @@
         include "chain.i"
         include "perspective.i"
 
-; \1 = the step of u or v a pixel: the 64-bit gradient of the plane \2 (s or t) over q in d3,
-; rounded up; 0 if it does not fit. Uses d0-d2.
+; \1 = the step of \3, u or v in \4, a pixel: the 64-bit gradient of the plane \2 (s or t) less that of q times
+; \3, over q in d3, rounded up; 0 if it does not fit. Uses d0-d2/d6.
 step    macro
         movem.l perspective_plan_\2+screen_plane_dx(a6),d0-d1
+        move.l  perspective_plan_tilt(a6),d2
+        beq.s   .level\@
+        move.l  \4,d6
+        sub.l   perspective_plan_\3(a6),d6
+        muls.l  d2,d2:d6
+        move.w  d2,d6
+        swap    d6
+        swap    d2
+        ext.l   d2
+        sub.l   d6,d1
+        subx.l  d2,d0
+.level\@
         move.l  d3,d2
         subq.l  #1,d2
         add.l   d2,d1
@@ -26,7 +38,7 @@ step    macro
 .made\@
         endm
 
-; level_lines - starts and steps of lines of constant depth, for the affine span
+; level_lines - starts and steps of lines of nearly constant depth, for the affine span
 ;
 ; in:      a0  perspective_plan*  the table, the planes; to and bend are not read
 ;          a1  scanline_step*     for the steps of u and v, one entry a line
@@ -34,7 +46,8 @@ step    macro
 ; writes:  start0, start1, start2 of the plan's lines, addx form, and their steps; not
 ;          those of empty lines
 ; formats: with q of the line's first pixel: u = base + s / q.hi, cut towards zero and
-;          clamped to the plan's limits; its step ds / q.hi rounded up; 16.16
+;          clamped to the plan's limits; its step (ds - u tilt) / q.hi, u less its base, rounded
+;          up; 16.16
 ; error:   if q is the same all along the line: u a unit too low at the first pixel, a
 ;          unit higher at each other one
 
@@ -63,8 +76,8 @@ step    macro
         quotient v,d3
         add.l   perspective_plan_v(a6),d1
         move.l  d1,d5
-        step    scanline_step_dudx(a5),s
-        step    scanline_step_dvdx(a5),t
+        step    scanline_step_dudx(a5),s,u,d4
+        step    scanline_step_dvdx(a5),t,v,d5
         pack_start d4,d5,d6,a0
 
 .next   rows_next

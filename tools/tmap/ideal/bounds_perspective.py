@@ -157,6 +157,20 @@ def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
     return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
 
 
+def tangent(curve: Curve, columns: np.ndarray, y: int) -> np.ndarray:
+    """The intended error of a line that goes straight on from its first pixel."""
+    values = curve.values(columns, y)
+    return values[0] + (columns - columns[0]) * curve.slope(int(columns[0]), y) - values
+
+
+def tilted_bound(bound: "Bound", b: float, made: Ends, y: int) -> float:
+    """Returns b of such a line: at pixel x it shows u + (S(x) - u Q(x)) / q, so the planes' errors count at x
+    too, over q of the first pixel; q's step is cut, up to a unit of 2^-16."""
+    q = bound.curve.terms(made.left << 16, y << 16)[1] * bound.unit
+    largest = max(abs(bound.low - bound.base), abs(bound.high - bound.base))
+    return 2.25 * b + made.n * (largest * 2.0**-16 / q + 1) * UNIT
+
+
 def level_bound(b: float, setting: str, n: int) -> float:
     """Returns the bound of a level line of n steps against the exact value, in texels."""
     return b + LEVEL.get(setting, 0) + (n + 1) * UNIT + FLOAT
@@ -222,7 +236,10 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
                 b = bound.line(made, y, inside)
-                yield (key, y, columns, found[seen], error, 0 * error,
+                wanted = 0 * error
+                if p.tilt:
+                    b, wanted = tilted_bound(bound, b, made, y), tangent(bound.curve, drawn, y)[seen]
+                yield (key, y, columns, found[seen], error, wanted,
                        level_bound(b, polygon.setting, made.n) + tolerance * polygon.straight)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):

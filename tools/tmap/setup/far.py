@@ -13,6 +13,7 @@ import numpy as np
 
 from tmap.base.fixed import M32, signed, step_swapped, swap
 from tmap.setup import reciprocal
+from tmap.setup.perspective import steepness
 
 LOWEST = 16384
 COUNT = 32770
@@ -94,15 +95,9 @@ class Line:
             q, shift = (swap(x) ^ 1 << 31) >> 1, shift - 1
 
 
-def magnitude(value: int) -> int:
-    """Returns the magnitude of a 64-bit number's upper half, as ``perspective_steepness``."""
-    high = value >> 32
-    return high if high >= 0 else (~high if value & M32 else -high)
-
-
 def shift_of(p) -> int | None:
     """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way."""
-    steep = magnitude(signed(p.q.dx, 64)) + 1
+    steep = steepness(p.q.dx) + 1
     least = p.least - steep
     if least < 1 << 30 - DEEP or p.most > (1 << 30) + steep:
         return None

@@ -101,6 +101,7 @@ class Perspective:
     high: tuple[int, int]
     gentle: bool = True  # no gradient is too steep for 32 integer bits
     raised: tuple[int, int] = (0, 0)  # units by which S and T are raised
+    tilt: int = 0  # of level lines: q's growth a pixel, 16.16
 
     @property
     def farthest(self) -> int:
@@ -144,6 +145,12 @@ class Ends:
         part = (k * (self.last >> 1) << 32) // self.weight(k)
         return tuple(c + 2 * (d * part >> 32) & M32
                      for c, d in ((self.u, self.du), (self.v, self.dv)))
+
+
+def steepness(gradient: int) -> int:
+    """Returns the magnitude of a gradient's upper half, as ``perspective_steepness``."""
+    high = signed(gradient, 64) >> 32
+    return high if high >= 0 else (~high if gradient & M32 else -high)
 
 
 def error_part(gradient: int, pixels: int) -> int:
@@ -214,6 +221,14 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
     return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
 
 
+def tilt_of(p: Perspective, width: int) -> int | None:
+    """Returns q's growth a pixel, 16.16, if a line may go straight on from its first pixel; else None."""
+    steep = steepness(p.q.dx) + 1
+    if steep >= STEEP_2_14 or steep > (p.least >> 2) // (width * width + 1):
+        return None
+    return signed(p.q.dx, 64) >> 16
+
+
 def level_step(gradient: int, q: int) -> int:
     """Returns gradient / q rounded up; 0 if that does not fit 32 bits."""
     n = gradient + q - 1
@@ -227,8 +242,8 @@ def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np
     """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
     q, starts = p.divided(left, y)
     k = np.arange(right - left, dtype=np.int64)
-    return tuple(start + k * level_step(signed(plane.dx, 64), q) & M32
-                 for start, plane in zip(starts, (p.s, p.t)))
+    return tuple(start + k * level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 16), q) & M32
+                 for start, base, plane in zip(starts, p.base, (p.s, p.t)))
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:

@@ -12,7 +12,7 @@ from tmap.setup import far, logarithm, reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
 from tmap.setup.perspective import (PIECES, Perspective, coordinates as perspective_coordinates,
-                                    ends, is_level, level, perspective, way)
+                                    ends, is_level, level, perspective, tilt_of, way)
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
 from tmap.setup.spans import coordinates, stays_in_row
 from tmap.setup.texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest,
@@ -232,6 +232,9 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     setting, straight = coarser(deep, width, settings.perspective, settings.tolerance)
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
     polygon.is_level = straight or is_level(deep, width, setting)
+    if not polygon.is_level and setting in PIECES and setting == settings.perspective:
+        tilt = tilt_of(deep, width)
+        polygon.is_level, deep.tilt = tilt is not None, tilt or 0
     polygon.constants = constants(deep, polygon.lines, outline.box, setting)
     return True
 
