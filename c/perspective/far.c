@@ -21,10 +21,10 @@ int32 far_shift(const struct perspective_plan *planes)
     const int32 least = planes->q_low - steep;
     int32 shift = 0;
 
-    if (least < 1 << (30 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
+    if (least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
         return -1;
-    while (!(least >> (30 - shift)))
-        shift++;
+    while (!(least >> (29 - shift)))
+        shift += 2;
     return steep > FAR_MOST >> shift ? -1 : shift;
 }
 
@@ -45,8 +45,8 @@ int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 
     const int32 coarse = to_u > FAR_REACH || to_v > FAR_REACH;
     const int32 bits = coarse ? 8 - FAR_BITS - FAR_COARSE : 8 - FAR_BITS;
     const int32 down = planes->count << shift;
-    const int32 part = FAR_OFF_PART + ((((s->box.right - s->box.left) << shift) + down) >> 12);
-    const int32 off = FAR_OFF + (coarse ? down >> 2 : FAR_OFF_WORD + (down >> 6));
+    const int32 part = FAR_OFF_PART + ((((s->box.right - s->box.left) << shift) + down) >> 11);
+    const int32 off = FAR_OFF + (coarse ? down >> 1 : FAR_OFF_WORD + (down >> 5));
     struct far_span span;
 
     if (to_u > FAR_REACH << FAR_COARSE || to_v > FAR_REACH << FAR_COARSE)

@@ -9,16 +9,17 @@
 enum far_constants {
     /* The table: 2^28 / (i + 1/2), rounded, for the indices i from LOWEST on. Pieces begin below 2^15 and grow
        by up to 2^14. */
-    FAR_LOWEST = 16384,
-    FAR_COUNT = 32770,
+    FAR_LOWEST = 8192,
+    FAR_COUNT = 40962,
     FAR_ORIGIN = 32768,         /* index 0 in the table */
-    /* The lengths of pieces, by the step of q a pixel where q is 2^30 to 2^31. A chord of h pixels is off by
-       about h^2 / (4 L) pixels, L = q / step: at most one pixel, half of one where pieces have 2. */
+    /* The lengths of pieces, by the step of q a pixel where q is 2^29 to 2^31. A chord of h pixels is off by
+       about h^2 / (4 L) pixels, L = q / step: at most two pixels, and one where pieces
+       have 2. */
     FAR_MOST_16 = 1 << 24,
     FAR_MOST_8 = 1 << 26,
     FAR_MOST_4 = 1 << 28,
     FAR_MOST = 1 << 29,         /* in pieces of 2 */
-    FAR_DEEP = 8,               /* q is shifted left by at most this: w varies by up to 256 */
+    FAR_DEEP = 8,               /* q is shifted left by at most this, an even number: w varies by up to 512 */
     FAR_BITS = 3,               /* of a reciprocal_plan */
     FAR_COARSE = 4,             /* bits that C lacks if it does not fit a word */
     /* Texels from K to the polygon's farthest, as C r / 2^8 is less than 2^15 where i is 2^15: 256, less a
@@ -26,10 +27,10 @@ enum far_constants {
     FAR_REACH = 192,
     /* Units by which lines are raised. For each texel from K quarters of a unit: 32768 / i for half an
        index, i / 8192 for half of r, together 5 at most where a line begins; and the cuts of q's steps, one a
-       pixel and line, times 2^b / 2^14. For half a word of C where r is 2^14: 512; for the cuts of C's steps
-       2^b / 64 a line, or if it is coarse, without half a word, 2^b / 4; and 8 for the rest. */
+       pixel and line, times 2^b / 2^13. For half a word of C where r is 2^15: 1024; for the cuts of C's steps
+       2^b / 32 a line, or if it is coarse, without half a word, 2^b / 2; and 8 for the rest. */
     FAR_OFF_PART = 21,
-    FAR_OFF_WORD = 512,
+    FAR_OFF_WORD = 1024,
     FAR_OFF = 8
 };
 
@@ -47,7 +48,7 @@ struct far_span {
     uint32 q;                   /* 2.30, at pixel -EDGE_BIAS of the first line; */
     int32 dqdx, dqdy;           /* its steps */
     uint32 dq;                  /* and the magnitude of dqdx, above 0 */
-    uint32 most_16;             /* of this where q is 2^30 to 2^31 for pieces of 16 */
+    uint32 most_16;             /* of this where q is 2^29 to 2^31 for pieces of 16 */
     uint32 ku, kv;              /* K, 8.24 */
     uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
 };

@@ -1,8 +1,9 @@
 ; Perspective spans that draw each line from its far end to the near one.
 ;
 ; On a line u = K + C r with r = table[q]: K and the step of q are the polygon's, C is the line's and grows by
-; the same on each. q is shifted left by b so that its index is 2^14 to 2^15, C by as much; where q has doubled,
-; b is one less, and the line begins again. Pieces have 16, 8, 4 or 2 pixels, the fewer the faster q doubles.
+; the same on each. q is shifted left by b, which is even, so that its index is 2^13 to 2^15, C by as much; where
+; that is over, b is 2 less, and the line begins again. Pieces have 16, 8, 4 or 2 pixels, the fewer the faster q
+; grows.
 ; From the far end on, q only grows, so the last piece is an ordinary one that the line's end cuts short: what
 ; is behind it is no nearer to the horizon. The chain of two registers as in reciprocal.i.
 ;
@@ -131,7 +132,7 @@ far_pieces macro
         tst.w   d5
         bmi     .piece\3
         cmpa.l  a6,a1
-        bne     .doubled
+        bne     .over
         bra     .below
 
 .last\3 moveq   #0,d5                   ; no further piece
@@ -183,6 +184,7 @@ far_lines macro
         add.l   far_q(sp),d5
         bfffo   d5{1:31},d2
         subq.l  #1,d2
+        and.w   #-2,d2
         lsl.l   d2,d5
 .begun  move.l  d2,far_shift(sp)
         move.l  far_dq(sp),d3
@@ -219,12 +221,11 @@ far_lines macro
 .under_4
         far_pieces \1,\2,1
 
-.doubled
-        swap    d5
+.over   swap    d5
         bchg    #31,d5
-        lsr.l   #1,d5
+        lsr.l   #2,d5
         move.l  far_shift(sp),d2
-        subq.l  #1,d2
+        subq.l  #2,d2
         bra     .begun
 
 .below  move.l  far_pitch(sp),d0

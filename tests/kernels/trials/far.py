@@ -14,8 +14,8 @@ def span_trial(longest: int, leftwards: bool, coarse: int, rng) -> Trial:
     """q grows by any step a pixel from as far as it may be, and a little from line to line."""
     lines = [(k % 4, count) for k, count in enumerate(COUNTS)]
     across = max(COUNTS) + 4
-    step = int(2.0 ** rng.uniform(0, 29)) // across
-    least = max(1 << 30 - model.DEEP, min(8 * step, 1 << 28)) + 4000 * len(lines)
+    step = int(2.0 ** rng.uniform(0, 29.5)) // across
+    least = max(1 << 29 - model.DEEP, min(4 * step, 1 << 28)) + 4000 * len(lines)
     down = int(rng.integers(-4000, 4000))
     most = (1 << 31) - 1 - across * step - 4000 * len(lines)
     low = int(least * 2.0 ** rng.uniform(0, np.log2(most / least)))

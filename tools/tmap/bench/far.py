@@ -51,7 +51,7 @@ def span_case(longest: int, length: int):
     rng, count, memory = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
     map_at = memory.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
-    step = min(3 * (1 << 28) // length, far.MOST[longest] // 4)
+    step = min(3 * (1 << 28) // length, far.MOST[longest] // 2)
     q = 1 << 28, (1 << 28) + length * step
     across = 2.0**38 / q[0] - 2.0**38 / q[1]  # of C r, where C is 1: see far.h
     c = tuple(int(-d * length / across * 65536) for d in (1, 0.7))

@@ -2,7 +2,7 @@
 near ones: c/perspective/far.c and the spans src68k/span/far_*.
 
 On a line u = K + C r with r = TABLE[q]: K and the steps of q belong to the polygon, C to the line. q is shifted
-left so that its index is LOWEST to 2 LOWEST; where it has doubled, the line begins again with a bit less. Pieces
+left by an even number so that its index is LOWEST to 4 LOWEST; where that is over, the line begins again. Pieces
 go from the far end on; the near end cuts the last one short.
 """
 
@@ -15,17 +15,17 @@ from tmap.base.fixed import M32, signed, step_swapped, swap
 from tmap.setup import reciprocal
 from tmap.setup.perspective import steepness
 
-LOWEST = 16384
-COUNT = 32770
+LOWEST = 8192
+COUNT = 40962
 ORIGIN = 32768
-MOST = {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: 1 << 29}  # steps of q at 2^30 to 2^31, by a piece's pixels
+MOST = {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: 1 << 29}  # steps of q at 2^29 to 2^31, by a piece's pixels
 DEEP = 8
 COARSE = 4
 BITS = 3  # of K and C
 FAR_4096 = 4096 << 16
 REACH = 192
 TABLE = [((1 << 29) + i) // (2 * i + 1) for i in range(LOWEST, LOWEST + COUNT)]
-OFF_PART, OFF_WORD, OFF = 21, 512, 8
+OFF_PART, OFF_WORD, OFF = 21, 1024, 8
 
 
 @dataclass
@@ -80,7 +80,7 @@ class Line:
     def pieces(self) -> list[Piece]:
         """The line's pieces in drawing order."""
         found, at, dq = [], 0, abs(self.constants.dqdx)
-        shift = 31 - self.q.bit_length()
+        shift = 31 - self.q.bit_length() & ~1
         q = self.q << shift
         while True:
             pixels = next(m for m, most in MOST.items()
@@ -92,16 +92,16 @@ class Line:
                 at, is_first = at + pixels, False
                 if at > self.n:
                     return found
-            q, shift = (swap(x) ^ 1 << 31) >> 1, shift - 1
+            q, shift = (swap(x) ^ 1 << 31) >> 2, shift - 2
 
 
 def shift_of(p) -> int | None:
     """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way."""
     steep = steepness(p.q.dx) + 1
     least = p.least - steep
-    if least < 1 << 30 - DEEP or p.most > (1 << 30) + steep:
+    if least < 1 << 29 - DEEP or p.most > (1 << 30) + steep:
         return None
-    shift = max(0, 31 - least.bit_length())
+    shift = max(0, 31 - least.bit_length() & ~1)
     return shift if steep << shift <= MOST[2] else None
 
 
@@ -120,8 +120,8 @@ def find(p, longest: int, lines, box) -> Constants | None:
     coarse = COARSE if max(farthest) > REACH else 0
     if max(farthest) > REACH << coarse:
         return None
-    part = OFF_PART + (len(lines) + box[2] - box[0] << shift >> 12)
-    off = OFF + (len(lines) << shift >> 2 if coarse else OFF_WORD + (len(lines) << shift >> 6))
+    part = OFF_PART + (len(lines) + box[2] - box[0] << shift >> 11)
+    off = OFF + (len(lines) << shift >> 1 if coarse else OFF_WORD + (len(lines) << shift >> 5))
     raised = [off + (n * part >> 2) for n in farthest]
     c, dc = ([signed(n << 8 - BITS - coarse >> 32) for n in each] for each in (cs, dcs))
     q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
