@@ -67,26 +67,7 @@ static fix16 middle(const fix16 *value, int32 count, fix16 *from, fix16 *to, int
     return base;
 }
 
-static void set_corner(struct plane_corner *to, const struct vertex *v, fix16 nearest,
-                       const struct perspective_plan *plan, int32 scale)
-{
-    to->x = v->x;
-    to->y = v->y;
-    to->q = mul_div(nearest, Q_ONE, v->w);
-    to->s = mul_shift(v->s - plan->u, to->q, scale);
-    to->t = mul_shift(v->t - plan->v, to->q, scale);
-}
-
-static void to_vector(struct plane_corner *to, const struct plane_corner *first)
-{
-    to->x -= first->x;
-    to->y -= first->y;
-    to->q -= first->q;
-    to->s -= first->s;
-    to->t -= first->t;
-}
-
-/* Finds the least and the greatest q that the plane has at a vertex. */
+/* Finds the least and the greatest q that the plane has at a vertex of a polygon that is not a triangle. */
 static void find_q(struct perspective_plan *plan, const struct screen_plane *q, const struct vertex *v,
                    int32 count, const struct rectangle *box)
 {
@@ -126,33 +107,46 @@ static void raise(struct screen_plane *plane, int32 units)
     plane->at.hi += ((uint32)units >> 16) + (plane->at.lo < low);
 }
 
+/* Returns the least q of a corner. */
+static int32 least_of(const struct plane_corners *corners)
+{
+    int32 least = corners->a.q < corners->b.q ? corners->a.q : corners->b.q;
+
+    return least < 0 ? corners->first.q + least : corners->first.q;
+}
+
 int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
                          int32 count, const struct sides *sides, const struct rectangle *box)
 {
+    struct corner_source source;
     struct plane_corners corners;
     struct found_planes planes;
     int32 right, down, least, off_q, off_s, off_t, shares;
-    fix16 nearest = vertices->w;
     int32 farthest = 0, scale = 16;
 
-    for (int32 i = 1; i < count; i++)
-        if (vertices[i].w < nearest)
-            nearest = vertices[i].w;
+    vertex_range(&vertices->w, count, &source.nearest);
     plan->u = middle(&vertices->s, count, &plan->u_low, &plan->u_high, &farthest);
     plan->v = middle(&vertices->t, count, &plan->v_low, &plan->v_high, &farthest);
     while (farthest >> scale)
         scale++;
-    set_corner(&corners.first, sides->top, nearest, plan, scale);
-    set_corner(sides->middle_right ? &corners.b : &corners.a, sides->bottom, nearest, plan, scale);
-    set_corner(sides->middle_right ? &corners.a : &corners.b, sides->middle, nearest, plan, scale);
+    source.first = sides->top;
+    source.a = sides->middle_right ? sides->middle : sides->bottom;
+    source.b = sides->middle_right ? sides->bottom : sides->middle;
+    source.u = plan->u;
+    source.v = plan->v;
+    source.scale = scale;
+    corners_find(&corners, &source);
     corners.x = (box->left << 16) - corners.first.x;
     corners.y = (box->top << 16) - corners.first.y;
-    to_vector(&corners.a, &corners.first);
-    to_vector(&corners.b, &corners.first);
     corners.area = sides->area;
     planes_find(&planes, &corners);
-    find_q(plan, &planes.q, vertices, count, box);
-    least = plan->q_low;
+    if (count == 3) {
+        least = least_of(&corners);
+        plan->q_high = Q_ONE;
+    } else {
+        find_q(plan, &planes.q, vertices, count, box);
+        least = plan->q_low;
+    }
     right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
     down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
     off_q = plane_error(&planes.q, right, down);
@@ -160,6 +154,8 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     off_t = plane_error(&planes.t, right, down);
     if (!is_sure(off_q, least) || !is_sure(off_s, least) || !is_sure(off_t, least))
         return 0;
+    if (count == 3)
+        plan->q_low = least - off_q;
     /* Raised so that s / q is never below u. q's error changes s by less than itself, as u less its
        base is below 2^scale. Rounding at each corner adds less than half a unit and one, times the
        pixel's shares of the corners. */

@@ -18,12 +18,21 @@ struct plane_corners {
     fix16 x, y;                         /* from the first corner to the pixel */
 };
 
+/* Input of corners_find. */
+struct corner_source {
+    const struct vertex *first, *a, *b;
+    fix16 u, v;                         /* the bases of s and t */
+    fix16 nearest;                      /* w */
+    int32 scale;                        /* 16 to 31 */
+};
+
 /* Output of planes_find: values at the pixel, and their steps to the next pixel and line; 48.16. */
 struct found_planes {
     struct screen_plane q, s, t;
 };
 
-/* src68k/polygon: contract there. */
+/* src68k/polygon: contracts there. */
+void corners_find(struct plane_corners *corners, const struct corner_source *source);
 void planes_find(struct found_planes *planes, const struct plane_corners *corners);
 
 /* Fills in the planes and bases of a plan, for the box's pixels. Returns 0 if the planes are too

@@ -1,5 +1,5 @@
-"""The integer model's perspective: c/perspective/perspective.c, src68k/polygon/planes_find,
-src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
+"""The integer model's perspective: c/perspective/perspective.c, src68k/polygon/corners_find
+and planes_find, src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
 
 q = (least w) / w, S = u q and T = v q are planes over the screen. On each line u and v are
 divided at the first and the last pixel. Between them u = first + (last - first) * part, with
@@ -189,12 +189,14 @@ def perspective(vertices, corners, box) -> Perspective | None:
         gx, gy = gradients(three, key)
         planes.append(Plane((three[0][key] << 16) + (gx * x >> 16) + (gy * y >> 16), gx, gy))
     q, *st = planes
-    at = [signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
-                 + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices]
+    at = [corner[2] for corner in three] if len(vertices) == 3 else [
+        signed((q.at >> 16) + wide_mul(q.dx, signed(v[0] - (left << 16)))
+               + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices]
     least = min(at)
     errors = [2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1]) for plane in planes]
     if max(errors) >= TOO_STEEP or least < Q_SURE * max(errors):
         return None
+    least -= errors[0] if len(vertices) == 3 else 0
     raised = tuple(error + errors[0] + 2 * shares + 2 for error in errors[1:])
     for plane, units in zip(st, raised):  # s / q is never below u
         plane.at += units << 16
