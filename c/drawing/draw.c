@@ -275,6 +275,8 @@ static int32 draw_perspective(struct setup *s)
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
     } else if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box)) {
+        if (s->counts)
+            s->counts->unsure++;
         return 0;
     }
     make_lines(s, SPAN_FILL);

@@ -110,6 +110,7 @@ enum rule {
 
 struct draw_counts {
     uint32 polygons;            /* that reached a span routine */
+    uint32 unsure;              /* drawn affine, as depth varies too much for planes of 32 bits */
     uint32 pixels[SPAN_KINDS];
     uint32 rules[RULES];        /* polygons to which each applied */
 };

@@ -88,6 +88,8 @@ void counts_print(const struct scene_counts *counts)
         text_number((int32)i);
         text_add(" polygons ");
         text_number((int32)of->polygons);
+        text_add(" unsure ");
+        text_number((int32)of->unsure);
         text_add(" rules");
         add_named(of->rules, rule_names, RULES);
         text_add(" spans");

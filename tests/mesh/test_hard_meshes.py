@@ -13,6 +13,8 @@ from math import ceil
 import numpy as np
 import pytest
 
+from tests.helpers import guest_runs
+from tests.helpers.guest_runs import Asked
 from tmap.accuracy import hard_mesh_report, hard_report
 from tmap.accuracy.hard_mesh_report import combinations, judge
 from tmap.build import layout
@@ -124,6 +126,14 @@ def test_only_planes_that_are_not_sure_are_drawn_affine() -> None:
     kinds = "mesh_wall", "mesh_near", "mesh_floor", "mesh_ring"
     grazing = [case for case in CASES if case.name.startswith(kinds)]
     assert {case.name for case in grazing if judge(case, fine)[0].unsure} == UNSURE
+
+
+def test_faces_drawn_affine_are_counted() -> None:
+    """The guest says so: the wall beside the eye is one, another wall none."""
+    fine = [s for s in combinations(CASES[0]) if s.perspective == "fine"][:1]
+    names = [*sorted(UNSURE), "mesh_wall_256_units_aside_askew"]
+    asked = [Asked(hard_mesh_report.scene(BY_NAME[name], fine, np.zeros((256, 256), np.uint8))) for name in names]
+    assert [sum(of["unsure"] for of in drawn.executed) for drawn in guest_runs.draw(asked)] == [1, 0]
 
 
 WRONG = {  # the errors that a wrong renderer adds to a corner

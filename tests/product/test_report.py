@@ -147,9 +147,9 @@ def complete(tmp_path_factory) -> Path:
         "totals": run.total([frame]), "errors": vars(Errors()),
         "materials": {}, "cycles_unit": "CPU cycles",
         "lowering": {"a_material_with_a_rather_long_name_of_its_own": {
-            "asked": asked, "polygons": 5, "rules": {"constant_w_needs_no_perspective": 4},
+            "asked": asked, "polygons": 5, "unsure": 0, "rules": {"constant_w_needs_no_perspective": 4},
             "spans": {"affine_addx": 100, "affine_row": 12345678}}, "plain": {
-            "asked": asked, "polygons": 1, "rules": {}, "spans": {"fill": 1}}}}
+            "asked": asked, "polygons": 1, "unsure": 0, "rules": {}, "spans": {"fill": 1}}}}
     names = ("frame_000.png", "animation.gif", "methods.png", "swimming.png", "swimming.gif",
              "accuracy.png", "sliver.png")
     for name in names:

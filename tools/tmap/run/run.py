@@ -28,7 +28,7 @@ ROWS_MAX = 10  # frames listed one by one, at most
 WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky", "frame_[0-9][0-9][0-9].png")
 COUNTS = r"((?: [a-z]\w* \d+)*)"
 FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
-MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) rules{COUNTS} spans{COUNTS}")
+MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) unsure (\d+) rules{COUNTS} spans{COUNTS}")
 #: Not "scene": the Amiga would take that argument for the keyword in its template.
 SCENE_NAME = "input.scene"
 
@@ -62,8 +62,8 @@ def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], 
         figures.append({"number": int(match[1]), "cycles": int(match[2]) * CYCLES_PER_TICK,
                         "polygons": int(match[3]), "pixels": sum(spans.values()),
                         "spans": spans})
-    executed = [{"polygons": int(match[2]), "rules": counts_of(match[3]),
-                 "spans": counts_of(match[4])}
+    executed = [{"polygons": int(match[2]), "unsure": int(match[3]), "rules": counts_of(match[4]),
+                 "spans": counts_of(match[5])}
                 for match in parse_lines(lines[frames:], MATERIAL_LINE, "material")]
     return figures, executed
 
@@ -103,7 +103,7 @@ class Rendered:
 
     frames: list[np.ndarray]  # from ``load_dumps``
     figures: list[dict]  # of each frame
-    executed: list[dict]  # for each material: polygons, polygons by rule, pixels by span
+    executed: list[dict]  # for each material: polygons, those drawn affine for want of precision, polygons by rule, pixels by span
 
 
 def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Rendered:
@@ -179,6 +179,9 @@ def print_lowering(materials: dict) -> None:
         if material["rules"]:
             print(f"{'':<{width}}  by " + ", ".join(f"{rule} {count:,}" for rule, count
                                                     in material["rules"].items()))
+        if material["unsure"]:
+            print(f"{'':<{width}}  {material['unsure']:,} of its polygons are affine: their depth varies too much "
+                  "for exact planes; cut them")
     print()
 
 
