@@ -51,8 +51,15 @@ mem_cleared:
 ; d2 = void**, d3 = bytes, d1 = AllocMem's flags.
 allocate:
         addq.l  #BLOCK_HEAD,d3
-        move.l  d3,d0
+        move.l  d1,-(sp)
+        and.l   #~MEMF_CLEAR,d1
+        or.l    #MEMF_LARGEST,d1
         movea.l sys_base,a6
+        lvo     AvailMem
+        move.l  (sp)+,d1
+        cmp.l   d3,d0
+        blo.s   .none                   ; AROS's handlers for a lack of memory may not return
+        move.l  d3,d0
         lvo     AllocMem
         tst.l   d0
         beq.s   .short
@@ -66,6 +73,8 @@ allocate:
         moveq   #1,d0
 .short  movem.l (sp)+,d2/d3/a6
         rts
+.none   moveq   #0,d0
+        bra.s   .short
 
 ; mem_uncleared - mem_take from exec only, without the memory set aside
 ;
