@@ -89,8 +89,10 @@ static int32 is_drawn_from_afar(const struct setup *s)
 
     plan.planes = s->perspective;
     plan.table = s->renderer->reciprocals;
-    return shift >= 0 && find_constants(&plan, FAR_4096, FAR_BITS)
-        && far_draw(s, &plan, shift, 1 << ways[s->setting].piece);
+    return shift >= 0
+        && ((find_constants(&plan, FAR_4096, FAR_BITS)
+             && far_draw(s, &plan, shift, 1 << ways[s->setting].piece))
+            || far_draw_planes(s, shift, 1 << ways[s->setting].piece));
 }
 
 /* Draws the lines it can and empties them; returns how many are left. So below. */

@@ -73,3 +73,48 @@ int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 
     spans[coarse][leftwards](&span);
     return 1;
 }
+
+/* Returns the most texels of u or v from its base, rounded up. */
+static int32 range(fix16 low, fix16 high)
+{
+    return ((-low > high ? -low : high) >> 16) + 1;
+}
+
+int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const int32 to_u = range(planes->u_low, planes->u_high);
+    const int32 to_v = range(planes->v_low, planes->v_high);
+    const int32 way = (planes->count + s->box.right - s->box.left) << shift;
+    const int32 part = FAR_OFF_PART + (way >> 11), off = FAR_OFF_PLANES + (way >> 1);
+    const uint32 bias = (uint32)(planes->left + EDGE_BIAS);
+    struct far_planes_span span;
+
+    if (to_u > FAR_RANGE || to_v > FAR_RANGE || way > FAR_WAY)
+        return 0;
+    if (s->renderer->only_counts)
+        return 1;
+    span.lines = planes->lines;
+    span.count = planes->count;
+    span.row = s->span.row;
+    span.pitch = s->span.pitch;
+    span.map = s->span.map;
+    span.table = FAR_TABLE(s->renderer->reciprocals);
+    span.dqdx = (int32)planes->q.dx.hi;
+    span.dqdy = (int32)planes->q.dy.hi;
+    span.q = planes->q.at.hi - (uint32)span.dqdx * bias;
+    span.dsdx = upper(&planes->s.dx, 32 - FAR_SCALE);
+    span.dsdy = upper(&planes->s.dy, 32 - FAR_SCALE);
+    span.s = (int32)((uint32)upper(&planes->s.at, 32 - FAR_SCALE) - (uint32)span.dsdx * bias);
+    span.dtdx = upper(&planes->t.dx, 32 - FAR_SCALE);
+    span.dtdy = upper(&planes->t.dy, 32 - FAR_SCALE);
+    span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
+    span.u = planes->u + off + (to_u * part >> 2);
+    span.v = planes->v + off + (to_v * part >> 2);
+    span.most_16 = longest == 16 ? FAR_MOST_16 : 0;
+    if (span.dqdx < 0)
+        span_far_planes_left(&span);
+    else
+        span_far_planes_right(&span);
+    return 1;
+}

@@ -11,4 +11,8 @@ int32 far_shift(const struct perspective_plan *planes);
    if K is too far away. */
 int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 shift, int32 longest);
 
+/* Draws the lines of the setup's plan by the planes of u and v, where K is too far away. Returns 0 if their
+   range is too wide. */
+int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest);
+
 #endif

@@ -31,7 +31,14 @@ enum far_constants {
        2^b / 32 a line, or if it is coarse, without half a word, 2^b / 2; and 8 for the rest. */
     FAR_OFF_PART = 21,
     FAR_OFF_WORD = 1024,
-    FAR_OFF = 8
+    FAR_OFF = 8,
+    /* Planes instead of K and C: u less its base is S r / 2^16 units, S below 2^31 where q is 2^31, and with
+       room for pieces that end beyond the polygon. Their steps' cuts, one a pixel and line, are 2^b / 2 units
+       each, with 2^b times the pixels and lines so limited 1/16 texel. */
+    FAR_SCALE = 28,             /* S is units times q / 2^this */
+    FAR_RANGE = 1536,           /* texels from the base */
+    FAR_WAY = 8192,
+    FAR_OFF_PLANES = 32         /* units by which lines are raised, 16 of them for a piece's steps */
 };
 
 /* The table, behind that of reciprocals_make: at index 0, both. */
@@ -53,7 +60,25 @@ struct far_span {
     uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
 };
 
+/* The same for a far planes span. */
+struct far_planes_span {
+    const struct scanline *lines;
+    int32 count;
+    uint8 *row;
+    int32 pitch;
+    const uint8 *map;
+    const uint16 *table;
+    uint32 q;                   /* as in a far_span; */
+    int32 dqdx, dqdy;
+    int32 s, dsdx, dsdy;        /* S and T, there too */
+    int32 t, dtdx, dtdy;
+    fix16 u, v;                 /* the bases */
+    uint32 most_16;
+};
+
 /* src68k/span: contracts there. */
+void span_far_planes_right(const struct far_planes_span *span);
+void span_far_planes_left(const struct far_planes_span *span);
 void span_far_right(const struct far_span *span);
 void span_far_left(const struct far_span *span);
 void span_far_right_coarse(const struct far_span *span);

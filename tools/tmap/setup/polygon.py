@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from types import ModuleType
 
 from tmap.base.fixed import M32, ONE, mul, signed
-from tmap.setup import far, logarithm, reciprocal, snapped
+from tmap.setup import far, far_planes, logarithm, reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
 from tmap.setup.perspective import (PIECES, Perspective, coordinates as perspective_coordinates,
@@ -44,14 +44,15 @@ class Polygon:
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
     is_level: bool = False  # the perspective's depth does not change along lines
-    constants: reciprocal.Constants | far.Constants | None = None  # of lines drawn by tables
+    #: Of lines drawn by tables.
+    constants: reciprocal.Constants | far.Constants | far_planes.Constants | None = None
     triangle: snapped.Triangle | None = None  # drawn by a routine for triangles
 
     @property
     def tables(self) -> ModuleType:
         """The module that models lines drawn by tables."""
         return (far if isinstance(self.constants, far.Constants)
-                else reciprocal if self.setting in PIECES else logarithm)
+                else far_planes if isinstance(self.constants, far_planes.Constants) else reciprocal if self.setting in PIECES else logarithm)
 
     def record(self, line: Line, y: int):
         """Returns the record of the line at y for ``tables``; None if it is drawn another way."""
@@ -307,8 +308,9 @@ def constants(deep: Perspective, lines: list[Line], box, setting: str):
     if setting == "fine" or first is None:
         return None
     piece = PIECES[setting].bit_length() - 1 if setting in PIECES else None
-    return (piece and far.find(deep, 1 << piece, lines, box)) or reciprocal.find(
-        deep, piece, box[2] - box[0], lines[first].left - box[0], first)
+    from_afar = piece and (far.find(deep, 1 << piece, lines, box)
+                           or far_planes.find(deep, 1 << piece, lines, box))
+    return from_afar or reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
