@@ -85,7 +85,7 @@ static void raise(struct reciprocal_plan *plan, int32 off, int32 part)
 static int32 is_drawn_from_afar(const struct setup *s)
 {
     struct reciprocal_plan plan;
-    const int32 shift = far_shift(s->perspective);
+    const int32 shift = far_shift(s);
 
     plan.planes = s->perspective;
     plan.table = s->renderer->reciprocals;

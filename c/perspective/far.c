@@ -14,11 +14,14 @@ static int32 upper(const struct number64 *from, int32 bits)
     return (int32)(from->hi << bits | from->lo >> (32 - bits));
 }
 
-int32 far_shift(const struct perspective_plan *planes)
+int32 far_shift(const struct setup *s)
 {
-    /* a pixel may be a step outside the polygon */
+    const struct perspective_plan *planes = s->perspective;
+    const uint8 edges = s->material->edges;
     const int32 steep = perspective_steepness(&planes->q.dx) + 1;
-    const int32 least = planes->q_low - steep;
+    /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
+    const int32 least = planes->q_low - (planes->count + s->box.right - s->box.left)
+                      - (edges == EDGES_EXACT || edges == EDGES_SNAPPED ? 0 : steep);
     int32 shift = 0;
 
     if (least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)

@@ -5,7 +5,7 @@
 #include "perspective/perspective.h"
 
 /* Returns the bits by which q may have to be shifted left; below 0 if the polygon is not drawn this way. */
-int32 far_shift(const struct perspective_plan *planes);
+int32 far_shift(const struct setup *s);
 
 /* Draws the lines of a plan whose bits are FAR_BITS with pieces of up to `longest` pixels, 16 or 8. Returns 0
    if K is too far away. */

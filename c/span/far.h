@@ -14,11 +14,12 @@ enum far_constants {
     FAR_ORIGIN = 32768,         /* index 0 in the table */
     /* The lengths of pieces, by the step of q a pixel where q is 2^29 to 2^31. A chord of h pixels is off by
        about h^2 / (4 L) pixels, L = q / step: at most two pixels, and one where pieces
-       have 2. */
+       have 2 or 1. */
     FAR_MOST_16 = 1 << 24,
     FAR_MOST_8 = 1 << 26,
     FAR_MOST_4 = 1 << 28,
-    FAR_MOST = 1 << 29,         /* in pieces of 2 */
+    FAR_MOST_2 = 1 << 29,
+    FAR_MOST = 1 << 30,         /* in pieces of 1 */
     FAR_DEEP = 8,               /* q is shifted left by at most this, an even number: w varies by up to 512 */
     FAR_BITS = 3,               /* of a reciprocal_plan */
     FAR_COARSE = 4,             /* bits that C lacks if it does not fit a word */

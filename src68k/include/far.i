@@ -2,7 +2,7 @@
 ;
 ; On a line u = K + C r with r = table[q]: K and the step of q are the polygon's, C is the line's and grows by
 ; the same on each. q is shifted left by b, which is even, so that its index is 2^13 to 2^15, C by as much; where
-; that is over, b is 2 less, and the line begins again. Pieces have 16, 8, 4 or 2 pixels, the fewer the faster q
+; that is over, b is 2 less, and the line begins again. Pieces have 16, 8, 4, 2 or 1 pixels, the fewer the faster q
 ; grows.
 ; From the far end on, q only grows, so the last piece is an ordinary one that the line's end cuts short: what
 ; is behind it is no nearer to the horizon. The chain of two registers as in reciprocal.i.
@@ -94,7 +94,9 @@ far_start macro
 
 ; Pieces of 2^\3 pixels; d3: step of q a pixel.
 far_pieces macro
+        ifne    \3
         lsl.l   #\3,d3
+        endc
         swap    d3
         movea.l d3,a4
 .piece\3
@@ -219,7 +221,11 @@ far_lines macro
         bhi     .under_4
         far_pieces \1,\2,2
 .under_4
+        cmp.l   #FAR_MOST_2,d3
+        bhi     .under_2
         far_pieces \1,\2,1
+.under_2
+        far_pieces \1,\2,0
 
 .over   swap    d5
         bchg    #31,d5

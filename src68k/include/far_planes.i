@@ -58,13 +58,17 @@ by_step macro
         neg.l   d0
         endc
         lsl.l   d2,d0
+        ifne    \3
         lsl.l   #\3,d0
+        endc
         move.l  d0,by_d\1(sp)
         endm
 
 ; Pieces of 2^\2 pixels; d3: step of q a pixel.
 by_pieces macro
+        ifne    \2
         lsl.l   #\2,d3
+        endc
         swap    d3
         movea.l d3,a4
         by_step s,\1,\2
@@ -198,7 +202,11 @@ by_lines macro
         bhi     .under_4
         by_pieces \1,2
 .under_4
+        cmp.l   #FAR_MOST_2,d3
+        bhi     .under_2
         by_pieces \1,1
+.under_2
+        by_pieces \1,0
 
 .over   swap    d5
         bchg    #31,d5

@@ -7,28 +7,49 @@ from tests.kernels.trials.reciprocal import COUNTS, PITCH
 from tests.kernels.trials.span import picture_ground
 from tmap.bench import far as bench
 from tmap.bench.trial import Trial
-from tmap.setup import far as model
+from tmap.setup import far as model, far_planes
+
+
+ACROSS = max(COUNTS) + 4
+LINES = [(k % 4, count) for k, count in enumerate(COUNTS)]
+MARGIN = 4000 * len(LINES)  # q grows by up to 4000 a line
+
+
+def any_q(leftwards: bool, rng) -> tuple[int, int, int]:
+    """q at the table's corner and its growth a pixel and a line: any step, from as far as it may be."""
+    step = int(2.0 ** rng.uniform(0, 30)) // ACROSS + 1
+    least = 1 << 29 - model.DEEP
+    while step << (31 - least.bit_length() & ~1) > model.MOST[1]:
+        least *= 2
+    most = (1 << 31) - 1 - ACROSS * step - MARGIN
+    low = int((least + MARGIN) * 2.0 ** rng.uniform(0, np.log2(most / (least + MARGIN))))
+    down = int(rng.integers(-4000, 4000))
+    return (low + ACROSS * step, -step, down) if leftwards else (low, step, down)
+
+
+def anything_of(made, rng) -> Trial:
+    return bench.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), made, LINES, PITCH, f"{made}")
 
 
 def span_trial(longest: int, leftwards: bool, coarse: int, rng) -> Trial:
-    """q grows by any step a pixel from as far as it may be, and a little from line to line."""
-    lines = [(k % 4, count) for k, count in enumerate(COUNTS)]
-    across = max(COUNTS) + 4
-    step = int(2.0 ** rng.uniform(0, 29.5)) // across
-    least = max(1 << 29 - model.DEEP, min(4 * step, 1 << 28)) + 4000 * len(lines)
-    down = int(rng.integers(-4000, 4000))
-    most = (1 << 31) - 1 - across * step - 4000 * len(lines)
-    low = int(least * 2.0 ** rng.uniform(0, np.log2(most / least)))
-    q = low + across * step if leftwards else low
-    c = [int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(9, 31, 2)]
-    dc = [int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(2, 23, 2)]
-    made = model.Constants(tuple(int(n) for n in rng.integers(0, 1 << 32, 2)), tuple(c), tuple(dc), q,
-                           -step - 1 if leftwards else step + 1, down, 0, 0, longest, coarse, [0, 0])
-    return bench.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), made, lines, PITCH,
-                            f"{made}")
+    """Any constants."""
+    c, dc = ([int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(*reach, 2)]
+             for reach in ((9, 31), (2, 23)))
+    return anything_of(model.Constants(
+        tuple(int(n) for n in rng.integers(0, 1 << 32, 2)), tuple(c), tuple(dc), *any_q(leftwards, rng), 0, 0,
+        longest, coarse, [0, 0]), rng)
+
+
+def planes_trial(longest: int, leftwards: bool, rng) -> Trial:
+    """Any planes of u and v; their base is the same."""
+    st = tuple(tuple(int(rng.integers(-1 << bits, 1 << bits)) for bits in (30, 22, 22)) for _ in "uv")
+    return anything_of(far_planes.Constants(
+        *any_q(leftwards, rng), st, tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)), 0, 0, longest,
+        [0, 0]), rng)
 
 
 def trials() -> list[Trial]:
     rng = np.random.default_rng(24)
-    return [span_trial(longest, leftwards, coarse, rng) for longest in (8, 16) for leftwards in (False, True)
-            for coarse in (0, model.COARSE) for _ in range(16)]
+    ways = [(longest, leftwards) for longest in (8, 16) for leftwards in (False, True)]
+    return [*(span_trial(*way, coarse, rng) for way in ways for coarse in (0, model.COARSE) for _ in range(16)),
+            *(planes_trial(*way, rng) for way in ways for _ in range(16))]

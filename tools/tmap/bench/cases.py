@@ -53,7 +53,7 @@ def span_calls(length: int) -> dict[str, Call]:
             | {name: mapper_case(name, length) for name in ("gouraud", "arbitrary", "generated")}
             | {name: perspective.span_case(*how, length) for name, how in perspective.SPANS.items()}
             | {name: reciprocal.span_case(m, length) for name, m in reciprocal.SPANS.items()}
-            | {name: far.span_case(piece, length) for name, piece in far.SPANS.items()}
+            | {name: far.span_case(*how, length) for name, how in far.SPANS.items()}
             | {"persp_pixel": logarithm.span_case(length),
                "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
             | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()})

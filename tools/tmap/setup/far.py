@@ -18,7 +18,7 @@ from tmap.setup.perspective import steepness
 LOWEST = 8192
 COUNT = 40962
 ORIGIN = 32768
-MOST = {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: 1 << 29}  # steps of q at 2^29 to 2^31, by a piece's pixels
+MOST = {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: 1 << 29, 1: 1 << 30}  # steps of q at 2^29 to 2^31, by a piece's pixels
 DEEP = 8
 COARSE = 4
 BITS = 3  # of K and C
@@ -95,20 +95,23 @@ class Line:
             q, shift = (swap(x) ^ 1 << 31) >> 2, shift - 2
 
 
-def shift_of(p) -> int | None:
-    """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way."""
+def shift_of(p, way: int, exact: bool) -> int | None:
+    """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way.
+    ``way``: lines and pixels of the box; ``exact``: edges are not rounded."""
     steep = steepness(p.q.dx) + 1
-    least = p.least - steep
+    least = p.least - way - (0 if exact else steep)
     if least < 1 << 29 - DEEP or p.most > (1 << 30) + steep:
         return None
     shift = max(0, 31 - least.bit_length() & ~1)
-    return shift if steep << shift <= MOST[2] else None
+    return shift if steep << shift <= MOST[1] else None
 
 
-def find(p, longest: int, lines, box) -> Constants | None:
+def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
     """Returns the constants of a tmap.setup.perspective.Perspective, whose lines begin at the box's first;
-    None if the polygon is drawn another way. ``longest``: the most pixels of a piece."""
-    shift = shift_of(p)
+    None if the polygon is drawn another way. ``longest``: the most pixels of a piece;
+    ``exact``: edges are not rounded."""
+    way = len(lines) + box[2] - box[0]
+    shift = shift_of(p, way, exact)
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
     if shift is None or first is None:
         return None
@@ -120,7 +123,7 @@ def find(p, longest: int, lines, box) -> Constants | None:
     coarse = COARSE if max(farthest) > REACH else 0
     if max(farthest) > REACH << coarse:
         return None
-    part = OFF_PART + (len(lines) + box[2] - box[0] << shift >> 11)
+    part = OFF_PART + (way << shift >> 11)
     off = OFF + (len(lines) << shift >> 1 if coarse else OFF_WORD + (len(lines) << shift >> 5))
     raised = [off + (n * part >> 2) for n in farthest]
     c, dc = ([signed(n << 8 - BITS - coarse >> 32) for n in each] for each in (cs, dcs))

@@ -39,13 +39,14 @@ class Line(far.Line):
     """A line's pixels left to left + n; c: S and T at its far end."""
 
 
-def find(p, longest: int, lines, box) -> Constants | None:
+def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
     """Returns the planes of a tmap.setup.perspective.Perspective; None if the polygon is drawn another way."""
-    shift = far.shift_of(p)
+    way = len(lines) + box[2] - box[0]
+    shift = far.shift_of(p, way, exact)
     if shift is None:
         return None
     ranges = [(max(-low, high) >> 16) + 1 for low, high in zip(p.low, p.high)]
-    way = len(lines) + box[2] - box[0] << shift
+    way <<= shift
     if max(ranges) > RANGE or way > WAY:
         return None
     raised = [OFF + (way >> 1) + (n * (far.OFF_PART + (way >> 11)) >> 2) for n in ranges]

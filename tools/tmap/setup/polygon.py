@@ -236,7 +236,7 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     if not polygon.is_level and setting in PIECES and setting == settings.perspective:
         tilt = tilt_of(deep, width)
         polygon.is_level, deep.tilt = tilt is not None, tilt or 0
-    polygon.constants = constants(deep, polygon.lines, outline.box, setting)
+    polygon.constants = constants(deep, polygon.lines, outline.box, setting, settings.has_exact_edges)
     return True
 
 
@@ -302,14 +302,14 @@ def by_triangles(vertices, outline: Outline, width: int, settings: Settings,
     return polygon
 
 
-def constants(deep: Perspective, lines: list[Line], box, setting: str):
+def constants(deep: Perspective, lines: list[Line], box, setting: str, exact: bool):
     """Returns the constants of lines drawn by tables; None if no line is."""
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
     if setting == "fine" or first is None:
         return None
     piece = PIECES[setting].bit_length() - 1 if setting in PIECES else None
-    from_afar = piece and (far.find(deep, 1 << piece, lines, box)
-                           or far_planes.find(deep, 1 << piece, lines, box))
+    from_afar = piece and (far.find(deep, 1 << piece, lines, box, exact)
+                           or far_planes.find(deep, 1 << piece, lines, box, exact))
     return from_afar or reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
 
 
