@@ -8,6 +8,13 @@ static far_routine *const spans[2][2] = {       /* [coarse][q grows to the left]
     {span_far_right, span_far_left}, {span_far_right_coarse, span_far_left_coarse}
 };
 
+static const struct far_lengths every16 = {
+    1 << (FAR_EVERY16 - 8), 1 << (FAR_EVERY16 - 6), 1 << (FAR_EVERY16 - 4), FAR_MOST / 2
+};
+static const struct far_lengths every8 = {
+    0, 1 << (FAR_EVERY8 - 6), 1 << (FAR_EVERY8 - 4), 1 << (FAR_EVERY8 - 2)
+};
+
 /* The upper half of a number times 2^bits; bits: 1 to 31. */
 static int32 upper(const struct number64 *from, int32 bits)
 {
@@ -66,7 +73,7 @@ int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 
     span.dqdy = (int32)planes->q.dy.hi;
     span.q = planes->q.at.hi - (uint32)span.dqdx * (uint32)(planes->left + EDGE_BIAS);
     span.dq = (uint32)(leftwards ? -span.dqdx : span.dqdx);
-    span.most_16 = longest == 16 ? FAR_MOST_16 : 0;
+    span.lengths = longest == 16 ? every16 : every8;
     span.ku = (uint32)(plan->ku + planes->u + off + (to_u * part >> 2)) << 8;
     span.kv = (uint32)(plan->kv + planes->v + off + (to_v * part >> 2)) << 8;
     span.dcu = (uint32)upper(&plan->dcu, bits);
@@ -114,7 +121,7 @@ int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
     span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
     span.u = planes->u + off + (to_u * part >> 2);
     span.v = planes->v + off + (to_v * part >> 2);
-    span.most_16 = longest == 16 ? FAR_MOST_16 : 0;
+    span.lengths = longest == 16 ? every16 : every8;
     if (span.dqdx < 0)
         span_far_planes_left(&span);
     else

@@ -12,14 +12,12 @@ enum far_constants {
     FAR_LOWEST = 8192,
     FAR_COUNT = 40962,
     FAR_ORIGIN = 32768,         /* index 0 in the table */
-    /* The lengths of pieces, by the step of q a pixel where q is 2^29 to 2^31. A chord of h pixels is off by
-       about h^2 / (4 L) pixels, L = q / step: at most two pixels, and one where pieces
-       have 2 or 1. */
-    FAR_MOST_16 = 1 << 24,
-    FAR_MOST_8 = 1 << 26,
-    FAR_MOST_4 = 1 << 28,
-    FAR_MOST_2 = 1 << 29,
-    FAR_MOST = 1 << 30,         /* in pieces of 1 */
+    /* Pieces have h pixels where the step of q a pixel is at most EVERY / h^2, q being 2^29 to 2^31. The chord is
+       off by about h^2 / (4 L) pixels, L = q / step: at most 2 pixels with every16, 1/2 with every8, which has no
+       pieces of 16. The table has room for steps up to MOST, in pieces of 2 half of that. */
+    FAR_EVERY16 = 32,           /* log2 */
+    FAR_EVERY8 = 30,
+    FAR_MOST = 1 << 30,
     FAR_DEEP = 8,               /* q is shifted left by at most this, an even number: w varies by up to 512 */
     FAR_BITS = 3,               /* of a reciprocal_plan */
     FAR_COARSE = 4,             /* bits that C lacks if it does not fit a word */
@@ -45,6 +43,11 @@ enum far_constants {
 /* The table, behind that of reciprocals_make: at index 0, both. */
 #define FAR_TABLE(reciprocals) ((reciprocals) + RECIPROCAL_COUNT / 2 + (FAR_ORIGIN - FAR_LOWEST))
 
+/* The greatest steps of q a pixel, q being 2^29 to 2^31, for pieces of so many pixels. */
+struct far_lengths {
+    uint32 most_16, most_8, most_4, most_2;
+};
+
 /* Everything a far span needs: it draws the whole table. */
 struct far_span {
     const struct scanline *lines;       /* left and last are read */
@@ -56,7 +59,7 @@ struct far_span {
     uint32 q;                   /* 2.30, at pixel -EDGE_BIAS of the first line; */
     int32 dqdx, dqdy;           /* its steps */
     uint32 dq;                  /* and the magnitude of dqdx, above 0 */
-    uint32 most_16;             /* of this where q is 2^29 to 2^31 for pieces of 16 */
+    struct far_lengths lengths; /* of pieces, by this */
     uint32 ku, kv;              /* K, 8.24 */
     uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
 };
@@ -74,7 +77,7 @@ struct far_planes_span {
     int32 s, dsdx, dsdy;        /* S and T, there too */
     int32 t, dtdx, dtdy;
     fix16 u, v;                 /* the bases */
-    uint32 most_16;
+    struct far_lengths lengths;
 };
 
 /* src68k/span: contracts there. */

@@ -22,14 +22,17 @@ far_dqdx        equ     16
 far_dqdy        equ     20
 far_dq          equ     24              ; a pixel on
 far_most_16     equ     28              ; of this in pieces of 16
-far_ku          equ     32
-far_kv          equ     36
-far_dcu         equ     40
-far_dcv         equ     44
-far_cu          equ     48              ; of the line, not shifted
-far_cv          equ     52
-far_shift       equ     56              ; b
-far_bytes       equ     60
+far_most_8      equ     32
+far_most_4      equ     36
+far_most_2      equ     40
+far_ku          equ     44
+far_kv          equ     48
+far_dcu         equ     52
+far_dcv         equ     56
+far_cu          equ     60              ; of the line, not shifted
+far_cv          equ     64
+far_shift       equ     68              ; b
+far_bytes       equ     72
 
 ; \1: l, or w at a piece's last pixel; \2: left or right, the way that lines are drawn.
 far_pixel macro
@@ -155,9 +158,10 @@ far_lines macro
         move.l  a2,far_end(sp)
         move.l  far_span_row(a0),far_row(sp)
         move.l  far_span_pitch(a0),far_pitch(sp)
-        movem.l far_span_q(a0),d0-d7/a1-a2      ; dqdx, dqdy, dq, most_16, ku, kv, dcu, dcv, cu
-        movem.l d0-d7/a1-a2,far_q(sp)
-        move.l  far_span_cv(a0),far_cv(sp)
+        movem.l far_span_q(a0),d0-d7    ; dqdx, dqdy, dq, most_16, 8, 4, 2
+        movem.l d0-d7,far_q(sp)
+        movem.l far_span_ku(a0),d0-d5   ; kv, dcu, dcv, cu, cv
+        movem.l d0-d5,far_ku(sp)
         move.l  far_span_map(a0),d4     ; mm00
         movea.l far_span_table(a0),a3
         movea.l far_span_lines(a0),a0
@@ -213,15 +217,15 @@ far_lines macro
         bhi     .under_16
         far_pieces \1,\2,4
 .under_16
-        cmp.l   #FAR_MOST_8,d3
+        cmp.l   far_most_8(sp),d3
         bhi     .under_8
         far_pieces \1,\2,3
 .under_8
-        cmp.l   #FAR_MOST_4,d3
+        cmp.l   far_most_4(sp),d3
         bhi     .under_4
         far_pieces \1,\2,2
 .under_4
-        cmp.l   #FAR_MOST_2,d3
+        cmp.l   far_most_2(sp),d3
         bhi     .under_2
         far_pieces \1,\2,1
 .under_2

@@ -7,7 +7,7 @@
 
         include "far.i"
 
-; On the stack; the fields up to by_most_16 as in a far_planes_span.
+; On the stack; the fields up to by_most_2 as in a far_planes_span.
 by_q            equ     0               ; at pixel -EDGE_BIAS of the line
 by_dqdx         equ     4
 by_dqdy         equ     8
@@ -20,14 +20,17 @@ by_dtdy         equ     32
 by_u            equ     36              ; the bases
 by_v            equ     40
 by_most_16      equ     44              ; of |dqdx| in pieces of 16
-by_end          equ     48              ; of the table
-by_row          equ     52              ; the line's, at pixel -EDGE_BIAS
-by_pitch        equ     56
-by_shift        equ     60              ; b
-by_ds           equ     64              ; a piece
-by_dt           equ     68
-by_v0           equ     72              ; v where the piece begins, 16.16
-by_bytes        equ     76
+by_most_8       equ     48
+by_most_4       equ     52
+by_most_2       equ     56
+by_end          equ     60              ; of the table
+by_row          equ     64              ; the line's, at pixel -EDGE_BIAS
+by_pitch        equ     68
+by_shift        equ     72              ; b
+by_ds           equ     76              ; a piece
+by_dt           equ     80
+by_v0           equ     84              ; v where the piece begins, 16.16
+by_bytes        equ     88
 
 ; \2 = \1 at d2 pixels from pixel -EDGE_BIAS.
 by_value macro
@@ -149,6 +152,8 @@ by_lines macro
         move.l  far_planes_span_pitch(a0),by_pitch(sp)
         movem.l far_planes_span_q(a0),d0-d7/a1-a4
         movem.l d0-d7/a1-a4,by_q(sp)
+        movem.l far_planes_span_lengths+far_lengths_most_8(a0),d0-d2        ; 4, 2
+        movem.l d0-d2,by_most_8(sp)
         move.l  far_planes_span_map(a0),d4      ; mm00
         movea.l far_planes_span_table(a0),a3
         movea.l far_planes_span_lines(a0),a0
@@ -194,15 +199,15 @@ by_lines macro
         bhi     .under_16
         by_pieces \1,4
 .under_16
-        cmp.l   #FAR_MOST_8,d3
+        cmp.l   by_most_8(sp),d3
         bhi     .under_8
         by_pieces \1,3
 .under_8
-        cmp.l   #FAR_MOST_4,d3
+        cmp.l   by_most_4(sp),d3
         bhi     .under_4
         by_pieces \1,2
 .under_4
-        cmp.l   #FAR_MOST_2,d3
+        cmp.l   by_most_2(sp),d3
         bhi     .under_2
         by_pieces \1,1
 .under_2

@@ -19,7 +19,7 @@ def any_q(leftwards: bool, rng) -> tuple[int, int, int]:
     """q at the table's corner and its growth a pixel and a line: any step, from as far as it may be."""
     step = int(2.0 ** rng.uniform(0, 30)) // ACROSS + 1
     least = 1 << 29 - model.DEEP
-    while step << (31 - least.bit_length() & ~1) > model.MOST[1]:
+    while step << (31 - least.bit_length() & ~1) > model.MOST:
         least *= 2
     most = (1 << 31) - 1 - ACROSS * step - MARGIN
     low = int((least + MARGIN) * 2.0 ** rng.uniform(0, np.log2(most / (least + MARGIN))))

@@ -28,10 +28,12 @@ def kernel(k: far.Constants | far_planes.Constants) -> str:
     return f"span_far_{way}{'_coarse' if k.coarse else ''}"
 
 
-def plan_fields(k: far.Constants | far_planes.Constants) -> dict[str, int]:
+def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
     """What a span's structure has of them."""
     bias = k.left + BIAS
-    found = {"q": k.q - bias * k.dqdx & M32, "most_16": far.MOST[16] if k.longest == 16 else 0}
+    most = {f"most_{pixels}": far.LENGTHS[k.longest][pixels] for pixels in (16, 8, 4, 2)}
+    lengths = layout.load().struct("far_lengths").pack(**most)
+    found = {"q": k.q - bias * k.dqdx & M32, "lengths": list(lengths)}
     if isinstance(k, far_planes.Constants):
         for name, (at, dx, dy) in zip("st", k.st):
             found |= {name: signed(at - bias * dx), f"d{name}dx": dx, f"d{name}dy": dy}
@@ -65,7 +67,7 @@ def span_case(longest: int, planes: bool, length: int):
     rng, count, memory = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
     map_at = memory.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
-    step = min(3 * (1 << 28) // length, far.MOST[longest] // 2)
+    step = min(3 * (1 << 28) // length, far.LENGTHS[longest][longest] // 2)
     q = 1 << 28, (1 << 28) + length * step
     any_two = rng.integers(0, 1 << 32, 2)
     if planes:  # from 0 on

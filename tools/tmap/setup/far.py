@@ -18,7 +18,10 @@ from tmap.setup.perspective import steepness
 LOWEST = 8192
 COUNT = 40962
 ORIGIN = 32768
-MOST = {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: 1 << 29, 1: 1 << 30}  # steps of q at 2^29 to 2^31, by a piece's pixels
+MOST = 1 << 30
+#: The greatest steps of q a pixel, q being 2^29 to 2^31, by a piece's pixels; by a setting's longest pieces.
+LENGTHS = {16: {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: MOST // 2, 1: MOST},
+           8: {16: 0, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
 DEEP = 8
 COARSE = 4
 BITS = 3  # of K and C
@@ -83,8 +86,7 @@ class Line:
         shift = 31 - self.q.bit_length() & ~1
         q = self.q << shift
         while True:
-            pixels = next(m for m, most in MOST.items()
-                          if m <= self.constants.longest and dq << shift <= most)
+            pixels = next(m for m, most in LENGTHS[self.constants.longest].items() if dq << shift <= most)
             step, x, is_first = swap(dq * pixels << shift), swap(q ^ 1 << 31), True
             while is_first or x & 0x8000:
                 begin, x = x, step_swapped(x, step)
@@ -103,7 +105,7 @@ def shift_of(p, way: int, exact: bool) -> int | None:
     if least < 1 << 29 - DEEP or p.most > (1 << 30) + steep:
         return None
     shift = max(0, 31 - least.bit_length() & ~1)
-    return shift if steep << shift <= MOST[1] else None
+    return shift if steep << shift <= MOST else None
 
 
 def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
