@@ -8,7 +8,7 @@ from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
 from tests.kernels.trials.reciprocal import COUNTS, PITCH
 from tests.kernels.trials.span import picture_ground
-from tmap.base.fixed import signed
+from tmap.base.fixed import mul_div, signed
 from tmap.bench import perspective
 from tmap.bench.trial import Trial, Write, values
 from tmap.build import layout
@@ -71,6 +71,28 @@ def planes_trial(rng) -> Trial:
                  also=lambda _: worst)
 
 
+def corners_trial(rng) -> Trial:
+    """Three vertices of any depth, u and v near a base."""
+    memory, nearest = Memory(), int(2.0 ** rng.uniform(0, 30))
+    scale, base = int(rng.integers(16, 30)), [any_size(rng, 28) for _ in "uv"]
+    reach = (1 << scale) - 1
+    vertices, rows = {}, []
+    for name in ("first", "a", "b"):
+        w = int(nearest * 2.0 ** rng.uniform(0, 31 - nearest.bit_length()))
+        x, y = any_size(rng, 29), any_size(rng, 29)
+        u, v = (b + int(rng.integers(-reach, reach + 1)) for b in base)
+        vertices[name] = memory.struct("vertex", {}, x=x, y=y, s=u, t=v, shade=0, w=w)
+        q = mul_div(nearest, model.Q_ONE, w)
+        rows.append([x, y, q, *((c - near) * q >> scale for c, near in zip((u, v), base))])
+    source = memory.struct("corner_source", vertices, u=base[0], v=base[1], nearest=nearest, scale=scale)
+    out = memory.room("plane_corners")
+    shape = layout.load().struct("plane_corner")
+    rows[1:] = [[c - o for c, o in zip(row, rows[0])] for row in rows[1:]]
+    writes = [Write(out + k * shape.size, shape.pack(**dict(zip("xyqst", row)))) for k, row in enumerate(rows)]
+    return Trial(Case("corners_find", memory, pointers={"a0": out, "a1": source}),
+                 f"w from {nearest}, scale {scale}", writes=writes)
+
+
 def any_plane(rng, value: int) -> model.Plane:
     return model.Plane(value, any_size(rng, 50), any_size(rng, 50))
 
@@ -126,7 +148,7 @@ def span_trial(setting: str, ends, reach: int, rng) -> Trial:
 def trials() -> list[Trial]:
     rng = np.random.default_rng(5)
     every = ("every16", "every8", "pixel", "fine")
-    return [*(planes_trial(rng) for _ in range(120)),
+    return [*(planes_trial(rng) for _ in range(120)), *(corners_trial(rng) for _ in range(60)),
             *(level_trial(rng) for _ in range(60)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *(span_trial(setting, ends, reach, rng) for setting in every for ends in Q_ENDS
