@@ -23,7 +23,6 @@ static const struct {
 
 /* All lines in the form that a span reads, prepared before they are drawn; one form at a time. */
 union made {
-    struct reciprocal_line reciprocals[FRAME_SIDE_MAX];
     struct logarithm_line logarithms[FRAME_SIDE_MAX];
     struct perspective_line exact[FRAME_SIDE_MAX];
     struct scanline_step steps[FRAME_SIDE_MAX];
@@ -41,14 +40,6 @@ static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach, fix16 far)
 {
     return value > -far && value < far && low > -far && high < far
         && low - value <= reach && value - high <= reach;
-}
-
-/* Returns the whole texels from K to the farther end of a range, rounded up. */
-static int32 farthest(fix16 k, fix16 low, fix16 high)
-{
-    const fix16 above = high - k, below = k - low;
-
-    return ((above > below ? above : below) >> 16) + 1;
 }
 
 /* Finds K and C. Returns 0 if no line can be drawn with them. reach: texels from K, 16.16, beyond
@@ -70,67 +61,19 @@ static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 bit
         && is_near(plan->kv, planes->v_low, planes->v_high, reach, far);
 }
 
-/* Lines may be off by less than `off` units and `part` quarters of a unit for each texel from K: K is
-   raised by that. */
-static void raise(struct reciprocal_plan *plan, int32 off, int32 part)
-{
-    const struct perspective_plan *planes = plan->planes;
-
-    plan->ku += planes->u + off
-              + (farthest(plan->ku, planes->u_low, planes->u_high) * part >> 2);
-    plan->kv += planes->v + off
-              + (farthest(plan->kv, planes->v_low, planes->v_high) * part >> 2);
-}
-
 static int32 is_drawn_from_afar(const struct setup *s)
 {
     struct reciprocal_plan plan;
     const int32 shift = far_shift(s);
 
     plan.planes = s->perspective;
-    plan.table = s->renderer->reciprocals;
     return shift >= 0
         && ((find_constants(&plan, FAR_4096, FAR_BITS)
              && far_draw(s, &plan, shift, 1 << ways[s->setting].piece))
             || far_draw_planes(s, shift, 1 << ways[s->setting].piece));
 }
 
-/* Draws the lines it can and empties them; returns how many are left. So below. */
-static int32 draw_reciprocals(const struct setup *s, union made *made, int32 width)
-{
-    struct perspective_plan *planes = s->perspective;
-    const struct span_plan *span = &s->span;
-    struct reciprocal_plan plan;
-    struct reciprocal_span lines;
-    int32 reach, left;
-
-    plan.planes = planes;
-    plan.piece = ways[s->setting].piece;
-    plan.table = s->renderer->reciprocals;
-    plan.to = made->reciprocals;
-    reach = (plan.piece == PERSPECTIVE_PIECE_EVERY16 ? RECIPROCAL_REACH_16 : RECIPROCAL_REACH_8)
-          - width / RECIPROCAL_REACH_WIDTH;
-    if (!find_constants(&plan, reach << 16, RECIPROCAL_BITS))
-        return planes->count;
-    raise(&plan, width / 2 + (plan.piece == PERSPECTIVE_PIECE_EVERY16
-                              ? RECIPROCAL_OFF_16 : RECIPROCAL_OFF_8), RECIPROCAL_OFF_PART);
-    plan.limit = (uint32)reach << (24 - plan.piece);
-    left = reciprocal_lines(&plan);
-    if (s->renderer->only_counts)
-        return left;
-    lines.lines = made->reciprocals;
-    lines.count = planes->count;
-    lines.row = span->row;
-    lines.pitch = span->pitch;
-    lines.map = span->map;
-    lines.table = plan.table;
-    if (plan.piece == PERSPECTIVE_PIECE_EVERY16)
-        span_reciprocal_16(&lines);
-    else
-        span_reciprocal_8(&lines);
-    return left;
-}
-
+/* Draws the lines it can and empties them; returns how many are left. */
 static int32 draw_logarithms(const struct setup *s, union made *made)
 {
     const struct logarithm_tables *tables = s->renderer->logarithms;
@@ -143,7 +86,8 @@ static int32 draw_logarithms(const struct setup *s, union made *made)
     plan.planes = planes;
     if (!find_constants(&plan, FAR_512, RECIPROCAL_BITS))
         return planes->count;
-    raise(&plan, LOGARITHM_OFF, 0);
+    plan.ku += planes->u + LOGARITHM_OFF;
+    plan.kv += planes->v + LOGARITHM_OFF;
     left = logarithm_lines(&plan, tables, made->logarithms);
     if (s->renderer->only_counts)
         return left;
@@ -232,7 +176,7 @@ void perspective_draw(struct setup *s)
     if (s->counts)              /* before lines that are drawn become empty */
         count_lines(s, pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
     if (pieces && s->renderer->reciprocals)
-        left = is_drawn_from_afar(s) ? 0 : draw_reciprocals(s, made, width);
+        left = is_drawn_from_afar(s) ? 0 : plan->count;
     else if (setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
         left = draw_logarithms(s, made);
     if (s->counts)

@@ -68,7 +68,7 @@ int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 
     span.row = s->span.row;
     span.pitch = s->span.pitch;
     span.map = s->span.map;
-    span.table = FAR_TABLE(plan->table);
+    span.table = s->renderer->reciprocals;
     span.dqdx = (int32)planes->q.dx.hi;
     span.dqdy = (int32)planes->q.dy.hi;
     span.q = planes->q.at.hi - (uint32)span.dqdx * (uint32)(planes->left + EDGE_BIAS);
@@ -109,7 +109,7 @@ int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
     span.row = s->span.row;
     span.pitch = s->span.pitch;
     span.map = s->span.map;
-    span.table = FAR_TABLE(s->renderer->reciprocals);
+    span.table = s->renderer->reciprocals;
     span.dqdx = (int32)planes->q.dx.hi;
     span.dqdy = (int32)planes->q.dy.hi;
     span.q = planes->q.at.hi - (uint32)span.dqdx * bias;

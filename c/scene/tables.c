@@ -45,7 +45,7 @@ static void make_reciprocals(struct scene *scene)
     uint16 *table;
 
     scene->tried_reciprocals = 1;
-    if (mem_alloc(&table, (RECIPROCAL_COUNT + FAR_COUNT) * sizeof *table, MEMORY_ANY))
+    if (mem_alloc(&table, FAR_COUNT * sizeof *table, MEMORY_ANY))
         scene->reciprocals = reciprocals_make(table);
 }
 

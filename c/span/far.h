@@ -40,8 +40,8 @@ enum far_constants {
     FAR_OFF_PLANES = 32         /* units by which lines are raised, 16 of them for a piece's steps */
 };
 
-/* The table, behind that of reciprocals_make: at index 0, both. */
-#define FAR_TABLE(reciprocals) ((reciprocals) + RECIPROCAL_COUNT / 2 + (FAR_ORIGIN - FAR_LOWEST))
+/* Fills FAR_COUNT words; returns the address of index 0, for spans. */
+const uint16 *reciprocals_make(uint16 *table);
 
 /* The greatest steps of q a pixel, q being 2^29 to 2^31, for pieces of so many pixels. */
 struct far_lengths {

@@ -1,6 +1,60 @@
 ; Parts of logarithm_lines; they use its registers and its stack.
 
-        include "reciprocal_lines.i"
+        include "number.i"
+
+; Writes a line's left and n to the struct \1 at a1 and finds q at its ends: d3 of the first
+; pixel, d2 of the last, d4 the larger, d5 the smaller; d7 = d4's leading zeros, d6 = n. Goes to
+; .next if the line has no pixel, to .other if d5 is below q_low or d7 above \2.
+ends_sorted macro
+        moveq   #0,d7
+        moveq   #0,d6
+        move.w  scanline_left(a0),d7
+        move.w  scanline_last(a0),d6
+        move.w  d7,\1_left(a1)
+        sub.w   d7,d6
+        move.w  d6,\1_n(a1)
+        bmi     .next
+        sub.l   a4,d7
+        movem.l perspective_plan_q+screen_plane_dx(a5),d4-d5
+        move.l  d5,d1
+        mulu.l  d7,d0:d1
+        muls.l  d4,d7
+        add.l   d7,d0
+        add.l   row_q+number64_lo(sp),d1
+        move.l  row_q(sp),d3
+        addx.l  d0,d3
+        mulu.l  d6,d2:d5
+        muls.l  d6,d4
+        add.l   d4,d2
+        add.l   d1,d5
+        addx.l  d3,d2
+        move.l  d2,d4
+        move.l  d3,d5
+        cmp.l   d4,d5
+        ble.s   .sorted\@
+        exg     d4,d5
+.sorted\@
+        cmp.l   perspective_plan_q_low(a5),d5
+        blt     .other
+        bfffo   d4{0:32},d7
+        cmp.w   #\2,d7
+        bhi     .other
+        endm
+
+; Empties those of the d1 lines from a0 on that are taken, i.e. n of their struct \1 (from a1 on)
+; is not negative, so that other routines skip them. Uses d2.
+empty_taken macro
+.empty\@
+        tst.w   \1_n(a1)
+        bmi.s   .keep\@
+        move.w  scanline_left(a0),d2
+        subq.w  #1,d2
+        move.w  d2,scanline_last(a0)
+.keep\@ lea     scanline_sizeof(a0),a0
+        lea     \1_sizeof(a1),a1
+        subq.l  #1,d1
+        bne.s   .empty\@
+        endm
 
 ; Scales \1 = q.hi: shifted left by d7 - 4, times the factor d4.
 scaled  macro

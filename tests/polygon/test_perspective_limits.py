@@ -5,13 +5,13 @@ from math import ceil, log2
 import numpy as np
 import pytest
 
-from tmap.base.fixed import M32
+from tmap.base.fixed import M32, swap
 from tmap.build import layout
 from tmap.ideal import bounds_perspective
 from tmap.ideal.bounds import check_set_up
 from tmap.ideal.ideal import UNIT
 from tmap.model import model
-from tmap.setup import logarithm, perspective, reciprocal
+from tmap.setup import logarithm, perspective
 from tmap.setup.perspective import CURVES, PIECES
 
 
@@ -41,22 +41,13 @@ def test_level_lines_keep_the_tolerance(setting: str) -> None:
         assert bounds_perspective.level_bound(0, setting, way.width - 1) < bounds_perspective.TOLERANCE[setting]
 
 
-@pytest.mark.parametrize("piece", [3, 4])
-def test_lines_by_reciprocals_keep_to_a_texel_in_32(piece: int) -> None:
-    """The limit holds for every width, and excludes hardly any line needlessly."""
-    most = {width: bounds_perspective.reach(piece, width) for width in (1, 2, 6, 7, 13, 64, 320, 1023, 1024)}
-    for width, derived in most.items():
-        assert reciprocal.reach(piece, width) <= derived, f"width {width}"
-    assert reciprocal.reach(piece, 1) > 0.99 * most[1]
-
-
 def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
     """The limit holds at the worst index of each bucket, and excludes hardly any line
     needlessly."""
     for bucket, power in enumerate(logarithm.LIMITS):
         high = 1024 * (bucket - 23) - 1
         smallest = int(np.searchsorted(-logarithm.logs(), -high)) + logarithm.LOWEST
-        q = reciprocal.swap((smallest - logarithm.ORIGIN << 16) & M32)
+        q = swap((smallest - logarithm.ORIGIN << 16) & M32)
         line = logarithm.Logarithmic(0, 0, q, 0, (0, 0), (power - high,) * 2, 0)
         bound = logarithm.bound(line)
         assert bound <= bounds_perspective.TOLERANCE["pixel"] / UNIT, bucket

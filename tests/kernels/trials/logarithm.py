@@ -30,7 +30,7 @@ def make_trial() -> Trial:
 
 def log_trial(deep, width: int, lines) -> Trial | None:
     """Lines by logarithms: of every fourth some pixels are held to the planes."""
-    return lines_trial(logarithm, model, deep, None, width, lines,
+    return lines_trial(logarithm, model, deep, lines,
                        lambda k, n: () if k % 4 else {0, n // 3, n})
 
 

@@ -1,5 +1,4 @@
-"""Trials of perspective by a table of reciprocals: constants, lines and spans against the
-model, and what the table costs in precision against exact fractions."""
+"""Trials of a polygon's constants of lines by tables, and what trials of such lines have in common."""
 
 from collections.abc import Callable
 from fractions import Fraction
@@ -7,8 +6,8 @@ from fractions import Fraction
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.span import FRAME, picture_ground
-from tmap.base.fixed import M32, signed
+from tests.kernels.trials.span import FRAME
+from tmap.base.fixed import signed
 from tmap.bench import perspective as bench_perspective, reciprocal
 from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
@@ -58,8 +57,8 @@ def find_trial(deep, lines, bits: int) -> Trial:
     x, y = next((left - deep.i, k) for k, (left, right, _) in enumerate(lines) if right > left)
     found = model.asymptotes(deep, x, y, bits) if deep.gentle else None
     planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
-    at = memory.struct("reciprocal_plan", dict(planes=planes, table=planes, to=planes), ku=0, kv=0,
-                       limit=0, piece=4, bits=bits, **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
+    at = memory.struct("reciprocal_plan", dict(planes=planes), ku=0, kv=0, bits=bits,
+                       **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
     shape = layout.load().struct("reciprocal_plan").fields
     title = f"{deep}, pixel {x}, {y}, {bits} bits"
     case = Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at})
@@ -87,16 +86,16 @@ def error(deep, line, pixels, u, v, y: int, bound: int, raised: list[int]) -> st
     return None
 
 
-def lines_trial(bench, model, deep, piece: int | None, width: int, lines, pixels_of) -> Trial | None:
-    """Lines by reciprocals or logarithms, as ``bench`` calls them and ``model`` makes them: all of a
+def lines_trial(bench, model, deep, lines, pixels_of) -> Trial | None:
+    """Lines by logarithms, as ``bench`` calls them and ``model`` makes them: all of a
     polygon's, those that are left among them. ``pixels_of``: those of the k-th line that are held to
     the planes."""
-    constants, *_ = reciprocal.constants_of(deep, piece, width, lines)
+    constants, *_ = reciprocal.constants_of(deep, lines)
     if constants is None:
         return None
     made = [model.line(deep, constants, *each) if each[1] > each[0] else None for each in lines]
     trial = bench.lines_trial(Memory(), deep, constants, lines, made,
-                              f"{deep}" + (f", pieces of 2^{piece}" if piece else ""))
+                              f"{deep}")
     worst = next(filter(None, (
         error(deep, line, pixels_of(k, line.n), *model.coordinates(line), y, model.bound(line),
               constants.raised) for k, ((_, _, y), line) in enumerate(zip(lines, made)) if line)), None)
@@ -104,40 +103,11 @@ def lines_trial(bench, model, deep, piece: int | None, width: int, lines, pixels
     return trial
 
 
-def piece_trial(deep, piece: int, width: int, lines) -> Trial | None:
-    """Lines by reciprocals: the ends of their pieces are held to the planes."""
-    return lines_trial(reciprocal, model, deep, piece, width, lines,
-                       lambda _, n: {*range(0, n + 1, 1 << piece), n})
-
-
 def records(line_of: Callable[[int, int], object]) -> list:
     """Lines of COUNTS pixels: ``line_of`` their number and n, or n alone."""
     return [line_of(k, pixels - 1) if pixels > 0 else pixels - 1 for k, pixels in enumerate(COUNTS)]
 
 
-def span_trial(piece: int, rng) -> Trial:
-    """A table of lines whose q and constants are any that stay inside the table."""
-    def line_of(k: int, n: int) -> model.Reciprocal:
-        q0, q1 = (int(q) << 16 for q in rng.integers(model.LOWEST + 2, 65534, 2))
-        if n < 3 << piece:  # what r grows stays inside 16 bits
-            q1 = (q0 + q1 >> 17 if q0 < q1 else q0 >> 16) << 16
-        dq = int((q1 - q0 << piece) / max(n, 1))
-        c = [int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(1, 15, 2)]
-        r = [model.TABLE[(q >> 16) - model.LOWEST] for q in (q0, q1)]
-        return model.Reciprocal(k % 4, n, tuple(map(int, rng.integers(0, 1 << 32, 2))),
-                                model.swap(q0 - (model.ORIGIN << 16) & M32), model.swap(dq & M32),
-                                tuple(c), *r, -128 if c[1] * (r[1] - r[0]) < 0 else 128, piece)
-
-    return reciprocal.span_trial(piece, Memory(int(rng.integers(1 << 30))), picture_ground(),
-                                 records(line_of), PITCH, f"{len(COUNTS)} lines")
-
-
 def trials() -> list[Trial]:
     rng = np.random.default_rng(8)
-    polygons = list(triangles(rng, 60))
-    made = [piece_trial(deep, piece, width, lines) for deep, width, lines in polygons[:30]
-            for piece in (3, 4)]
-    return [*(find_trial(deep, lines, bits) for deep, _, lines in polygons for bits in (3, model.BITS)),
-            *filter(None, made),
-            *(span_trial(piece, rng) for piece in (3, 4)
-              for _ in range(20))]
+    return [find_trial(deep, lines, bits) for deep, _, lines in triangles(rng, 60) for bits in (3, model.BITS)]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
 from tmap.bench import (dithered, edges, effects, far, instruction_costs, logarithm, mesh, mesh_batches,
-                        n64, perspective, reciprocal, screen, steps, triangle_fans, triangles)
+                        n64, perspective, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
 from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
@@ -52,7 +52,6 @@ def span_calls(length: int) -> dict[str, Call]:
                "affine_column": span_case("span_affine_column", "addx", length, du=0)}
             | {name: mapper_case(name, length) for name in ("gouraud", "arbitrary", "generated")}
             | {name: perspective.span_case(*how, length) for name, how in perspective.SPANS.items()}
-            | {name: reciprocal.span_case(m, length) for name, m in reciprocal.SPANS.items()}
             | {name: far.span_case(*how, length) for name, how in far.SPANS.items()}
             | {"persp_pixel": logarithm.span_case(length),
                "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
@@ -111,7 +110,6 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "perspective_lines": perspective.lines_case("every16"),
                        "perspective_lines_curves": perspective.lines_case("pixel"),
                        "level_lines": perspective.level_case(),
-                       "reciprocal_lines": reciprocal.lines_case(16),
                        "logarithm_lines": logarithm.lines_case()}.items():
         yield name, edges.LINES, call
 

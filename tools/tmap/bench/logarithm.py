@@ -3,7 +3,7 @@
 import numpy as np
 
 from tmap.base.elementary import log2
-from tmap.base.fixed import M32, ONE
+from tmap.base.fixed import M32, ONE, swap
 from tmap.bench.perspective import (LINES, RATIO, add_perspective_plan, polygon_lines, record_table,
                                     records_trial, row_of_records)
 from tmap.bench.reciprocal import constants_fields, constants_of, made_trial
@@ -12,7 +12,6 @@ from tmap.bench.trial import Trial
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup import logarithm as logarithms
-from tmap.setup.reciprocal import swap
 
 NEAREST = 63000 << 16  # q of the nearer end as normalised
 
@@ -70,8 +69,7 @@ def lines_trial(arena: Arena, deep, constants, lines, made: list, title: str = "
     """logarithm_lines on lines (left, right, y), of which those are ``made``."""
     shape, out = layout.load().struct("logarithm_line"), arena.room("logarithm_line", len(lines))
     planes_at = add_perspective_plan(arena, deep, lines, out)
-    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **constants_fields(constants),
-                        limit=0, piece=0, table=0, to=0)
+    plan = arena.struct("reciprocal_plan", dict(planes=planes_at), **constants_fields(constants))
     tables = arena.struct("logarithm_tables", dict(logs=log_table(arena)), powers=0,
                           parts=logarithms.parts())
 
@@ -85,6 +83,6 @@ def lines_trial(arena: Arena, deep, constants, lines, made: list, title: str = "
 def lines_case():
     """LINES lines of a turned triangle, all of which are taken."""
     deep, lines = polygon_lines()
-    constants, *_ = constants_of(deep, None, 200, lines)
+    constants, *_ = constants_of(deep, lines)
     made = [logarithms.line(deep, constants, *each) for each in lines]
     return lines_trial(Arena(), deep, constants, lines, made).row(LINES)

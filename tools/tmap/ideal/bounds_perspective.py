@@ -41,14 +41,13 @@ one's cut steps, measured from the chords of the exact curve.
 quarter of its tolerance), and a unit per step, as steps are rounded up. If q does not change, they
 are never below the exact value.
 
-**From the far end** (tmap.setup.far): pieces are measured from the chords that begin at the line's far end,
-the last one beyond its near end; ``far.bound`` is added, and what lines are raised by: they are never below
+**From the far end** (tmap.setup.far, far_planes): pieces are measured from the chords that begin at the line's
+far end, the last one beyond its near end; ``bound`` is added, and what lines are raised by: they are never below
 the exact value at the far end.
 
-Lines by tables are off from their planes' quotients by ``reciprocal.bound`` and
-``logarithm.bound``, which are kept within 1/32 texel; by logarithms that is all of the setting's
-tolerance. It is added, and so are the units by which these lines are raised for it: they are never
-below the exact value at a line's first pixel and, by logarithms, at any pixel.
+Lines by logarithms are off from their planes' quotients by ``logarithm.bound``, which is kept within
+1/32 texel, all of the setting's tolerance. It is added, and so are the units by which these lines are
+raised for it: they are never below the exact value at any pixel.
 
 If the planes are not accurate enough (c/perspective/perspective.h), the polygon is drawn affine.
 Then both the exact u and the drawn one are within L times the range R, except for the affine
@@ -70,12 +69,11 @@ from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves
-from tmap.setup import far, reciprocal, spans
+from tmap.setup import far, spans
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 LEVEL = {"pixel": 1020 * UNIT, "fine": TOLERANCE["fine"] / 4}  # 0 for straight pieces
-RECIPROCALS = 1 / 32  # texels: the largest error of lines by reciprocals against their planes
 FLOAT = 2.0**-32  # the rounding in tools/tmap/ideal/perspective.py, texels
 BOUNDLESS = 32768.0  # texels: values are modulo twice that
 
@@ -183,20 +181,6 @@ def bend(setting: str, piece: int) -> float:
     units are for the three points."""
     left = TOLERANCE[setting] / UNIT - (1 << piece - 1)**2 / 2 - 8
     return 64 * log2(6 / (9 * sqrt(3)) / left)
-
-
-def reach(piece: int, width: int) -> float:
-    """Returns the most texels from K with which every line by reciprocals has a bound within
-    RECIPROCALS, for a piece and a width. r of one end is any of the table's, the other's the
-    least."""
-    def bound(first: int, far: int) -> float:
-        c = far * (1 << 24 - piece) / first, 0
-        return reciprocal.bound(reciprocal.Reciprocal(
-            0, width - 1, (0, 0), 0, 0, c, first, reciprocal.TABLE[-1], 0, piece))
-
-    least = reciprocal.LEAST >> 16
-    firsts = set(reciprocal.TABLE[least - reciprocal.LOWEST:])
-    return min((RECIPROCALS / UNIT - bound(r, 0)) / (bound(r, 1) - bound(r, 0)) for r in firsts)
 
 
 def line_bound(b: float, setting: str) -> float:

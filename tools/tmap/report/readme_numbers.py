@@ -11,8 +11,8 @@ from tmap.ideal import bounds, bounds_perspective, ideal, mesh
 from tmap.model import model
 from tmap.setup.dithered import MOST
 from tmap.setup.edges import Edge
+from tmap.setup.far import LOWEST, TABLE
 from tmap.setup.logarithm import OCTAVE
-from tmap.setup.reciprocal import LOWEST, TABLE
 from tmap.setup.texturing import Settings
 
 
@@ -66,7 +66,7 @@ FORMATS = (
     Format("2.62", "q = 1/w over the least w's, on its plane", 64, 62, True, "see the bounds",
            "c/span/perspective.h", "tests/accuracy/test_ideal_perspective.py"),
     Format("8.24", "u and v of lines by reciprocals, modulo 256", 32, 24, False, "see the bounds",
-           "c/span/reciprocal.h", "tests/kernels/trials/reciprocal.py"),
+           "c/span/far.h", "tests/kernels/trials/far.py"),
     Format("12.4", "x and y of a snapped vertex: x + 1, y + 15/16", 16, 4, True, "nearest",
            "c/triangle/triangles.h", "tests/kernels/trials/triangle.py"),
     Format("12.20", "its u, v or shade, modulo 4,096", 32, 20, True, "up, by 1/128",
@@ -185,8 +185,8 @@ def bounds_table() -> str:
         ("u in the corner of a polygon of 1,024x1,024 pixels", large[0], "ideal.ideal.Plane.bound"),
         ("... where u's lowest bit is kept free", large[1], "ideal.ideal.Plane.bound"),
         ("dithered points: what they are moved by", MOST, "setup.dithered.MOST"),
-        ("lines by reciprocals or logarithms, texels", bounds_perspective.RECIPROCALS,
-         "ideal.bounds_perspective.RECIPROCALS"),
+        ("lines by logarithms, texels", bounds_perspective.TOLERANCE["pixel"],
+         "ideal.bounds_perspective.TOLERANCE"),
         ("`pixel`, between exact points", bounds_perspective.TOLERANCE["pixel"],
          "ideal.bounds_perspective.TOLERANCE"),
         ("`fine`, between exact points", bounds_perspective.TOLERANCE["fine"],
@@ -194,8 +194,8 @@ def bounds_table() -> str:
         ("a unit of a logarithm, part of the number", elementary.power(2, 1 / OCTAVE) - 1,
          "setup.logarithm.OCTAVE"),
         ("a reciprocal of the table, part of the number", 0.5 / TABLE[-1],
-         "setup.reciprocal.TABLE"),
-        ("half the width of its least index, the same", 0.5 / LOWEST, "setup.reciprocal.LOWEST"),
+         "setup.far.TABLE"),
+        ("half the width of its least index, the same", 0.5 / LOWEST, "setup.far.LOWEST"),
         ("a mesh's point before the camera, reach 1, units", mesh.camera_error(1),
          "ideal.mesh.camera_error"),
         ("... reach 2,048", mesh.camera_error(2048), "ideal.mesh.camera_error"),

@@ -103,7 +103,8 @@ class Rendered:
 
     frames: list[np.ndarray]  # from ``load_dumps``
     figures: list[dict]  # of each frame
-    executed: list[dict]  # for each material: polygons, those drawn affine for want of precision, polygons by rule, pixels by span
+    #: For each material: polygons, those affine for want of precision, polygons by rule, pixels by span.
+    executed: list[dict]
 
 
 def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Rendered:

@@ -6,7 +6,7 @@ left by an even number so that its index is LOWEST to 4 LOWEST; where that is ov
 go from the far end on; the near end cuts the last one short.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np

@@ -51,8 +51,7 @@ class Polygon:
     @property
     def tables(self) -> ModuleType:
         """The module that models lines drawn by tables."""
-        return (far if isinstance(self.constants, far.Constants)
-                else far_planes if isinstance(self.constants, far_planes.Constants) else reciprocal if self.setting in PIECES else logarithm)
+        return {far.Constants: far, far_planes.Constants: far_planes}.get(type(self.constants), logarithm)
 
     def record(self, line: Line, y: int):
         """Returns the record of the line at y for ``tables``; None if it is drawn another way."""
@@ -307,16 +306,16 @@ def constants(deep: Perspective, lines: list[Line], box, setting: str, exact: bo
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
     if setting == "fine" or first is None:
         return None
-    piece = PIECES[setting].bit_length() - 1 if setting in PIECES else None
-    from_afar = piece and (far.find(deep, 1 << piece, lines, box, exact)
-                           or far_planes.find(deep, 1 << piece, lines, box, exact))
-    return from_afar or reciprocal.find(deep, piece, box[2] - box[0], lines[first].left - box[0], first)
+    if setting in PIECES:
+        return (far.find(deep, PIECES[setting], lines, box, exact)
+                or far_planes.find(deep, PIECES[setting], lines, box, exact))
+    return reciprocal.find(deep, lines[first].left - box[0], first)
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:
     """Converts (x, y, s, t, shade, w) for ``set_up``. x and y are cut to whole pixels if edges are
-    integer, rounded to 1/16 if they are snapped. s and t are scaled, to the nearest, to texels of a map with the given longer side;
-    w and a lit mapper's level follow. Gouraud's shade becomes u, INSET inside the range of its
+    integer, rounded to 1/16 if they are snapped. s and t are scaled, to the nearest, to texels of a map with the
+    given longer side; w and a lit mapper's level follow. Gouraud's shade becomes u, INSET inside the range of its
     possible pixels, or, with snapped vertices, which polygons share, of its own whole shade."""
     if settings.edges == "integer":
         vertices = [(v[0] & ~0xFFFF, v[1] & ~0xFFFF, *v[2:]) for v in vertices]
