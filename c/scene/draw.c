@@ -5,21 +5,27 @@
 #include "polygon/kind.h"
 #include "polygon/scratch.h"
 
-/* Fills the frame with flat spans of the whole width. */
+enum { CLEAR_MOST = 16384 };    /* pixels of a span, which a scanline can have */
+
+/* Fills the frame with flat spans of the whole width, or of some lines where they are one behind the other. */
 static void clear(const struct renderer *renderer, uint32 colour)
 {
     const struct frame *frame = renderer->frame;
     struct scanline *lines = renderer->scratch->lines;
     struct span_plan plan;
+    int32 width = frame->width, height = frame->height;
 
-    for (int32 i = 0; i < frame->height; i++) {
+    if (frame->pitch == width * frame->pixel_bytes)
+        for (; !(height & 1) && width <= CLEAR_MOST / 2; height >>= 1)
+            width <<= 1;
+    for (int32 i = 0; i < height; i++) {
         lines[i].left = EDGE_BIAS;
-        lines[i].last = (int16)(EDGE_BIAS + frame->width - 1);
+        lines[i].last = (int16)(EDGE_BIAS + width - 1);
     }
     plan.lines = lines;
-    plan.count = frame->height;
+    plan.count = height;
     plan.row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
-    plan.pitch = frame->pitch;
+    plan.pitch = width == frame->width ? frame->pitch : width * frame->pixel_bytes;
     plan.colour = colour;
     if (frame->pixel_bytes == 4)
         span_fill_32(&plan);
