@@ -13,9 +13,9 @@ enum far_constants {
     FAR_COUNT = 40962,
     FAR_ORIGIN = 32768,         /* index 0 in the table */
     /* Pieces have h pixels where the step of q a pixel is at most EVERY / h^2, q being 2^29 to 2^31. The chord is
-       off by about h^2 / (4 L) pixels, L = q / step: at most 2 pixels with every16, 1/2 with every8, which has no
+       off by about h^2 / (4 L) pixels, L = q / step: at most 1 pixel with every16, 1/2 with every8, which has no
        pieces of 16. The table has room for steps up to MOST, in pieces of 2 half of that. */
-    FAR_EVERY16 = 32,           /* log2 */
+    FAR_EVERY16 = 31,           /* log2 */
     FAR_EVERY8 = 30,
     FAR_MOST = 1 << 30,
     FAR_DEEP = 8,               /* q is shifted left by at most this, an even number: w varies by up to 512 */

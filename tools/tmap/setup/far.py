@@ -20,7 +20,7 @@ COUNT = 40962
 ORIGIN = 32768
 MOST = 1 << 30
 #: The greatest steps of q a pixel, q being 2^29 to 2^31, by a piece's pixels; by a setting's longest pieces.
-LENGTHS = {16: {16: 1 << 24, 8: 1 << 26, 4: 1 << 28, 2: MOST // 2, 1: MOST},
+LENGTHS = {16: {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOST},
            8: {16: 0, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
 DEEP = 8
 COARSE = 4
