@@ -52,6 +52,7 @@ QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
 WRITTEN := n64_weights glide_weights glide_logarithms
 OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
+OWNERS_TABLE := $(ASM_OUT)/gen/owners_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 
 help:
@@ -186,7 +187,7 @@ build/gen/headers.o: build/gen/headers.c build/obj/flags | setup
 build/gen/layout.json build/gen/layout.i build/gen/layout_check.c &: build/gen/headers.o tools/tmap/build/layout.py
 	@$(PYTHON) -m tmap.build.layout $< build/gen $(HEADERS:c/%=%)
 
-build/gen/kernel_table.s: $(ASM_FILES) tools/tmap/build/contracts.py build/obj/objects | setup
+build/gen/kernel_table.s build/gen/owners_table.s &: $(ASM_FILES) tools/tmap/build/contracts.py build/obj/objects | setup
 	@$(PYTHON) -m tmap.build.contracts src68k build/gen
 
 $(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/tmap/build/%.py | setup
@@ -207,7 +208,7 @@ build/programs/$1 build/programs/$1.map &: build/obj/$1.elf tools/tmap/build/hun
 endef
 
 $(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).o $(OBJECTS) \
-  $(if $(filter bench measure,$(name)),$(KERNEL_TABLE)))))
+  $(if $(filter bench,$(name)),$(KERNEL_TABLE)) $(if $(filter measure,$(name)),$(OWNERS_TABLE)))))
 $(eval $(call PROGRAM,uaequit,$(QUIT_OBJECT)))
 $(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
 
