@@ -97,7 +97,7 @@ def test_frames_come_in_time(played):
         steps = [each[0] for each in parts[number].each]
         settled = steps.index(steps[-1]) + (WHOLE if steps[-1] != steps[0] else 0)
         fields = [each[1] for each in parts[number].each[settled:]]
-        assert len(fields) > FRAMES // 4, f"{machine}, part {number}: steps {steps}"
+        assert len(fields) > FRAMES // 5, f"{machine}, part {number}: steps {steps}"
         assert set(fields) == {FIELDS}, (
             f"{machine}, part {number}, from {settled} on: fields {fields}")
 
@@ -171,8 +171,9 @@ def test_race_is_the_renderers(played):
     said = (f"ticks a picture: addx {addx:.0f}, render {quiet_addx:.0f}; swap {swap:.0f}, render "
             f"{quiet_swap:.0f}; scripts/tmap run tests/scenes/demo/race.toml --form swap")
     assert longer <= most, f"{longer:.0f} ticks longer, interrupts took {most}; {said}"
-    ratio, exact = swap / addx, quiet_swap / quiet_addx
-    assert abs(ratio / exact - 1) <= 1 / (1 - RATIO - display) - 1, said
+    # what both forms take alike, as the clearing of a pane line by line, is no part of the difference
+    more, exact = swap - addx, quiet_swap - quiet_addx
+    assert abs(more / exact - 1) <= 1 / (1 - RATIO - display) - 1, said
 
 
 def test_lanes_have_equal_time(played):
