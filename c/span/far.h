@@ -43,7 +43,7 @@ enum far_constants {
 /* Fills FAR_COUNT words; returns the address of index 0, for spans. */
 const uint16 *reciprocals_make(uint16 *table);
 
-/* The greatest steps of q a pixel, q being 2^29 to 2^31, for pieces of so many pixels. */
+/* The greatest steps of q a pixel, q being 2^29 to 2^31, by the pixels of a piece. */
 struct far_lengths {
     uint32 most_16, most_8, most_4, most_2;
 };

@@ -5,7 +5,7 @@
 ; that is over, b is 2 less, and the line begins again. Pieces have 16, 8, 4, 2 or 1 pixels, the fewer the faster q
 ; grows.
 ; From the far end on, q only grows, so the last piece is an ordinary one that the line's end cuts short: what
-; is behind it is no nearer to the horizon. The chain of two registers as in reciprocal.i.
+; is behind it is no nearer to the horizon. u and v are stepped by the chain of two registers of chain.i.
 ;
 ; \1: right if q grows to the right, or left.
 ; \2: the bits that C lacks, 0 or 4: if K is far away, C has more bits than a word. Then starts take it whole,

@@ -3,6 +3,6 @@
 ; span_far_right_coarse - the same with constants that are far away
 ;
 ; like:    span_far_right
-; cost:    as persp_far_16, and 60 cycles where a line begins, 10 a piece
+; cost:    as persp_far_16; where a line begins, products of 32 bits
         span span_far_right_coarse
         far_lines right,4

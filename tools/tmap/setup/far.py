@@ -177,20 +177,11 @@ def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
             words = [signed(c + 0x8000 >> 16, 16) for c in cs]
             at = [base + (c * old >> 8 if k.coarse else w * old << 4)
                   for base, c, w in zip(k.k, cs, words)]
-            b, a = reciprocal.steps(*at, 0)
-            a &= 0xFFFF00FF
+            state = reciprocal.begun(*at)
         du, dv = (w * (r - old) * (16 // piece.pixels) << k.coarse for w in words)
-        db, da = reciprocal.steps(du, dv, 0)
-        a += da & 0xFFFF0000
-        for _ in range(min(each.n + 1 - piece.at, piece.pixels)):
-            us.append(reciprocal.lift((a & 0xFF) << 16 | b >> 16, at[0]))
-            vs.append(reciprocal.lift((b & 0xFFFF) << 8, at[1], 255))
-            at = at[0] + du, at[1] + dv
-            b += db + (a >> 32)
-            ahead = a & 0xFFFF0000
-            a = (a & M32) + da + (b >> 32)
-            b &= M32
-        a = ahead | a & 0xFFFF
+        state, at, u, v = reciprocal.piece(state, at, du, dv, min(each.n + 1 - piece.at, piece.pixels))
+        us += u
+        vs += v
     if k.leftwards:
         us.reverse(), vs.reverse()
     return np.array(us), np.array(vs)

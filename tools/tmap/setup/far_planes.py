@@ -97,17 +97,9 @@ def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
                   for i, st in ((piece.begin, begin), (piece.end, end)))
         du, dv = (signed(b - a) * (256 // piece.pixels) for a, b in zip(at, to))
         at = [n << 8 for n in at]
-        b, a = reciprocal.steps(*at, 0)
-        a &= 0xFFFF00FF
-        db, da = reciprocal.steps(du, dv, 0)
-        a += da & 0xFFFF0000
-        for _ in range(min(each.n + 1 - piece.at, piece.pixels)):
-            us.append(reciprocal.lift((a & 0xFF) << 16 | b >> 16, at[0]))
-            vs.append(reciprocal.lift((b & 0xFFFF) << 8, at[1], 255))
-            at = at[0] + du, at[1] + dv
-            b += db + (a >> 32)
-            a = (a & M32) + da + (b >> 32)
-            b &= M32
+        _, _, u, v = reciprocal.piece(reciprocal.begun(*at), at, du, dv, min(each.n + 1 - piece.at, piece.pixels))
+        us += u
+        vs += v
     if k.leftwards:
         us.reverse(), vs.reverse()
     return np.array(us), np.array(vs)
