@@ -2,7 +2,7 @@
         include "perspective.i"
 
 ; \1 = the step of \3, u or v in \4, a pixel: the 64-bit gradient of the plane \2 (s or t) less that of q times
-; \3, over q in d3, rounded up; 0 if it does not fit. Uses d0-d2/d6.
+; \3, over q in d7, rounded up; 0 if it does not fit. Uses d0-d2/d6.
 step    macro
         movem.l perspective_plan_\2+screen_plane_dx(a6),d0-d1
         move.l  perspective_plan_tilt(a6),d2
@@ -17,7 +17,7 @@ step    macro
         sub.l   d6,d1
         subx.l  d2,d0
 .level\@
-        move.l  d3,d2
+        move.l  d7,d2
         subq.l  #1,d2
         add.l   d2,d1
         bcc.s   .rounded\@
@@ -26,9 +26,9 @@ step    macro
         move.l  d0,d2
         minus   <not.l d2>
         add.l   d2,d2
-        cmp.l   d3,d2
+        cmp.l   d7,d2
         bhs.s   .none\@                 ; more than the map: the line has a pixel or two
-        divs.l  d3,d0:d1
+        divs.l  d7,d0:d1
         bvs.s   .none\@
         tst.l   d0
         minus   <subq.l #1,d1>
@@ -55,35 +55,43 @@ step    macro
 
         routine level_lines,a0,a1
         save_all
-        rows_open
+        movea.l a0,a6
         movea.l a1,a5
+        walk_open
         movea.l perspective_plan_lines(a6),a0
         movea.l perspective_plan_left(a6),a4
         lea     EDGE_BIAS(a4),a4
+        move.l  perspective_plan_count(a6),d0
+        mulu.w  #scanline_sizeof,d0
+        lea     (a0,d0.l),a3
 
 .line   moveq   #0,d7
         move.w  scanline_left(a0),d7
-        cmp.w   scanline_last(a0),d7
-        bgt     .next
         sub.l   a4,d7
-        value   q
-        weight  d3
-        value   s
-        quotient u,d3
+        walk_to 0
+        move.w  scanline_left(a0),d6
+        cmp.w   scanline_last(a0),d6
+        bgt     .next
+        weight  d7
+        move.l  d2,d0
+        move.l  d3,d1
+        quotient u,d7
         add.l   perspective_plan_u(a6),d1
-        move.l  d1,d4
-        value   t
-        quotient v,d3
+        move.l  d1,d3
+        move.l  d4,d0
+        move.l  d5,d1
+        quotient v,d7
         add.l   perspective_plan_v(a6),d1
-        move.l  d1,d5
-        step    scanline_step_dudx(a5),s,u,d4
-        step    scanline_step_dvdx(a5),t,v,d5
-        pack_start d4,d5,d6,a0
+        move.l  d1,d4
+        step    scanline_step_dudx(a5),s,u,d3
+        step    scanline_step_dvdx(a5),t,v,d4
+        pack_start d3,d4,d5,a0
 
-.next   rows_next
-        lea     scanline_sizeof(a0),a0
+.next   lea     scanline_sizeof(a0),a0
         addq.l  #scanline_step_sizeof,a5
-        subq.l  #1,row_lines(sp)
+        cmpa.l  a3,a0
         bne     .line
-        lea     row_sizeof(sp),sp
+        lea     walk_sizeof(sp),sp
         return_all
+
+        walk_turns

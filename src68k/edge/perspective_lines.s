@@ -1,5 +1,11 @@
         include "perspective.i"
 
+; On the stack.
+left_side equ   0                       ; walks
+right_side equ  walk_sizeof
+first_q equ     2*walk_sizeof         ; of the line
+lines_left equ  2*walk_sizeof+4
+
 ; Adds 64 log2(\1) to d2, \1 above 0, by the table \2, which rounds up or down. Uses d0-d1/a2.
 logarithm macro
         move.l  \1,d0
@@ -32,7 +38,11 @@ logarithm macro
 
         routine perspective_lines,a0
         save_all
-        rows_open
+        movea.l a0,a6
+        move.l  perspective_plan_count(a6),-(sp)
+        subq.l  #4,sp
+        walk_open
+        walk_open
         movea.l perspective_plan_lines(a6),a0
         movea.l perspective_plan_to(a6),a1
         movea.l perspective_plan_left(a6),a4
@@ -41,41 +51,48 @@ logarithm macro
 .line   moveq   #0,d7
         move.w  scanline_left(a0),d7
         move.w  d7,perspective_line_left(a1)
-        move.w  scanline_last(a0),d6
-        sub.w   d7,d6                   ; n
-        move.w  d6,perspective_line_n(a1)
-        bmi     .next
-        ext.l   d6
+        move.w  scanline_last(a0),d0
+        sub.w   d7,d0
+        movea.w d0,a3                   ; n
+        move.w  a3,perspective_line_n(a1)
         sub.l   a4,d7
-        value   q
-        weight  d3                      ; q0
-        value   s
-        quotient u,d3
-        move.l  d1,d4
+        walk_to left_side
+        cmpa.w  #0,a3
+        blt     .right
+        weight  d7                      ; q0
+        move.l  d2,d0
+        move.l  d3,d1
+        quotient u,d7
         add.l   perspective_plan_u(a6),d1
         move.l  d1,perspective_line_u(a1)
-        value   t
-        quotient v,d3
-        move.l  d1,d5
+        move.l  d4,d0
+        move.l  d5,d1
+        quotient v,d7
         add.l   perspective_plan_v(a6),d1
         move.l  d1,perspective_line_v(a1)
-        tst.w   d6
-        beq     .next
-
-        add.l   d6,d7
-        movea.l d6,a3                   ; n
-        value   q
+        move.l  d7,first_q(sp)
+.right  move.w  scanline_last(a0),d7
+        ext.l   d7
+        sub.l   a4,d7
+        walk_to right_side
+        cmpa.w  #0,a3
+        ble     .next
         weight  d6                      ; q1
-        value   s
+        move.l  d2,d0
+        move.l  d3,d1
         quotient u,d6
-        sub.l   d4,d1
+        add.l   perspective_plan_u(a6),d1
+        sub.l   perspective_line_u(a1),d1
         move.l  d1,perspective_line_du(a1)
         movea.l d1,a5
-        value   t
+        move.l  d4,d0
+        move.l  d5,d1
         quotient v,d6
-        sub.l   d5,d1
+        add.l   perspective_plan_v(a6),d1
+        sub.l   perspective_line_v(a1),d1
         move.l  d1,perspective_line_dv(a1)
         move.l  d1,d4
+        move.l  first_q(sp),d3
 
         move.l  d3,d0
         or.l    d6,d0                   ; its top bit is the larger one's
@@ -101,12 +118,11 @@ logarithm macro
         or.w    perspective_plan_bend+2(a6),d0
         bne.s   .curves
 
-.next   rows_next
-        lea     scanline_sizeof(a0),a0
+.next   lea     scanline_sizeof(a0),a0
         lea     perspective_line_sizeof(a1),a1
-        subq.l  #1,row_lines(sp)
+        subq.l  #1,lines_left(sp)
         bne     .line
-        lea     row_sizeof(sp),sp
+        lea     lines_left+4(sp),sp
         return_all
 
         ; d3 the first end's share, d4 dv, a5 du, d6 dweight, d7 n
@@ -169,6 +185,8 @@ logarithm macro
         clr.l   perspective_line_enough16(a1)
         clr.l   perspective_line_enough32(a1)
         bra     .next
+
+        walk_turns
 
 ; 64 log2(1 + (i + 1) / 64), rounded up
 log_up

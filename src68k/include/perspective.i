@@ -1,24 +1,107 @@
-; Planes of q, s and t stepped from line to line (see c/span/perspective.h).
+; The planes of q, s and t along the sides of a table (see c/span/perspective.h).
 
         include "number.i"
 
-; The planes at the line's first possible pixel, on the stack in this order.
-row_q   equ     0
-row_s   equ     8
-row_t   equ     16
-row_lines equ   24                      ; lines left
-row_sizeof equ  28
+; A walk down one side, on the stack: the planes at its last pixel; their steps to the next line's, if that
+; is `whole` pixels further right, and if it is one more; x of its last pixel, from the plan's left.
+; Between two vertices there are no other steps.
+walk_q  equ     0
+walk_s  equ     8
+walk_t  equ     16
+walk_steps equ  24                      ; in this order
+walk_more equ   48
+walk_x  equ     72
+walk_whole equ  76
+walk_sizeof equ 80
 
-; d0:d1 = the row's plane \1, d7 pixels to the right (0 to 65,535). Uses d2.
-value   macro
-        move.l  perspective_plan_\1+screen_plane_dx+number64_lo(a6),d1
-        mulu.l  d7,d0:d1
-        move.l  perspective_plan_\1+screen_plane_dx+number64_hi(a6),d2
-        muls.l  d7,d2
-        add.l   d2,d0
-        add.l   row_\1+number64_lo(sp),d1
-        move.l  row_\1(sp),d2
-        addx.l  d2,d0
+; Pushes a walk that is on the line above the table. In: a6 plan. Uses d0-d5/a2.
+walk_open macro
+        lea     -walk_sizeof(sp),sp
+        movea.l sp,a2
+        lea     perspective_plan_q(a6),a1
+        moveq   #3-1,d5
+.plane\@
+        movem.l (a1)+,d0-d3             ; at, dx
+        move.l  d3,walk_more+number64_lo(a2)
+        move.l  d2,walk_more(a2)
+        move.l  (a1)+,d2                ; dy
+        move.l  (a1)+,d3
+        move.l  d2,walk_steps(a2)
+        move.l  d3,walk_steps+number64_lo(a2)
+        sub.l   d3,d1
+        subx.l  d2,d0
+        add.l   d3,walk_more+number64_lo(a2)
+        move.l  walk_more(a2),d4
+        addx.l  d2,d4
+        move.l  d4,walk_more(a2)
+        move.l  d0,(a2)+
+        move.l  d1,(a2)+
+        dbra    d5,.plane\@
+        clr.l   walk_x(sp)
+        clr.l   walk_whole(sp)
+        endm
+
+; d0:d1, d2:d3, d4:d5 = q, s, t at pixel d7 of the next line of the walk \1(sp). Uses d6/a2.
+walk_to macro
+        move.l  d7,d0
+        sub.l   \1+walk_x(sp),d0
+        move.l  d7,\1+walk_x(sp)
+        lea     \1+walk_steps(sp),a2
+        sub.l   \1+walk_whole(sp),d0
+        beq.s   .step\@
+        lea     walk_more-walk_steps(a2),a2
+        subq.l  #1,d0
+        beq.s   .step\@
+        lea     \1(sp),a2
+        bsr     walk_turn
+.step\@ movem.l \1(sp),d0-d5
+        walk_add 0,d0,d1
+        walk_add 8,d2,d3
+        walk_add 16,d4,d5
+        movem.l d0-d5,\1(sp)
+        endm
+
+; Adds the number \1(a2) to \2:\3. Uses d6.
+walk_add macro
+        add.l   \1+number64_lo(a2),\3
+        move.l  \1(a2),d6
+        addx.l  d6,\2
+        endm
+
+; The routine that walk_to calls at vertices: the walk a2 goes d0 pixels further right than `more` does.
+; a2 = its new steps. Uses d0-d6.
+walk_turns macro
+walk_turn
+        addq.l  #1,d0
+        add.l   d0,walk_whole(a2)
+        lea     walk_more(a2),a2
+        move.l  a1,-(sp)
+        lea     perspective_plan_q+screen_plane_dx(a6),a1
+        moveq   #3-1,d6
+.plane  move.l  number64_lo(a1),d2
+        move.l  d0,d3
+        mulu.l  d2,d4:d3                ; of d0 as an unsigned number
+        tst.l   d0
+        bpl.s   .right
+        sub.l   d2,d4
+.right  move.l  (a1),d5
+        muls.l  d0,d5
+        add.l   d5,d4
+        add.l   number64_lo+walk_steps-walk_more(a2),d3
+        move.l  walk_steps-walk_more(a2),d5
+        addx.l  d5,d4
+        move.l  d4,walk_steps-walk_more(a2)
+        move.l  d3,number64_lo+walk_steps-walk_more(a2)
+        add.l   d2,d3
+        move.l  (a1),d5
+        addx.l  d5,d4
+        move.l  d4,(a2)+
+        move.l  d3,(a2)+
+        lea     screen_plane_sizeof(a1),a1
+        dbra    d6,.plane
+        movea.l (sp)+,a1
+        lea     walk_steps-walk_more-24(a2),a2
+        rts
         endm
 
 ; d1 = d0:d1 / \2, cut towards zero and clamped to the range of \1, u or v. Uses d0/d2. A
@@ -51,28 +134,4 @@ weight  macro
         bge.s   .held\@
         move.l  d0,\1
 .held\@
-        endm
-
-; Steps the row's plane \1 to the next line. Uses d0-d1.
-plane_next macro
-        next    row_\1,perspective_plan_\1+screen_plane_dy,a6
-        endm
-
-; Moves the plan from a0 to a6 and pushes its first row.
-rows_open macro
-        movea.l a0,a6
-        move.l  perspective_plan_count(a6),-(sp)
-        movem.l perspective_plan_t+screen_plane_at(a6),d0-d1
-        movem.l d0-d1,-(sp)
-        movem.l perspective_plan_s+screen_plane_at(a6),d0-d1
-        movem.l d0-d1,-(sp)
-        movem.l perspective_plan_q+screen_plane_at(a6),d0-d1
-        movem.l d0-d1,-(sp)
-        endm
-
-; Steps all planes to the next line.
-rows_next macro
-        plane_next q
-        plane_next s
-        plane_next t
         endm
