@@ -9,6 +9,7 @@
    and polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
    arithmetic. */
 #include "drawing/clamp.h"
+#include "drawing/columns.h"
 #include "drawing/draw.h"
 #include "drawing/fan.h"
 #include "drawing/generated.h"
@@ -279,10 +280,13 @@ static int32 draw_perspective(struct setup *s)
             s->counts->unsure++;
         return 0;
     }
+    lower_by_planes(s);
+    perspective_find_level(s);
+    if (s->level == LEVEL_COLUMNS && columns_draw(s))
+        return 1;
     make_lines(s, SPAN_FILL);
     plan.lines = s->edges.lines;
     plan.count = s->span.count;
-    lower_by_planes(s);
     perspective_draw(s);
     return 1;
 }

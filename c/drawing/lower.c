@@ -118,7 +118,7 @@ void lower_by_vertices(struct setup *s)
 void lower_by_planes(struct setup *s)
 {
     s->setting = (enum perspective)s->material->perspective;
-    s->straight = 0;
+    s->level = LEVEL_NOTHING;
     if (RULE_IS_ON(s, COARSER) && s->material->tolerance && tolerance_is_coarser(s))
         RULE_APPLIES(s, COARSER);
 }

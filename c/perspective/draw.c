@@ -126,21 +126,25 @@ static void draw_exactly(const struct setup *s, union made *made)
         span_perspective_pieces(&lines);
 }
 
-static void draw_level(const struct setup *s, union made *made, int32 tilt)
+void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
 {
-    struct perspective_plan *plan = s->perspective;
-    const struct span_plan *span = &s->span;
     struct span_plan lines;
 
-    plan->tilt = tilt;
-    level_lines(plan, made->steps);
-    lines.lines = plan->lines;
-    lines.count = plan->count;
-    lines.row = span->row;
-    lines.pitch = span->pitch;
-    lines.map = span->map;
-    lines.steps = made->steps;
-    span_affine_scanline(&lines);
+    if (s->counts)
+        count_lines(s, s->level == LEVEL_LINES ? SPAN_AFFINE_SCANLINE : SPAN_AFFINE_UPRIGHT);
+    if (s->renderer->only_counts)
+        return;
+    level_lines(s->perspective, steps);
+    lines.lines = s->perspective->lines;
+    lines.count = s->perspective->count;
+    lines.row = s->span.row;
+    lines.pitch = s->span.pitch;
+    lines.map = s->span.map;
+    lines.steps = steps;
+    if (s->level == LEVEL_LINES)
+        span_affine_scanline(&lines);
+    else
+        span_affine_upright(&lines);
 }
 
 /* Counts the lines that tables drew, and those `left`. */
@@ -154,30 +158,61 @@ static void count(const struct setup *s, int32 left)
     s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
 }
 
+/* Returns 1 if depth changes so little along lines of so many pixels, by `grows` a pixel, that the setting
+   has them level. */
+static int32 is_level(const struct setup *s, const struct number64 *grows, int32 width)
+{
+    return width <= ways[s->setting].width
+        && perspective_is_level(s->perspective, grows, width, ways[s->setting].off);
+}
+
+/* Returns 1 if they may be straight, and sets the plan's tilt; least: q of the longest. */
+static int32 is_straight(const struct setup *s, const struct number64 *grows, int32 width, int32 least)
+{
+    /* what a tolerance allows is less than what a setting allows */
+    if (ways[s->setting].bend || s->setting != (enum perspective)s->material->perspective
+        || !perspective_is_straight(grows, width, least))
+        return 0;
+    s->perspective->tilt = (int32)(grows->hi << 8 | grows->lo >> 24);
+    return 1;
+}
+
+void perspective_find_level(struct setup *s)
+{
+    struct perspective_plan *plan = s->perspective;
+    const int32 width = s->box.right - s->box.left, height = s->box.bottom - s->box.top;
+
+    plan->tilt = plan->steep = 0;
+    if (s->level)
+        return;
+    if (is_level(s, &plan->q.dx, width) || is_straight(s, &plan->q.dx, width, plan->q_low)) {
+        s->level = LEVEL_LINES;
+    } else if (EDGES_ARE_EXACT(s->material->edges)) {
+        if (is_level(s, &plan->q.dy, height)) {
+            s->level = LEVEL_COLUMNS;
+        } else if (height >= PERSPECTIVE_LEVEL_COLUMN && is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE)) {
+            /* a wall is highest where it is nearest: each column is tested */
+            plan->steep = perspective_steepness(&plan->q.dy) + 1;
+            s->level = LEVEL_COLUMNS;
+        }
+    }
+}
+
 void perspective_draw(struct setup *s)
 {
     union made *made = (union made *)s->scratch->room;
-    struct perspective_plan *plan = s->perspective;
-    enum perspective setting = s->setting;
-    const int32 width = s->box.right - s->box.left, pieces = ways[setting].bend == 0;
-    const int32 is_level = s->straight || (width <= ways[setting].width
-                                           && perspective_is_level(plan, width, ways[setting].off));
-    int32 left = plan->count;
+    const int32 pieces = ways[s->setting].bend == 0;
+    int32 left = s->perspective->count;
 
-    /* what a tolerance allows is less than what a setting allows */
-    if (is_level || (pieces && setting == s->material->perspective
-                     && perspective_is_straight(plan, width))) {
-        if (s->counts)
-            count_lines(s, SPAN_AFFINE_SCANLINE);
-        if (!s->renderer->only_counts)
-            draw_level(s, made, is_level ? 0 : (int32)(plan->q.dx.hi << 16 | plan->q.dx.lo >> 16));
+    if (s->level == LEVEL_LINES) {
+        perspective_draw_level(s, made->steps);
         return;
     }
     if (s->counts)              /* before lines that are drawn become empty */
         count_lines(s, pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
     if (pieces && s->renderer->reciprocals)
-        left = is_drawn_from_afar(s) ? 0 : plan->count;
-    else if (setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
+        left = is_drawn_from_afar(s) ? 0 : left;
+    else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
         left = draw_logarithms(s, made);
     if (s->counts)
         count(s, left);

@@ -4,8 +4,8 @@
 
 /* q must be at least this times its error, so that it cannot become 0 nor a quotient overflow. */
 #define SURE 4
-#define Q_ONE (1 << 30)
 #define STEEP_2_14 (1 << 14)                /* in 2^16 units a pixel */
+#define STEEP_2_22 (1 << 22)
 #define FLAT (8 << 16)                 /* texels a pixel: from the box's middle to a vertex u
                                           moves less than 8,192, and stays inside 16.16 */
 #define TOO_STEEP (1 << 28)            /* SURE times this is above every q but the nearest's */
@@ -142,7 +142,7 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     planes_find(&planes, &corners);
     if (count == 3) {
         least = least_of(&corners);
-        plan->q_high = Q_ONE;
+        plan->q_high = PERSPECTIVE_ONE;
     } else {
         find_q(plan, &planes.q, vertices, count, box);
         least = plan->q_low;
@@ -200,7 +200,7 @@ int32 perspective_of_texturing(struct perspective_plan *plan, const struct textu
     if (!is_flat(t->dudx) || !is_flat(t->dudy) || !is_flat(t->dvdx) || !is_flat(t->dvdy)
         || box->right - box->left > PERSPECTIVE_LEVEL_WIDTH)
         return 0;
-    plan->q.at.hi = plan->q_low = plan->q_high = Q_ONE;
+    plan->q.at.hi = plan->q_low = plan->q_high = PERSPECTIVE_ONE;
     plan->q.at.lo = plan->q.dx.hi = plan->q.dx.lo = plan->q.dy.hi = plan->q.dy.lo = 0;
     plane_of(&plan->s, t->u, t->dudx, t->dudy, t, box);
     plane_of(&plan->t, t->v, t->dvdx, t->dvdy, t, box);
@@ -221,9 +221,9 @@ fix16 perspective_reach(const struct perspective_plan *plan)
     return -plan->v_low > farthest ? -plan->v_low : farthest;
 }
 
-int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int32 tolerance)
+int32 perspective_is_level(const struct perspective_plan *plan, const struct number64 *grows,
+                           int32 width, int32 tolerance)
 {
-    const struct number64 *grows = &plan->q.dx;
     uint32 part = grows->hi ? 0 - grows->lo : grows->lo;
     int32 off;
 
@@ -237,10 +237,41 @@ int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int
     return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
 }
 
-/* Off by about width^2 / L pixels, L = q / |dq/dx| (see span/far.h for chords). */
-int32 perspective_is_straight(const struct perspective_plan *plan, int32 width)
+int32 perspective_is_straight(const struct number64 *grows, int32 width, int32 least)
 {
-    const int32 steep = perspective_steepness(&plan->q.dx) + 1;
+    const int32 steep = perspective_steepness(grows) + 1;
 
-    return steep < STEEP_2_14 && steep <= (plan->q_low >> 2) / (width * width + 1);
+    return steep < STEEP_2_22 && steep <= least / ((width * width >> 1) + 1);
+}
+
+static void add(struct number64 *to, const struct number64 *what)
+{
+    to->lo += what->lo;
+    to->hi += what->hi + (to->lo < what->lo);
+}
+
+static void subtract(struct number64 *from, const struct number64 *what)
+{
+    from->hi -= what->hi + (from->lo < what->lo);
+    from->lo -= what->lo;
+}
+
+static void turn(struct screen_plane *plane, int32 next)
+{
+    const struct number64 dx = plane->dx;
+
+    if (next > 0)
+        add(&plane->at, &dx);
+    else if (next < 0)
+        subtract(&plane->at, &plane->dy);
+    plane->dx = plane->dy;
+    plane->dy = dx;
+}
+
+void perspective_turn(struct perspective_plan *plan, int32 left, int32 next)
+{
+    turn(&plan->q, next);
+    turn(&plan->s, next);
+    turn(&plan->t, next);
+    plan->left = left;
 }

@@ -5,6 +5,9 @@
 #include "polygon/setup.h"
 #include "span/reciprocal.h"
 
+/* q of the nearest vertex. */
+#define PERSPECTIVE_ONE (1 << 30)
+
 /* A corner's values, or a vector: the differences between two corners' values. */
 struct plane_corner {
     fix16 x, y;
@@ -53,13 +56,25 @@ fix16 perspective_reach(const struct perspective_plan *plan);
 
 /* Returns 1 if lines of at most `width` pixels, drawn as if their depth were constant, are off by
    at most `tolerance`, in 1/65536 texel (0 to TOLERANCE_MAX). */
-int32 perspective_is_level(const struct perspective_plan *plan, int32 width, int32 tolerance);
+int32 perspective_is_level(const struct perspective_plan *plan, const struct number64 *gradient,
+                           int32 width, int32 tolerance);
 
-/* Returns 1 if a line may go straight on from its first pixel, as steep there as the curve: it is off by at
-   most a quarter of a pixel's texels on as many pixels as `width`. */
-int32 perspective_is_straight(const struct perspective_plan *plan, int32 width);
+/* Returns 1 if a line of at most `width` pixels, on which q is `least` or more, may be straight from its first
+   pixel to its last: its chord is off by at most half a pixel's texels, width^2 / (4 L) with
+   L = q / |dq/dx|. */
+int32 perspective_is_straight(const struct number64 *gradient, int32 width, int32 least);
 
-/* Draws the lines of the plan with s->setting and s->straight. */
+/* Exchanges lines and columns of the planes. left: the new one; next: 1: before that, they go on to the next
+   column; -1: behind that, back to the one before. */
+void perspective_turn(struct perspective_plan *plan, int32 left, int32 next);
+
+/* Finds s->level, unless a tolerance has, and tilt and steep of the plan. */
+void perspective_find_level(struct setup *s);
+
+/* Draws the lines of the plan with s->setting and s->level. */
 void perspective_draw(struct setup *s);
+
+/* Draws the lines of the plan by s->level. steps: room for their number. */
+void perspective_draw_level(const struct setup *s, struct scanline_step *steps);
 
 #endif

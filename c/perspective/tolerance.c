@@ -54,8 +54,8 @@ int32 tolerance_is_coarser(struct setup *s)
     const struct perspective_plan *plan = s->perspective;
     fix16 tolerance = s->material->tolerance, pixel;
 
-    if (perspective_is_level(plan, s->box.right - s->box.left, tolerance)) {
-        s->straight = 1;
+    if (perspective_is_level(plan, &plan->q.dx, s->box.right - s->box.left, tolerance)) {
+        s->level = LEVEL_LINES;
         return 1;
     }
     if (s->setting == PERSPECTIVE_EVERY16)

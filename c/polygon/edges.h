@@ -20,6 +20,8 @@ uint32 lines_pixels(const struct scanline *line, int32 count);
 /* src68k/polygon: contracts there. The latter two are for assembly. */
 void edges_make(struct edge_plan *plan, const struct sides *sides, const struct rectangle *box,
                 int32 exact);
+void edges_make_upright(struct edge_plan *plan, const struct sides *sides,
+                        const struct rectangle *box);
 void edge_exact_across(void);
 void edge_rounded_across(void);
 

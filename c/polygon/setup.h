@@ -14,6 +14,10 @@
    1/2^17 each: at most 0.008 over the 1,024 lines of a frame. */
 enum { EDGE_ERROR = 1024 };
 
+/* What of a polygon has a depth that hardly changes. Columns are drawn as the lines of a frame with x and y
+   exchanged. */
+enum level { LEVEL_NOTHING, LEVEL_LINES, LEVEL_COLUMNS };
+
 struct setup {
     struct renderer *renderer;
     struct scratch *scratch;            /* the renderer's; so are frame and off */
@@ -30,7 +34,7 @@ struct setup {
     int32 count;
     enum span_kind kind;                /* the material's, lowered step by step */
     enum perspective setting;           /* SPAN_PERSPECTIVE: the material's, lowered */
-    int32 straight;                     /* SPAN_PERSPECTIVE: 1: each line is affine as a whole */
+    enum level level;                   /* SPAN_PERSPECTIVE: what is drawn as if it were affine */
 
     struct sides sides;
     struct rectangle box;               /* the part of the frame that it may cover */

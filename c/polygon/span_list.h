@@ -27,6 +27,7 @@
     SPAN(LIT, lit, ADDX) \
     SPAN(LIT_WRAP, lit_wrap, ADDX) \
     SPAN(LIT_GOURAUD, lit_gouraud, ADDX) \
+    OTHER(AFFINE_UPRIGHT, affine_upright) \
     OTHER(PERSPECTIVE_PIECES, perspective_pieces) \
     OTHER(PERSPECTIVE_CURVES, perspective_curves) \
     OTHER(RECIPROCAL, reciprocal) \

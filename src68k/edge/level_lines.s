@@ -10,10 +10,9 @@ step    macro
         move.l  \4,d6
         sub.l   perspective_plan_\3(a6),d6
         muls.l  d2,d2:d6
-        move.w  d2,d6
-        swap    d6
-        swap    d2
-        ext.l   d2
+        move.b  d2,d6
+        ror.l   #8,d6
+        asr.l   #8,d2
         sub.l   d6,d1
         subx.l  d2,d0
 .level\@
@@ -46,12 +45,14 @@ step    macro
 ; writes:  start0, start1, start2 of the plan's lines, addx form, and their steps; not
 ;          those of empty lines
 ; formats: with q of the line's first pixel: u = base + s / q.hi, cut towards zero and
-;          clamped to the plan's limits; its step (ds - u tilt) / q.hi, u less its base, rounded
-;          up; 16.16
+;          clamped to the plan's limits; with q of its last one, tilt a pixel further and not below
+;          q_low: its step (ds - u tilt) / q.hi, u less its base, rounded up; 16.16
 ; error:   if q is the same all along the line: u a unit too low at the first pixel, a
-;          unit higher at each other one
+;          unit higher at each other one. Otherwise it is so at both ends, with the errors of the planes,
+;          and between them off by about n^2 / (4 L) pixels, L = q / |tilt|
 
-; Floors and ceilings seen by an upright camera are such polygons.
+; Such a step leads to u of the last pixel: u + n (ds - u tilt) / (q + n tilt) is (s + n ds) / (q + n tilt),
+; s being u q. Floors and walls seen by an upright camera are such polygons.
 
         routine level_lines,a0,a1
         save_all
@@ -83,7 +84,20 @@ step    macro
         quotient v,d7
         add.l   perspective_plan_v(a6),d1
         move.l  d1,d4
-        step    scanline_step_dudx(a5),s,u,d3
+
+        move.l  perspective_plan_tilt(a6),d0
+        beq.s   .level
+        move.w  scanline_last(a0),d1
+        sub.w   scanline_left(a0),d1
+        ext.l   d1
+        muls.l  d0,d0:d1
+        move.b  d0,d1
+        ror.l   #8,d1
+        add.l   d1,d7                   ; q of the last pixel
+        cmp.l   perspective_plan_q_low(a6),d7
+        bge.s   .level
+        move.l  perspective_plan_q_low(a6),d7
+.level  step    scanline_step_dudx(a5),s,u,d3
         step    scanline_step_dvdx(a5),t,v,d4
         pack_start d3,d4,d5,a0
 

@@ -25,9 +25,12 @@ bottom  equ     12
         movea.l d0,a2
         lea     edge_rounded,a5
         tst.l   d1
-        beq.s   .chosen
+        beq.s   edges_of_sides
         lea     edge_exact,a5
-.chosen move.l  rectangle_bottom(a2),-(sp)
+        xdef    edges_of_sides
+; As edges_make behind save_all. In: a0, a1, a2 the rectangle, a5 the routine for an edge.
+edges_of_sides
+        move.l  rectangle_bottom(a2),-(sp)
         move.l  rectangle_top(a2),-(sp)
         move.l  a0,-(sp)
         movea.l a1,a4

@@ -110,6 +110,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "perspective_lines": perspective.lines_case("every16"),
                        "perspective_lines_curves": perspective.lines_case("pixel"),
                        "level_lines": perspective.level_case(),
+                       "level_lines_tilted": perspective.level_case(True),
                        "logarithm_lines": logarithm.lines_case()}.items():
         yield name, edges.LINES, call
 

@@ -4,6 +4,7 @@ A row's line grows by a texel a pixel in u and 0.7 in v on the whole; every othe
 from far to near.
 """
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -13,8 +14,8 @@ from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup.edges import measure
-from tmap.setup.perspective import (CURVES, Ends, Perspective, coordinates, ends, enough, level,
-                                    perspective, way, weights)
+from tmap.setup.perspective import (CURVES, Ends, Perspective, coordinates, ends, enough, level_line,
+                                    perspective, steepness, way, weights)
 from tmap.setup.scanline import pack
 
 RATIO = 4
@@ -109,7 +110,7 @@ def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[s
     limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
               for c, value in zip("uv", pair)}
     return arena.struct("perspective_plan", pointers, count=count, left=deep.i, q_low=deep.least, q_high=deep.most,
-                        gentle=deep.gentle, tilt=deep.tilt, u=deep.base[0], v=deep.base[1], bend=way(setting).bend,
+                        gentle=deep.gentle, tilt=deep.tilt, steep=steepness(deep.q.dx) + 1, u=deep.base[0], v=deep.base[1], bend=way(setting).bend,
                         **fields, **limits)
 
 
@@ -142,17 +143,17 @@ def level_trial(arena: Arena, deep: Perspective, lines, title: str = "") -> Tria
     writes = []
     for k, (left, right, y) in enumerate(lines):
         if right > left:
-            u, v = (c.tolist() for c in level(deep, left, left + 2, y))
-            writes += fields(lines_at + k * size, "scanline", pack("addx", u[0], v[0]))
-            writes += fields(steps_at + 8 * k, "scanline_step",
-                             {"dudx": u[1] - u[0], "dvdx": v[1] - v[0]})
+            (u, dudx), (v, dvdx) = level_line(deep, left, right, y)
+            writes += fields(lines_at + k * size, "scanline", pack("addx", u, v))
+            writes += fields(steps_at + 8 * k, "scanline_step", {"dudx": dudx, "dvdx": dvdx})
     return Trial(Case("level_lines", arena, pointers={"a0": plan_at, "a1": steps_at}), title,
                  writes=writes)
 
 
-def level_case():
-    """LINES lines of a turned triangle."""
-    return level_trial(Arena(), *polygon_lines()).row(LINES)
+def level_case(tilt: bool = False):
+    """LINES lines of a turned triangle; with a tilt, from their first pixels to their last."""
+    deep, lines = polygon_lines()
+    return level_trial(Arena(), replace(deep, tilt=int(tilt) << 8), lines).row(LINES)
 
 
 def lines_trial(setting: str, arena: Arena, deep: Perspective, lines, title: str = "") -> Trial:

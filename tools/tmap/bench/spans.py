@@ -19,6 +19,7 @@ DU, DV = 0x18000, 0x14000  # texels a pixel, 16.16
 LENGTHS = (256, 64, 16, 4)  # pixels
 #: Rows at each of LENGTHS: a span's name, and how its lines are packed.
 SPANS = (("affine_addx", "addx"), ("affine_addx_wrap", "addx"), ("affine_scanline", "addx"),
+         ("affine_upright", "addx"),
          ("affine_swap", "plain"), ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
          ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat"))
 #: Of the spans for short lines and of the copying one: kernel, steps, lengths.
@@ -148,6 +149,25 @@ def span_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Are
                        dudx=dudx, dvdx=dvdx, colour=colour, **more)
 
 
+def upright_trial(lines: list[Line], pitch: int, arena: Arena, ground: Ground,
+                  steps: list[tuple[int, int]], title: str = "") -> Trial:
+    """One table of columns, one beside the other, each with its ``steps``. A line's first column is the row of
+    the frame where it begins; ``pitch``: in bytes."""
+    shapes, entries, writes = layout.load(), [], []
+    for k, ((row, count, u, v), step) in enumerate(zip(lines, steps)):
+        entries.append(pack("addx", u, v) | {"left": BIAS + row, "last": BIAS + row + count - 1})
+        seen = texels(ground.picture, u, v, *step, max(count, 0))
+        writes += [Write(ground.frame_at + k + (row + j) * pitch, seen[j:j + 1].tobytes(), far=True)
+                   for j in range(max(count, 0))]
+    shape = shapes.struct("scanline_step")
+    near = {"lines": arena.add(table_of(entries), name="lines", shape=shapes.struct("scanline")),
+            "steps": arena.add(b"".join(shape.pack(dudx=du, dvdx=dv) for du, dv in steps), name="steps",
+                               shape=shape)}
+    plan = add_span_plan(arena, near, {"row": ground.frame_at - BIAS * pitch, "map": ground.map_at},
+                         count=len(lines), pitch=pitch)
+    return Trial(Case("span_affine_upright", arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
+
+
 def wide_texture(kernel: str) -> np.ndarray:
     """A page with as many bytes a texel as the kernel's name says, big-endian."""
     picture = random_maps.page()
@@ -174,6 +194,8 @@ def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV, l
     ground = framed(far, add_map(far, kernel, picture), picture, lines, length)
     starts = [(k % 4, length, int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16)))
               for k in range(lines)]
-    steps = [(du, dv)] * lines if "scanline" in kernel else None
+    steps = [(du, dv)] * lines if kernel.endswith(("scanline", "upright")) else None
+    if kernel == "span_affine_upright":
+        return upright_trial(starts, lines, Arena(), ground, steps).row(lines * length)
     return span_trial(kernel, form, starts, length + GAP, Arena(), ground, dudx=du, dvdx=dv,
                       colour=COLOUR, own_steps=steps).row(lines * length)

@@ -37,6 +37,8 @@ constant along a line is never below the exact value.
 **Straight pieces** of m pixels: b and m - 1 units at their ends, and m units more for the last
 one's cut steps, measured from the chords of the exact curve.
 
+**Straight lines** are measured from the chords between their first and last pixels; see ``tilted_bound``.
+
 **Level lines**: b, the error that the setting allows them for their change of q (almost half or a
 quarter of its tolerance), and a unit per step, as steps are rounded up. If q does not change, they
 are never below the exact value.
@@ -155,18 +157,24 @@ def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
     return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
 
 
-def tangent(curve: Curve, columns: np.ndarray, y: int) -> np.ndarray:
-    """The intended error of a line that goes straight on from its first pixel."""
+def chord(curve: Curve, columns: np.ndarray, y: int) -> np.ndarray:
+    """The intended error of a line that is straight from its first pixel to its last."""
     values = curve.values(columns, y)
-    return values[0] + (columns - columns[0]) * curve.slope(int(columns[0]), y) - values
+    return np.interp(columns, columns[[0, -1]], values[[0, -1]]) - values
 
 
-def tilted_bound(bound: "Bound", b: float, made: Ends, y: int) -> float:
-    """Returns b of such a line: at pixel x it shows u + (S(x) - u Q(x)) / q, so the planes' errors count at x
-    too, over q of the first pixel; q's step is cut, up to a unit of 2^-16."""
-    q = bound.curve.terms(made.left << 16, y << 16)[1] * bound.unit
+def tilted_bound(bound: "Bound", b: float, made: Ends, y: int, inside: bool) -> float:
+    """Returns b of such a line. With the planes' values its step leads from u0 to S(n) / q(n), the last pixel's u,
+    but for u0's cut unit times q0 / q(n), 1.5 at most as lines bend so little. q's step is cut to 2^-8, and q(n)
+    has ``end``'s error, and its cuts. ``inside``: the last pixel is in the polygon."""
+    last = made.left + made.n
+    q = bound.curve.terms(last << 16, y << 16)[1] * bound.unit
+    off = bound.end(last, y, inside)[1] + (1 + made.n / 256) / q
+    if off >= 1:
+        return BOUNDLESS
     largest = max(abs(bound.low - bound.base), abs(bound.high - bound.base))
-    return 2.25 * b + made.n * (largest * 2.0**-16 / q + 1) * UNIT
+    way = abs(made.du if bound.plane is bound.p.s else made.dv)
+    return b + (2 + (made.n * largest / 256 / q + way * off) / (1 - off)) * UNIT
 
 
 def level_bound(b: float, setting: str, n: int) -> float:
@@ -202,12 +210,20 @@ def inner_lines(vertices, polygon):
             yield y, line, extent, left, right
 
 
+def exchanged(vertices) -> list[tuple]:
+    """Returns vertices with x and y exchanged."""
+    return [(v[1], v[0], *v[2:]) for v in vertices]
+
+
 def line_errors(vertices, polygon, tolerance: float = 0.0):
     """Yields (u or v, line, pixels, found, error, intended error, bound) for each line inside the
-    exact polygon: arrays over the pixels, the bound a number; in texels, found in 16.16.
+    exact polygon: arrays over the pixels, the bound a number; in texels, found in 16.16. Lines are columns of the
+    frame if they are drawn.
     ``vertices``: from ``model.adapt``, in front of the viewer."""
-    p = polygon.perspective
     three = [vertices[k] for k in ideal.corners(vertices)]
+    if polygon.columns:
+        polygon, three, vertices = polygon.columns, exchanged(three), exchanged(vertices)
+    p = polygon.perspective
     bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves(vertices))]
     for y, line, extent, left, right in inner_lines(vertices, polygon):
         made = ends(p, line.left, line.right, y)
@@ -222,7 +238,8 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                 b = bound.line(made, y, inside)
                 wanted = 0 * error
                 if p.tilt:
-                    b, wanted = tilted_bound(bound, b, made, y), tangent(bound.curve, drawn, y)[seen]
+                    b = tilted_bound(bound, b, made, y, inside[1])
+                    wanted = chord(bound.curve, drawn, y)[seen]
                 yield (key, y, columns, found[seen], error, wanted,
                        level_bound(b, polygon.setting, made.n) + tolerance * polygon.straight)
                 continue
@@ -235,6 +252,23 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
             else:  # an end on a rounded edge is behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, found[seen], error, wanted, allowed
+
+
+def errors_by_lines(vertices, polygon):
+    """Yields (u or v, line of the frame, its pixels, error, intended error, bound), arrays over the pixels, of
+    ``line_errors``."""
+    every = ((key, y, columns, error, wanted, allowed + 0 * error)
+             for key, y, columns, _, error, wanted, allowed in line_errors(vertices, polygon))
+    if not polygon.columns:
+        yield from every
+        return
+    lines = {}
+    for key, x, rows, *arrays in every:
+        for y, *values in zip(rows.tolist(), *arrays):
+            lines.setdefault((key, y), []).append((x, *values))
+    for (key, y), pixels in lines.items():
+        columns, *arrays = zip(*pixels)
+        yield key, y, np.array(columns), *map(np.array, arrays)
 
 
 def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
@@ -265,23 +299,25 @@ def check_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[in
                  out) -> None:
     """Adds the error of u and v at every pixel inside the exact polygon to a Verdict, and judges
     the texels; ``asked``: the material's setting, ``tolerance``: in texels, ``size``: the map's."""
+    drawn = polygon.columns or polygon
+    kind = "column" if polygon.columns else "line"
     for key, y, columns, found, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
         bent = float(abs(wanted).max())
         if polygon.setting != asked and bent > tolerance + FLOAT:
-            out.complain(f"{key} on line {y}: pieces of {polygon.setting} instead of {asked} "
+            out.complain(f"{key} on {kind} {y}: pieces of {polygon.setting} instead of {asked} "
                          f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
         k = int(abs(error).argmax())
         out.note(abs(error[k]), min(abs(wanted[k]) + allowed, BOUNDLESS))
         if allowed >= BOUNDLESS:
             continue
-        if len(vertices) == 3 and falls_short(polygon, y, columns, error):
-            out.complain(f"{key} on line {y} is {-error.min():.9f} below the exact value")
+        if len(vertices) == 3 and falls_short(drawn, y, columns, error):
+            out.complain(f"{key} on {kind} {y} is {-error.min():.9f} below the exact value")
         check_shown(key, y, int(columns[0]), found, error - wanted, allowed, size, out)
         off = abs(error - wanted)
         k = int(off.argmax())
         out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
         if off[k] > allowed:
-            out.complain(f"{key} at pixel ({columns[k]}, {y}) is {off[k]:.9f} off what the "
+            out.complain(f"{key} at pixel {columns[k]} of {kind} {y} is {off[k]:.9f} off what the "
                          f"setting intends, {allowed:.9f} are allowed")
 
 

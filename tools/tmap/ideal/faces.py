@@ -263,9 +263,9 @@ def drawn_errors(adapted, polygon: model.Polygon) -> Iterator[tuple]:
     the curve or plane of the drawn vertices; texels."""
     if polygon.perspective:
         curves = perspective.curves(adapted)
-        for noun, y, columns, _, error, wanted, allowed in bounds_perspective.line_errors(adapted, polygon):
+        for noun, y, columns, error, wanted, allowed in bounds_perspective.errors_by_lines(adapted, polygon):
             key = 2 + "uv".index(noun)
-            yield key, y, columns, error, wanted, allowed + 0 * error, curves[key - 2].values(columns, y)
+            yield key, y, columns, error, wanted, allowed, curves[key - 2].values(columns, y)
         return
     t, planes = polygon.texturing, [ideal.plane_of(adapted, key) for key in (2, 3)]
     for y, line in enumerate(polygon.lines, polygon.top):

@@ -69,12 +69,6 @@ class Curve:
         dn, dq = (self.sign * plane.nx << 16 for plane in (self.over, self.inverse))
         return [(n + k * dn) // (q + k * dq << 16) for k in range(end - first)]
 
-    def slope(self, i: int, j: int) -> float:
-        """Returns the value's growth along a line, at pixel (i, j), in texels a pixel."""
-        n, q = self.terms(i << 16, j << 16)
-        dn, dq = (self.sign * plane.nx << 16 for plane in (self.over, self.inverse))
-        return (dn * q - dq * n) / (q * q << 16)
-
     def vanishing(self) -> Fraction | None:
         """The value's limit along a line, towards the viewer, in units; None at constant depth."""
         return Fraction(self.over.nx, self.inverse.nx) if self.inverse.nx else None

@@ -32,6 +32,9 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
          light: np.ndarray | None = None) -> None:
     """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]; ``light``:
     [level][texel], for the lit mappers."""
+    if polygon.columns:
+        draw(frame.T, polygon.columns, texture, colour)
+        return
     if polygon.mapper == "lit":
         light = light[polygon.level]
     for y, line in enumerate(polygon.lines, polygon.top):

@@ -18,6 +18,7 @@ class Edge:
     top: int
     end: int
     exact: bool
+    upright: bool = False  # exact, and its lines are columns of the frame
 
     @property
     def extent(self) -> tuple[int, int]:
@@ -51,6 +52,8 @@ class Edge:
             return ceil16(self.at(line))
         (x, y, *_), (width, height) = self.upper, self.extent
         n = x * height + width * ((line << 16) - y)
+        if self.upright and width > 0:
+            return n // (height << 16) + 1
         return -(-n // (height << 16))
 
     @property
@@ -99,7 +102,8 @@ def measure(vertices, width: int, height: int) -> Sides | None:
     return Sides(corners, 1 if (area > 0) == forward else -1, box)
 
 
-def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool) -> list[Edge]:
+def side(vertices, start: int, direction: int, top: int, bottom: int, exact: bool,
+         upright: bool = False) -> list[Edge]:
     """Returns the edges of one side from the top vertex on, between two lines."""
     edges, index, upper = [], start, vertices[start]
     while top < bottom:
@@ -107,7 +111,7 @@ def side(vertices, start: int, direction: int, top: int, bottom: int, exact: boo
         lower = vertices[index]
         end = min(ceil16(lower[1]), bottom)
         if end > top and lower[1] > upper[1]:
-            edges.append(Edge(upper, lower, top, end, exact))
+            edges.append(Edge(upper, lower, top, end, exact, upright))
             top = end
         upper = lower
     return edges

@@ -7,7 +7,7 @@ part = (k q1) / ((n - k) q0 + k q1) at pixel k of n. It is always between 0 and 
 leaves the range of its line's ends.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from math import isqrt
 
@@ -21,6 +21,7 @@ Q_ONE = 1 << 30  # q of the nearest vertex
 Q_SURE = 4  # the least ratio of q to its error
 TOO_STEEP = 1 << 28  # Q_SURE times this is above every q except the nearest one's
 STEEP_2_14 = 1 << 14  # 2^16 units per pixel: half of the range of 32 bits
+STEEP_2_22 = 1 << 22
 PIECES = {"every16": 16, "every8": 8}
 CURVES = ("pixel", "fine")
 OCTAVE = 64  # steps of a logarithm
@@ -101,12 +102,18 @@ class Perspective:
     high: tuple[int, int]
     gentle: bool = True  # no gradient is too steep for 32 integer bits
     raised: tuple[int, int] = (0, 0)  # units by which S and T are raised
-    tilt: int = 0  # of level lines: q's growth a pixel, 16.16
+    tilt: int = 0  # of level lines: q's growth a pixel, 24.8
 
     @property
     def farthest(self) -> int:
         """The largest distance of u or v from its base."""
         return max(*self.high, *(-c for c in self.low))
+
+    def turned(self, x: int, y: int) -> "Perspective":
+        """Returns the planes with lines and columns exchanged, at pixel (x, y) of the frame."""
+        q, s, t = (Plane(plane.value(x - self.i, y - self.j), plane.dy, plane.dx)
+                   for plane in (self.q, self.s, self.t))
+        return replace(self, q=q, s=s, t=t, i=y, j=x, tilt=0)
 
     def divided(self, x: int, y: int) -> tuple[int, list[int]]:
         """Returns q at a pixel, at least ``least``, and u and v divided by it, within their
@@ -223,12 +230,13 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
     return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
 
 
-def tilt_of(p: Perspective, width: int) -> int | None:
-    """Returns q's growth a pixel, 16.16, if a line may go straight on from its first pixel; else None."""
+def tilt_of(p: Perspective, width: int, least: int) -> int | None:
+    """Returns q's growth a pixel, 24.8, if a line on which q is ``least`` or more may be straight from its
+    first pixel to its last; else None."""
     steep = steepness(p.q.dx) + 1
-    if steep >= STEEP_2_14 or steep > (p.least >> 2) // (width * width + 1):
+    if steep >= STEEP_2_22 or steep > least // ((width * width >> 1) + 1):
         return None
-    return signed(p.q.dx, 64) >> 16
+    return signed(p.q.dx, 64) >> 24
 
 
 def level_step(gradient: int, q: int) -> int:
@@ -240,12 +248,28 @@ def level_step(gradient: int, q: int) -> int:
     return n // q
 
 
-def level(p: Perspective, left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
-    """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
+def bends(p: Perspective, lines, width: int) -> bool:
+    """Returns true if a straight line would be too far off in one of the ``lines``, from row p.j on, of a box as
+    wide as ``width``."""
+    steep = steepness(p.q.dx) + 1
+    q = (p.q.at >> 32) - (width * steep if p.tilt < 0 else 0)
+    return any(line.right > line.left and steep * (line.right - 1 - line.left)**2 >> 1 > q + k * (p.q.dy >> 32)
+               for k, line in enumerate(lines))
+
+
+def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int, int]]:
+    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded."""
     q, starts = p.divided(left, y)
+    if p.tilt:
+        q = max(q + ((right - 1 - left) * p.tilt >> 8), p.least)
+    return [(start, level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 8), q))
+            for start, base, plane in zip(starts, p.base, (p.s, p.t))]
+
+
+def level(p: Perspective, left: int, right: int, y: int) -> list[np.ndarray]:
+    """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
     k = np.arange(right - left, dtype=np.int64)
-    return tuple(start + k * level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 16), q) & M32
-                 for start, base, plane in zip(starts, p.base, (p.s, p.t)))
+    return [start + k * step & M32 for start, step in level_line(p, left, right, y)]
 
 
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:

@@ -5,14 +5,19 @@ they are rounded to steps.
 """
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from types import ModuleType
 
+import numpy as np
+
 from tmap.base.fixed import M32, ONE, mul, signed
+from tmap.build import layout
 from tmap.setup import far, far_planes, logarithm, reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
-from tmap.setup.perspective import (PIECES, Perspective, coordinates as perspective_coordinates,
-                                    ends, is_level, level, perspective, tilt_of, way)
+from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, bends,
+                                    coordinates as perspective_coordinates, ends, is_level, level,
+                                    perspective, tilt_of, way)
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
 from tmap.setup.spans import coordinates, stays_in_row
 from tmap.setup.texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest,
@@ -43,7 +48,9 @@ class Polygon:
     straight: bool = False  # the tolerance allows straight lines
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
-    is_level: bool = False  # the perspective's depth does not change along lines
+    is_level: bool = False  # lines are drawn as if the perspective's depth did not change along them
+    #: The same with x and y exchanged, if it is drawn by columns: they are its lines.
+    columns: "Polygon | None" = None
     #: Of lines drawn by tables.
     constants: reciprocal.Constants | far.Constants | far_planes.Constants | None = None
     triangle: snapped.Triangle | None = None  # drawn by a routine for triangles
@@ -62,6 +69,8 @@ class Polygon:
         """Returns u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
         if not self.perspective:
             return coordinates(line, self.mapper, y)
+        if self.columns:
+            return self.columns.crossed(y, range(line.left, line.right))
         if self.is_level:
             return level(self.perspective, line.left, line.right, y)
         record = self.record(line, y)
@@ -69,6 +78,21 @@ class Polygon:
             return self.tables.coordinates(record)
         return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
                                             way(self.setting).raised), self.setting)
+
+    def crossed(self, x: int, lines: range):
+        """Returns u and v at pixel x of some lines."""
+        pairs = []
+        for y in lines:
+            line = self.lines[y - self.top]
+            if not line.left <= x < line.right:
+                raise ValueError(f"column {y} has no pixel on line {x}")
+            pairs.append([values[x - line.left] for values in self.stepped[y - self.top]])
+        return np.array(pairs, np.int64).reshape(-1, 2).T
+
+    @cached_property
+    def stepped(self) -> list:
+        """u and v of the pixels of all lines."""
+        return [self.coordinates(line, y) for y, line in enumerate(self.lines, self.top)]
 
     @property
     def pixels(self) -> int:
@@ -163,10 +187,10 @@ class Outline:
         """Left, top, right and bottom of the box of pixels."""
         return self.sides.box
 
-    def polygon(self, width: int, exact: bool, textured: bool) -> Polygon:
+    def polygon(self, width: int, exact: bool, textured: bool, upright: bool = False) -> Polygon:
         """Returns the polygon with its edges and lines, which have no u and v yet."""
         _, top, _, bottom = self.box
-        lefts, rights = (side(self.vertices, self.sides.corners[0], direction, top, bottom, exact)
+        lefts, rights = (side(self.vertices, self.sides.corners[0], direction, top, bottom, exact, upright)
                          for direction in (self.sides.direction, -self.sides.direction))
         left, right = ([edge.column(y) for edge in edges for y in range(edge.top, edge.end)]
                        for edges in (lefts, rights))
@@ -223,18 +247,49 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
     return True
 
 
-def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Settings) -> bool:
-    """Sets the planes of a polygon's perspective; returns False if it is drawn affine."""
+def set_level(polygon: Polygon, deep: Perspective, width: int, least: int, settings: Settings) -> bool:
+    """Returns true, and sets the tilt, if lines of so many pixels are drawn as if they were affine; ``least``:
+    q of the longest."""
+    if is_level(deep, width, polygon.setting):
+        return True
+    if polygon.setting not in PIECES or polygon.setting != settings.perspective:
+        return False
+    tilt = tilt_of(deep, width, least)
+    deep.tilt = tilt or 0
+    return tilt is not None
+
+
+def columns_of(polygon: Polygon, vertices, box, size: tuple[int, int],
+               settings: Settings) -> Polygon | None:
+    """Returns a polygon with perspective and exact edges that is drawn by columns; else None. ``size``: the
+    frame's."""
+    turned = [(v[1], v[0], 0, 0) for v in vertices]
+    sides = measure(turned, size[1], size[0])
+    if not sides:
+        return None
+    deep = polygon.perspective.turned(sides.box[1], box[1])
+    height = box[3] - box[1]
+    if not is_level(deep, height, polygon.setting) and (
+            height < layout.load().constants["PERSPECTIVE_LEVEL_COLUMN"] or not set_level(polygon, deep, height, Q_ONE, settings)):
+        return None
+    columns = Outline(sides.corners, turned, sides).polygon(size[1], True, True, True)
+    columns.perspective, columns.setting, columns.is_level = deep, polygon.setting, True
+    return None if deep.tilt and bends(deep, columns.lines, height) else columns
+
+
+def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Settings,
+                    size: tuple[int, int]) -> bool:
+    """Sets the planes of a polygon's perspective; returns False if it is drawn affine. ``size``: the
+    frame's."""
     deep = perspective(vertices, outline.corners, outline.box)
     if deep is None:
         return False
     width = outline.box[2] - outline.box[0]
     setting, straight = coarser(deep, width, settings.perspective, settings.tolerance)
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
-    polygon.is_level = straight or is_level(deep, width, setting)
-    if not polygon.is_level and setting in PIECES and setting == settings.perspective:
-        tilt = tilt_of(deep, width)
-        polygon.is_level, deep.tilt = tilt is not None, tilt or 0
+    polygon.is_level = straight or set_level(polygon, deep, width, deep.least, settings)
+    if not polygon.is_level and settings.has_exact_edges:
+        polygon.columns = columns_of(polygon, vertices, outline.box, size, settings)
     polygon.constants = constants(deep, polygon.lines, outline.box, setting, settings.has_exact_edges)
     return True
 
@@ -271,7 +326,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return by_triangles(vertices, outline, width, settings, pixel_bytes)
     polygon = outline.polygon(width, settings.has_exact_edges, textured)
     if settings.perspective != "none" and not is_flat(vertices, settings.tolerance) \
-            and set_perspective(polygon, vertices, outline, settings):
+            and set_perspective(polygon, vertices, outline, settings, (width, height)):
         return polygon
     if textured and not set_texturing(polygon, vertices, outline, settings, size, for_unit):
         return None
