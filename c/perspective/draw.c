@@ -9,16 +9,18 @@ static const struct {
     int32 piece, bend;
     int32 raise;                /* units, of u and v */
     int32 off, width;           /* level lines: error allowed, widest polygon */
+    int32 column;               /* level columns: lowest polygon */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
-                             FRAME_SIDE_MAX},
+                             FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY16},
     [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, PERSPECTIVE_RAISE_EVERY8, 0,
-                            FRAME_SIDE_MAX},
+                            FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY8},
     [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
-                           PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX},
+                           PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX,
+                           PERSPECTIVE_COLUMN_PIXEL},
     [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
                           PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
-                          PERSPECTIVE_LEVEL_WIDTH}
+                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_COLUMN_FINE}
 };
 
 /* All lines in the form that a span reads, prepared before they are drawn; one form at a time. */
@@ -187,10 +189,10 @@ void perspective_find_level(struct setup *s)
         return;
     if (is_level(s, &plan->q.dx, width) || is_straight(s, &plan->q.dx, width, plan->q_low)) {
         s->level = LEVEL_LINES;
-    } else if (EDGES_ARE_EXACT(s->material->edges)) {
+    } else if (EDGES_ARE_EXACT(s->material->edges) && height >= ways[s->setting].column) {
         if (is_level(s, &plan->q.dy, height)) {
             s->level = LEVEL_COLUMNS;
-        } else if (height >= PERSPECTIVE_LEVEL_COLUMN && is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE)) {
+        } else if (is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE)) {
             /* a wall is highest where it is nearest: each column is tested */
             plan->steep = perspective_steepness(&plan->q.dy) + 1;
             s->level = LEVEL_COLUMNS;

@@ -14,6 +14,7 @@ from tmap.bench.trial import Trial, Write, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup import perspective as model
+from tmap.setup.texturing import Line
 
 M64 = (1 << 64) - 1
 #: Depths of a line's ends: q in the polygon's scale.
@@ -132,6 +133,24 @@ def level_trial(rng) -> Trial:
     return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
 
 
+def bend_trial(rng) -> Trial:
+    """Lines on both sides of what may be straight."""
+    lines, deep = lines_and_planes((0, -5, 1, 2, 90, 300), rng)
+    steep, width = int(rng.integers(1, 1 << int(rng.integers(1, 12)))), int(rng.integers(300, 512))
+    slope = steep - 1 if rng.integers(2) else -steep
+    deep.q.dx, deep.tilt = slope * (1 << 32) + int(rng.integers(1, 1 << 32)), slope << 8
+    longest = max(max(right - left for left, right, _ in lines), 2)
+    limit = steep * longest**2 // 2
+    deep.q.at = (limit + int(rng.integers(-limit // 8 - 9, limit // 8 + 9))) % (1 << 30) << 32
+    deep.q.dy = int(rng.integers(-limit // 20 - 2, limit // 20 + 2)) << 32
+    memory = Memory()
+    plan = perspective.plan_of(memory, deep, "every16", len(lines), dict(lines=perspective.scanlines(memory, lines),
+                                                                         to=0))
+    found = model.bends(deep, [Line(left, right) for left, right, _ in lines], width)
+    return Trial(Case("lines_bend", memory, {"d0": width}, {"a0": plan}), f"{lines}, {width}, {deep}",
+                 outputs={"d0": int(found)})
+
+
 def span_trial(setting: str, ends, reach: int, rng) -> Trial:
     """A table of lines between ends of such depths."""
     memory, lines = Memory(int(rng.integers(1 << 30))), []
@@ -150,6 +169,7 @@ def trials() -> list[Trial]:
     every = ("every16", "every8", "pixel", "fine")
     return [*(planes_trial(rng) for _ in range(120)), *(corners_trial(rng) for _ in range(60)),
             *(level_trial(rng) for _ in range(60)),
+            *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *(span_trial(setting, ends, reach, rng) for setting in every for ends in Q_ENDS
               for reach in (31, 24, 20, 12))]

@@ -133,6 +133,8 @@ def exact_fields(edge: model.Edge) -> dict[str, int]:
     (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
     width, height = x1 - x0, y1 - y0
     numerator = x0 * height + width * ((edge.top << 16) - y0)  # of x in 16.16
+    if edge.upright and width > 0:  # the first pixel behind the edge, not the first on it
+        numerator += 1
     pixels = -(-numerator // (height << 16))
     below = (pixels * height << 16) - numerator >> 16
     return {"x": pixels + BIAS, "whole": edge.whole, "error": ~below,
@@ -186,6 +188,30 @@ def edge_trials(exact: bool, rng) -> list[Trial]:
     return trials
 
 
+def upright_trials(rng) -> list[Trial]:
+    """Edges whose lines are columns, many of them through pixels."""
+    trials, grid = [], ONE // 4
+    for k in range(300):
+        step = grid if k % 3 else 1
+        x0, x1, y0 = (int(rng.integers(-99 * ONE, 99 * ONE)) // step * step for _ in range(3))
+        y1 = y0 + int(rng.integers(1, 60 * ONE // step)) * step
+        if k % 5 == 0:
+            x0, y0, x1, y1 = (c // ONE * ONE for c in (x0, y0, x1, y1 + ONE))
+        first, end = y0 + 0xFFFF >> 16, y1 + 0xFFFF >> 16
+        if end <= first:
+            continue
+        for line in {first, end - 1, int(rng.integers(first, end))}:
+            edge = model.Edge((x0, y0), (x1, y1), line, end, True, True)
+            memory = Memory()
+            at = vertex_block(memory, [(x0, y0, 0, 0), (x1, y1, 0, 0)])
+            out = edge_block(memory, end - line)
+            trials.append(Trial(
+                Case("edge_exact_upright", memory, {"d1": line}, {"a0": out, "a1": at, "a2": vertex_at(at, 1)}),
+                values(x0=x0, y0=y0, x1=x1, y1=y1, line=line, lines=end - line),
+                writes=fields(out, "edge", exact_fields(edge))))
+    return trials
+
+
 def edge_block(memory: Memory, lines: int) -> int:
     """struct edge before its numbers are found."""
     return memory.struct("edge", {}, **dict.fromkeys(layout.load().struct("edge").fields, 0) | {
@@ -199,8 +225,8 @@ def sides_block(memory: Memory, at: int, vertices, wanted) -> int:
                          area=list(wanted[4].to_bytes(8, "big")))
 
 
-def edges_make_trial(vertices, exact: bool) -> Trial | None:
-    """Both sides of a polygon; None where it covers no line of the frame."""
+def edges_make_trial(vertices, exact: bool, upright: bool = False) -> Trial | None:
+    """Both sides of a polygon; None where it covers no line of the frame. ``upright``: lines are columns."""
     wanted, sides = wanted_sides(vertices), model_edges.measure(vertices, WIDTH, HEIGHT)
     if sides is None:
         return None
@@ -213,7 +239,7 @@ def edges_make_trial(vertices, exact: bool) -> Trial | None:
     writes = []
     for side, way in (("left", 1), ("right", -1)):
         edges = model_edges.side(vertices, wanted[0], way * sides.direction, sides.box[1],
-                                 sides.box[3], exact)
+                                 sides.box[3], exact, upright)
         writes += fields(plan, "edge_plan", {f"{side}s": len(edges)})
         for k, edge in enumerate(edges):
             numbers = (exact_fields if exact else rounded_fields)(edge)
@@ -222,8 +248,8 @@ def edges_make_trial(vertices, exact: bool) -> Trial | None:
                         "lower": vertex_at(at, vertices.index(edge.lower))}
             place = room[side] + k * layout.load().struct("edge").size
             writes += fields(place, "edge", numbers, pointers)
-    return Trial(Case("edges_make", memory, {"d1": int(exact)},
-                      {"a0": plan, "a1": sides_at, "d0": box}),
+    return Trial(Case("edges_make_upright" if upright else "edges_make", memory,
+                      {} if upright else {"d1": int(exact)}, {"a0": plan, "a1": sides_at, "d0": box}),
                  f"box {sides.box}, exact {exact}: {described(vertices)}", writes=writes)
 
 
@@ -245,12 +271,13 @@ def seen_polygons(rng) -> list[list[tuple]]:
 
 
 def edges_make_trials(rng) -> list[Trial]:
-    trials = [edges_make_trial(p, exact) for p in seen_polygons(rng) for exact in (False, True)]
+    trials = [edges_make_trial(p, exact, upright) for p in seen_polygons(rng)
+              for exact, upright in ((False, False), (True, False), (True, True))]
     return [trial for trial in trials if trial]
 
 
 def trials() -> list[Trial]:
     makers = (sides_find_trials, partial(edge_trials, True), partial(edge_trials, False),
-              edges_make_trials)
+              edges_make_trials, upright_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng([4, seed]))]

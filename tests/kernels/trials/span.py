@@ -169,6 +169,23 @@ def copy_trials(rng) -> list[Trial]:
             for counts, pitch in tables for near in (False, True) for source in range(4)]
 
 
+def upright_trial(counts, pitch: int, rng) -> Trial:
+    """One table of columns side by side, each with steps of its own."""
+    starts = [(int(rng.integers(0, 4)), count, *start) for count, start in zip(
+        counts, rng.integers(0, 1 << 32, (len(counts), 2)).tolist())]
+    steps = [tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2) >> int(rng.integers(0, 16)))) for _ in starts]
+    return spans.upright_trial(starts, pitch, Memory(int(rng.integers(1 << 30))), picture_ground(), steps,
+                               f"{len(starts)} columns, {pitch} bytes from pixel to pixel")
+
+
+def upright_trials(rng) -> list[Trial]:
+    """Columns of all lengths, whole frames of them, in frames of different pitches."""
+    few = (0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, 41))
+    return [upright_trial(rng.permutation(counts).tolist(), pitch, rng)
+            for counts, pitch in ((few, 64), (few, 96), ((0, 48, 63, 64, 65, 127, 128, 255, 256, 257), 200),
+                                  ((1000, 1, 1019), 61), ((7,) * 60, 64)) for _ in range(6)]
+
+
 def steps_text(dudx: int, dvdx: int) -> str:
     return values(dudx=dudx, dvdx=dvdx) + f" = {dudx / ONE:g}, {dvdx / ONE:g} texels a pixel"
 
@@ -209,4 +226,4 @@ def trials() -> list[Trial]:
     alone = "span_affine_row", "span_affine_column", "span_affine_row_short"
     made += [trial for seed, name in enumerate(alone)
              for trial in alone_trials(name, np.random.default_rng([4, seed]))]
-    return made + copy_trials(np.random.default_rng([4, 100]))
+    return made + copy_trials(np.random.default_rng([4, 100])) + upright_trials(np.random.default_rng([4, 101]))

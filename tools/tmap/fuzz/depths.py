@@ -36,7 +36,9 @@ def nearness(rng: random.Random, kind: str, points, size: tuple[int, int]) -> li
             if min(found) > 0:
                 return list(map(Fraction, found))
         kind = "constant"
-    along = rng.choice(((1, 0), (0, 1), (rng.randint(-99, 99), rng.randint(-99, 99))))
+    # a wall or a floor, also seen by a camera that leans a little, or anything
+    lean = rng.randint(-9, 9)
+    along = rng.choice(((1, 0), (0, 1), (9999, lean), (lean, 9999), (rng.randint(-99, 99), rng.randint(-99, 99))))
     way = [along[0] * x + along[1] * y for x, y in points]
     extent = max(way) - min(way)
     if kind == "constant" or not extent:

@@ -23,8 +23,9 @@ from tmap.setup.shading import LIT
 from tmap.setup.texturing import Settings
 
 BLOCK = 1000
-#: Width and height of blocks' frames, in turn: small ones are quick, long ones show drift.
-FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 48), (8, 1024), (96, 64), (4, 1))
+#: Width and height of blocks' frames, in turn: small ones are quick, long ones show drift, high ones have
+#: columns.
+FRAMES = ((64, 48), (160, 100), (64, 48), (1024, 6), (64, 128), (8, 1024), (96, 64), (4, 1))
 SIDES = {"page": (8, 16, 32, 64, 128, 256), "columns": (8, 16, 32, 64, 128, 256, 512)}
 #: Tolerances of materials with a perspective, 1/65536 texel.
 TOLERANCES = (0, 0, 0, 655, 6554, ONE // 2, ONE)

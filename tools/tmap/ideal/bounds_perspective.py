@@ -70,7 +70,7 @@ import numpy as np
 from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
-from tmap.ideal.perspective import Curve, curves
+from tmap.ideal.perspective import Curve, curves, curves_through
 from tmap.setup import far, spans
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
@@ -224,7 +224,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
     if polygon.columns:
         polygon, three, vertices = polygon.columns, exchanged(three), exchanged(vertices)
     p = polygon.perspective
-    bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves(vertices))]
+    bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves_through(three))]
     for y, line, extent, left, right in inner_lines(vertices, polygon):
         made = ends(p, line.left, line.right, y)
         inside = line.left >= extent[0], line.right <= extent[1]

@@ -131,7 +131,11 @@ class Curve:
 
 def curves(vertices) -> tuple[Curve, Curve]:
     """Returns the curves of u and v through a polygon's vertices (x, y, u, v, w)."""
-    three = [vertices[k] for k in ideal.corners(vertices)]
+    return curves_through([vertices[k] for k in ideal.corners(vertices)])
+
+
+def curves_through(three) -> tuple[Curve, Curve]:
+    """Returns the curves of u and v through three vertices."""
     points, depths = [v[:2] for v in three], [v[4] for v in three]
     return tuple(Curve(points, [v[k] for v in three], depths) for k in (2, 3))
 

@@ -52,6 +52,7 @@ class Way:
     off: int  # error allowed to a level line, in 1/65536 texel
     width: int  # the largest width of a polygon with level lines
     raised: int  # units by which lines are raised
+    column: int  # the lowest polygon with level columns
 
 
 @cache
@@ -64,7 +65,7 @@ def way(setting: str) -> Way:
 
     widest = found["FRAME_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
-               widest, number("RAISE"))
+               widest, number("RAISE"), number("COLUMN"))
 
 
 @dataclass

@@ -11,7 +11,6 @@ from types import ModuleType
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, mul, signed
-from tmap.build import layout
 from tmap.setup import far, far_planes, logarithm, reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
@@ -269,8 +268,7 @@ def columns_of(polygon: Polygon, vertices, box, size: tuple[int, int],
         return None
     deep = polygon.perspective.turned(sides.box[1], box[1])
     height = box[3] - box[1]
-    if not is_level(deep, height, polygon.setting) and (
-            height < layout.load().constants["PERSPECTIVE_LEVEL_COLUMN"] or not set_level(polygon, deep, height, Q_ONE, settings)):
+    if height < way(polygon.setting).column or not set_level(polygon, deep, height, Q_ONE, settings):
         return None
     columns = Outline(sides.corners, turned, sides).polygon(size[1], True, True, True)
     columns.perspective, columns.setting, columns.is_level = deep, polygon.setting, True

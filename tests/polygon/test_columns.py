@@ -1,0 +1,116 @@
+"""Walls, which are drawn by columns of the frame: the pixels that lines have, bit for bit the model's texels."""
+
+import random
+from functools import cache
+
+import numpy as np
+import pytest
+
+from tmap.base.fixed import ONE
+from tmap.corpus import random_polygons
+from tmap.corpus.random_maps import page
+from tmap.guest import guest_frames
+from tmap.ideal.bounds import check_set_up
+from tmap.model import model
+from tmap.scene_file.scene_file import IDENTITY, SETTINGS, Material, Object, Scene, Texture, vertices_at
+from tmap.setup.edges import measure
+from tmap.setup.polygon import Outline
+
+WIDTH, HEIGHT = 128, 160
+WALLS = 24  # of each setting
+WAYS = SETTINGS["perspective"][1:]
+LEANS = (0, 0, 1e-6, 1e-5, 1e-4, 1e-3)  # how much 1/w grows on a column, of its growth on a line
+
+
+def wall(rng: random.Random) -> list[tuple[int, ...]]:
+    """A convex polygon, whose depth grows along lines: 1.1 to 50 times."""
+    while True:
+        points = random_polygons.convex_polygon(rng, WIDTH, HEIGHT)
+        ys = [y for _, y in points]
+        if random_polygons.is_convex(points) and min(max(ys), HEIGHT * ONE) - max(min(ys), 0) > 100 * ONE:
+            break
+    lean = rng.choice(LEANS)
+    way = [x + lean * y for x, y in points]
+    low, high, ratio = min(way), max(way), rng.uniform(1.1, 50)
+    corners = []
+    for (x, y), here in zip(points, way):
+        near = 1 + (ratio - 1) * (here - low) / max(high - low, 1)
+        s, t = (x / ONE - 60) / near, (y / ONE - 80) / near * 2
+        corners.append((x, y, round(s * ONE), round(t * ONE), 0, round(ratio * 64 * ONE / near)))
+    return corners
+
+
+@cache
+def scene() -> Scene:
+    """The walls of all settings, one a frame."""
+    materials = [Material("affine", edges="exact", perspective=way, texture=0) for way in WAYS]
+    rng, objects, vertices = random.Random("walls"), [], []
+    for number in range(WALLS * len(WAYS)):
+        corners = wall(rng)
+        objects.append(Object(number % len(WAYS), len(vertices), len(corners), 0, 1, number))
+        vertices += corners
+    return Scene(WIDTH, HEIGHT, len(objects), 7, np.zeros((256, 3), np.uint8), [Texture(page())], materials,
+                 objects, np.array(vertices), np.array([IDENTITY]))
+
+
+def parts(number: int) -> list[tuple[list, model.Polygon]]:
+    """The adapted vertices and the polygon of each part in which a wall is drawn."""
+    this, found = scene(), []
+    each = this.objects[number]
+    corners = vertices_at(this, each, number)
+    settings = model.Settings.of(this.materials[each.material])
+    for part in model.parts(corners, settings, (WIDTH, HEIGHT), 256):
+        adapted = model.adapt(part, settings, 256)
+        found.append((adapted, model.set_up(adapted, WIDTH, HEIGHT, True, settings, (256, 256))))
+    return found
+
+
+def pixels(polygon: model.Polygon | None) -> set[tuple[int, int]]:
+    """The pixels of a polygon's lines."""
+    return {(x, y) for y, line in enumerate(polygon.lines, polygon.top) for x in range(line.left, line.right)}
+
+
+def test_columns_have_the_pixels_of_lines() -> None:
+    """Also where edges and vertices are on pixels."""
+    rng, seen = random.Random("pixels"), 0
+    for number in range(600):
+        grid = (ONE, ONE // 2, ONE // 4, 1)[number % 4]
+        points = [(x // grid * grid, y // grid * grid, 0, 0)
+                  for x, y in random_polygons.convex_polygon(rng, WIDTH // 4, HEIGHT // 4)]
+        if len(set(points)) < len(points) or not random_polygons.is_convex([p[:2] for p in points]):
+            continue
+        turned = [(y, x, *rest) for x, y, *rest in points]
+        by_lines, by_columns = set(), set()
+        for corners, size, upright, found in ((points, (WIDTH, HEIGHT), False, by_lines),
+                                              (turned, (HEIGHT, WIDTH), True, by_columns)):
+            sides = measure(corners, *size)
+            if sides:
+                outline = Outline(sides.corners, corners, sides)
+                found |= pixels(outline.polygon(size[0], True, True, upright))
+        assert by_lines == {(x, y) for y, x in by_columns}, points
+        seen += len(by_lines)
+    assert seen > 100_000
+
+
+def test_walls_are_the_models() -> None:
+    """Bit for bit, with every setting."""
+    this = scene()
+    digests, = guest_frames.draw([(this, "addx")], "a1200-fast")
+    frames = (model.render(this, number) for number in range(this.frames))
+    guest_frames.require_models(frames, digests, "walls", (this, "addx", "a1200-fast"))
+
+
+@pytest.mark.parametrize("way", WAYS)
+def test_walls_keep_their_bounds(way: str) -> None:
+    """Many of them are drawn by columns, leaning ones with pieces only."""
+    upright = leaning = 0
+    for number in range(WAYS.index(way), WALLS * len(WAYS), len(WAYS)):
+        for adapted, polygon in parts(number):
+            settings = model.Settings("exact", perspective=way)
+            verdict = check_set_up(adapted, polygon, settings, WIDTH, HEIGHT, (256, 256))
+            assert not verdict.complaint, (number, verdict.complaint)
+            if polygon and polygon.columns:
+                upright += 1
+                leaning += polygon.columns.perspective.tilt != 0
+    assert upright >= WALLS // 4, upright
+    assert bool(leaning) == (way in ("every16", "every8")), leaning
