@@ -75,9 +75,9 @@ def is_for_triangles(material: dict) -> bool:
 
 def settle_edges(materials: dict[str, dict]) -> None:
     """Sets the edges of materials that state none, all the same, so that neighbours leave no gap: snapped
-    if routines for triangles draw all of them."""
+    if routines for triangles draw all of them, else exact."""
     unstated = [m for m in materials.values() if not m["edges"]]
-    edges = "snapped" if all(map(is_for_triangles, unstated)) else Material.edges
+    edges = "snapped" if all(map(is_for_triangles, unstated)) else "exact"
     for material in unstated:
         material["edges"] = edges
 
