@@ -15,6 +15,7 @@
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
+#include "perspective/light.h"
 #include "perspective/perspective.h"
 #include "polygon/clip.h"
 #include "polygon/counts.h"
@@ -68,7 +69,7 @@ static enum polygon_result set_map(struct setup *s)
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
     if (traits->is & MAPPER_LIGHTS
         && !shading_light(&s->span, s->material,
-                          s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
+                          s->affine == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
         return POLYGON_WRONG_MAP;
     if (mapper == MAPPER_COLUMNS && !column_layout_make(columns, map->width, map->height))
         return POLYGON_WRONG_MAP;
@@ -284,6 +285,8 @@ static int32 draw_perspective(struct setup *s)
     plan.count = s->span.count;
     lower_by_planes(s);
     perspective_draw(s);
+    if (light_kind(s))
+        light_draw(s, made_of(s)->shades);
     return 1;
 }
 
@@ -302,7 +305,7 @@ static void draw_affine(struct setup *s)
             generated_span(s);
     }
     if (s->kind == SPAN_LIT_GOURAUD)
-        shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box, made_of(s)->shades);
+        shading_lines(s, made_of(s)->shades);
     if (s->counts)
         count_lines(s, s->kind);
     if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
@@ -328,7 +331,7 @@ static enum polygon_result draw(struct setup *s)
     if (s->kind == SPAN_PERSPECTIVE) {
         if (draw_perspective(s))
             return POLYGON_DRAWN;
-        s->kind = lower_affine(material, s->form);
+        s->kind = s->affine;
         set_plane(s);
     }
     if (!is_flat(s) && material->gradients != GRADIENTS_SCANLINE) {

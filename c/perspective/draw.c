@@ -1,5 +1,6 @@
 /* Draws lines with perspective: by tables if they are accurate enough, otherwise exactly. */
 #include "perspective/far.h"
+#include "perspective/light.h"
 #include "span/far.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
@@ -162,7 +163,7 @@ void perspective_draw(struct setup *s)
     const int32 width = s->box.right - s->box.left, pieces = ways[setting].bend == 0;
     const int32 is_level = s->straight || (width <= ways[setting].width
                                            && perspective_is_level(plan, width, ways[setting].off));
-    int32 left = plan->count;
+    int32 left = plan->count, are_kept;
 
     /* what a tolerance allows is less than what a setting allows */
     if (is_level || (pieces && setting == s->material->perspective
@@ -181,6 +182,11 @@ void perspective_draw(struct setup *s)
         left = draw_logarithms(s, made);
     if (s->counts)
         count(s, left);
+    are_kept = left && left < plan->count && light_kind(s);
+    if (are_kept)
+        light_keep_lines(s, made->logarithms);
     if (left && !s->renderer->only_counts)
         draw_exactly(s, made);
+    if (are_kept)
+        light_restore_lines(s);
 }

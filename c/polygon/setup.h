@@ -29,6 +29,8 @@ struct setup {
                                            gradients */
     int32 count;
     enum span_kind kind;                /* the material's, lowered step by step */
+    enum span_kind affine;              /* SPAN_PERSPECTIVE: what draws it without; set if the vertices
+                                           may lower the kind */
     enum perspective setting;           /* SPAN_PERSPECTIVE: the material's, lowered */
     int32 straight;                     /* SPAN_PERSPECTIVE: 1: each line is affine as a whole */
 

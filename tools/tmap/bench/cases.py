@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
-from tmap.bench import (dithered, edges, effects, far, instruction_costs, logarithm, mesh, mesh_batches,
+from tmap.bench import (dithered, edges, effects, far, instruction_costs, light, logarithm, mesh, mesh_batches,
                         n64, perspective, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
@@ -55,7 +55,8 @@ def span_calls(length: int) -> dict[str, Call]:
             | {name: far.span_case(*how, length) for name, how in far.SPANS.items()}
             | {"persp_pixel": logarithm.span_case(length),
                "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
-            | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()})
+            | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()}
+            | {name: light.light_case(kernel, length) for name, kernel in light.SPANS.items()})
 
 
 def special_calls() -> Iterator[tuple[str, int, Call]]:
