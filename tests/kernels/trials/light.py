@@ -6,8 +6,7 @@ import numpy as np
 
 from tests.kernels.trials.lit import lit_ground, steps_of_levels, with_level
 from tests.kernels.trials.span import LONG, SHORT, random_starts, table_trial
-from tmap.bench.effects import LEVELS
-from tmap.bench.light import light_trial
+from tmap.bench.effects import LEVELS, light_trial
 from tmap.bench.trial import Trial, values
 
 

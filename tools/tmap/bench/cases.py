@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
-from tmap.bench import (dithered, edges, effects, far, instruction_costs, light, logarithm, mesh, mesh_batches,
+from tmap.bench import (dithered, edges, effects, far, instruction_costs, logarithm, mesh, mesh_batches,
                         n64, perspective, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
@@ -56,7 +56,7 @@ def span_calls(length: int) -> dict[str, Call]:
             | {"persp_pixel": logarithm.span_case(length),
                "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
             | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()}
-            | {name: light.light_case(kernel, length) for name, kernel in light.SPANS.items()})
+            | {name: effects.light_case(kernel, length) for name, kernel in effects.LIGHT.items()})
 
 
 def special_calls() -> Iterator[tuple[str, int, Call]]:
