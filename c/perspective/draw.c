@@ -155,6 +155,24 @@ static void count(const struct setup *s, int32 left)
     s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
 }
 
+/* Keeps the last pixels of lines, which logarithm_lines has emptied as it made `taken`, in start1, which
+   flat lines do not use. */
+static void keep_lines(const struct perspective_plan *plan, const struct logarithm_line *taken)
+{
+    struct scanline *line = plan->lines;
+
+    for (int32 i = plan->count; i > 0; i--, line++, taken++)
+        line->start1 = (uint16)(taken->n < 0 ? line->last : line->left + taken->n);
+}
+
+static void restore_lines(const struct perspective_plan *plan)
+{
+    struct scanline *line = plan->lines;
+
+    for (int32 i = plan->count; i > 0; i--, line++)
+        line->last = (int16)line->start1;
+}
+
 void perspective_draw(struct setup *s)
 {
     union made *made = (union made *)s->scratch->room;
@@ -184,9 +202,9 @@ void perspective_draw(struct setup *s)
         count(s, left);
     are_kept = left && left < plan->count && light_kind(s);
     if (are_kept)
-        light_keep_lines(s, made->logarithms);
+        keep_lines(plan, made->logarithms);
     if (left && !s->renderer->only_counts)
         draw_exactly(s, made);
     if (are_kept)
-        light_restore_lines(s);
+        restore_lines(plan);
 }
