@@ -9,10 +9,14 @@ import pytest
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
 from tmap.base.fixed import ONE
+from tmap.base.paths import SCENES
 from tmap.bench import rules
 from tmap.bench.rules import TURNED, WIDE, Case, scene_of
+from tmap.compiler.scene import compile_scene
+from tmap.ideal import bounds
 from tmap.model import model
 from tmap.scene_file.scene_file import IDENTITY, SETTINGS, Material, Object, Scene
+from tmap.setup import polygon
 from tmap.setup.shading import LIT
 
 SHADES, DEPTHS = (30, 120, 240), (1, 3, 2)
@@ -94,6 +98,31 @@ def test_an_unsure_polygon_is_lit() -> None:
     drawn = guest_runs.check_all({"unsure": Asked(scene_of(cases))}, colours=0)["unsure"]
     for mapper, frame, material in zip(LIT, drawn.figures[1:], drawn.executed):
         assert material["unsure"] == 1 and sum(frame["spans"].values()) == 1, (mapper, frame, material)
+
+
+def test_scene_with_meshes() -> None:
+    """The passage: objects and meshes, cut by the near plane and the frame."""
+    torch = Asked(compile_scene(SCENES / "torch.toml", 3))
+    drawn = guest_runs.check_all({"torch": torch}, colours=50)["torch"]
+    assert drawn.spans >= {"reciprocal", "light", "light_gouraud"}
+
+
+@pytest.mark.parametrize("perspective", SETTINGS["perspective"][1:])
+def test_wrong_levels_are_caught(perspective: str, monkeypatch) -> None:
+    """Levels are within their bound of the exact plane; a quarter of one more is not."""
+    settings = model.Settings("exact", perspective=perspective, mapper="lit_gouraud")
+    vertices = Case("", deep("lit_gouraud"), WIDE, TURNED, None, None, SHADES, DEPTHS).vertices
+    judged = bounds.judge(vertices, settings, rules.WIDTH, rules.HEIGHT)
+    assert judged.pixels > 1000 and not judged.complaint
+    right = polygon.light_lines
+
+    def wrong(lines, *given) -> None:
+        right(lines, *given)
+        for line in lines:
+            line.c += ONE // 4
+
+    monkeypatch.setattr(polygon, "light_lines", wrong)
+    assert "level at pixel" in bounds.judge(vertices, settings, rules.WIDTH, rules.HEIGHT).complaint
 
 
 @pytest.mark.parametrize("mapper", LIT)
