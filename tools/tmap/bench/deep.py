@@ -1,12 +1,12 @@
 """Cycles of polygons with depth: textured, lit with one level, lit with a level a pixel, under every
 perspective, and affine beside them."""
 
-import math
 import random
 from functools import cache
 
 import numpy as np
 
+from tmap.base.elementary import power
 from tmap.base.fixed import fix
 from tmap.corpus import polygon_sets, random_maps
 from tmap.guest import guest_frames
@@ -33,7 +33,7 @@ def triangles(pixels: int) -> list[list[tuple[int, ...]]]:
     for k in range(COUNT):
         rng = random.Random(f"deep {pixels} {k}")
         points = polygon_sets.sized(rng, pixels)
-        surface = polygon_sets.in_space(rng, points, math.exp2(rng.uniform(-1, 1)), RATIO)
+        surface = polygon_sets.in_space(rng, points, power(2, rng.uniform(-1, 1)), RATIO)
         made.append([tuple(map(fix, (*point, s, t, 20 + 70 * n, w)))
                      for n, (point, (s, t, w)) in enumerate(zip(points, surface))])
     return made
