@@ -1,6 +1,7 @@
 #include "demo/picture.h"
 #include "demo/player.h"
 
+#include "polygon/counts.h"
 #include "system/system.h"
 
 #define BOTH 3u
@@ -18,8 +19,7 @@ static uint32 sum_pixels(const struct draw_counts *counts, uint32 materials)
     uint32 sum = 0;
 
     for (; materials; materials--, counts++)
-        for (int32 kind = 0; kind < SPAN_KINDS; kind++)
-            sum += counts->pixels[kind];
+        sum += counts_drawn(counts);
     return sum;
 }
 

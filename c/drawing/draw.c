@@ -16,6 +16,7 @@
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
+#include "perspective/light.h"
 #include "perspective/perspective.h"
 #include "polygon/clip.h"
 #include "polygon/counts.h"
@@ -69,7 +70,7 @@ static enum polygon_result set_map(struct setup *s)
     s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
     if (traits->is & MAPPER_LIGHTS
         && !shading_light(&s->span, s->material,
-                          s->kind == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
+                          s->affine == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
         return POLYGON_WRONG_MAP;
     if (mapper == MAPPER_COLUMNS && !column_layout_make(columns, map->width, map->height))
         return POLYGON_WRONG_MAP;
@@ -269,6 +270,7 @@ static void draw_each_line(struct setup *s)
 static int32 draw_perspective(struct setup *s)
 {
     struct perspective_plan plan;
+    int32 by_columns;
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off */
@@ -282,12 +284,16 @@ static int32 draw_perspective(struct setup *s)
     }
     lower_by_planes(s);
     perspective_find_level(s);
-    if (s->level == LEVEL_COLUMNS && columns_draw(s))
+    by_columns = s->level == LEVEL_COLUMNS && columns_draw(s);
+    if (by_columns && !light_kind(s))
         return 1;
     make_lines(s, SPAN_FILL);
     plan.lines = s->edges.lines;
     plan.count = s->span.count;
-    perspective_draw(s);
+    if (!by_columns)
+        perspective_draw(s);
+    if (light_kind(s))
+        light_draw(s, made_of(s)->shades);
     return 1;
 }
 
@@ -306,7 +312,7 @@ static void draw_affine(struct setup *s)
             generated_span(s);
     }
     if (s->kind == SPAN_LIT_GOURAUD)
-        shading_lines(&s->span, &s->sides, s->vertices, s->count, &s->box, made_of(s)->shades);
+        shading_lines(s, made_of(s)->shades);
     if (s->counts)
         count_lines(s, s->kind);
     if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
@@ -332,7 +338,7 @@ static enum polygon_result draw(struct setup *s)
     if (s->kind == SPAN_PERSPECTIVE) {
         if (draw_perspective(s))
             return POLYGON_DRAWN;
-        s->kind = lower_affine(material, s->form);
+        s->kind = s->affine;
         set_plane(s);
     }
     if (!is_flat(s) && material->gradients != GRADIENTS_SCANLINE) {

@@ -12,10 +12,11 @@
 
 /* A rule is a line: its name, the kind of span it lowers, the result and the condition. Later lines
    may lower the result further. */
-#define LOWER(rule, from, to, condition) \
+#define LOWER(rule, from, to, condition) LOWER_TO(rule, from, SPAN_##to, condition)
+#define LOWER_TO(rule, from, to, condition) \
     if (kind == SPAN_##from && (condition) && RULE_IS_ON(s, rule)) { \
         RULE_APPLIES(s, rule); \
-        kind = SPAN_##to; \
+        kind = to; \
     }
 
 static int32 is_beyond(fix16 value, uint32 far)
@@ -99,20 +100,25 @@ void lower_by_vertices(struct setup *s)
     const struct material *m = s->material;
     enum span_kind kind = s->kind;
 
-    if (kind == SPAN_PERSPECTIVE) {
-        LOWER(CONSTANT_W, PERSPECTIVE, AFFINE_ADDX_WRAP, lower_w_is_constant(s))
-        LOWER(TOLERANCE, PERSPECTIVE, AFFINE_ADDX_WRAP, m->tolerance && tolerance_is_flat(s))
-    } else if (kind == SPAN_GENERATED) {
+    if (kind == SPAN_GENERATED) {
         if (!generated_may_draw(s))
             kind = SPAN_AFFINE_ADDX_WRAP;
-    } else {
+    } else if (kind != SPAN_AFFINE_ADDX_WRAP) {
         LOWER(EQUAL_SHADES, GOURAUD, FILL, has_one_shade(s))
         LOWER(EQUAL_LEVELS, LIT_GOURAUD, LIT_WRAP, has_one_level(s))
         LOWER(NO_LIGHT, LIT_WRAP, FILL, level(s) == 0 && m->light && m->light->dark)
         LOWER(FULL_LIGHT, LIT_WRAP, AFFINE_ADDX_WRAP,
               level(s) == LIGHT_LEVELS - 1 && m->light && m->light->full)
     }
-    s->kind = kind == SPAN_AFFINE_ADDX_WRAP ? lower_affine(m, s->form) : kind;
+    if (kind == SPAN_AFFINE_ADDX_WRAP)
+        kind = lower_affine(m, s->form);
+    s->affine = kind;
+    if (m->perspective && kind != SPAN_FILL) {
+        kind = SPAN_PERSPECTIVE;
+        LOWER_TO(CONSTANT_W, PERSPECTIVE, s->affine, lower_w_is_constant(s))
+        LOWER_TO(TOLERANCE, PERSPECTIVE, s->affine, m->tolerance && tolerance_is_flat(s))
+    }
+    s->kind = kind;
 }
 
 void lower_by_planes(struct setup *s)

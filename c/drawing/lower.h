@@ -27,8 +27,8 @@ static inline int32 lower_asked(struct setup *s)
     const struct mapper_traits *mapper = &mappers[m->mapper];
 
     s->kind = (enum span_kind)mapper->kind[s->frame->pixel_bytes >> 1];
-    if (s->kind == SPAN_AFFINE_ADDX_WRAP)
-        s->kind = m->perspective ? SPAN_PERSPECTIVE : lower_affine(m, s->form);
+    if (s->kind == SPAN_AFFINE_ADDX_WRAP && !m->perspective)
+        s->kind = lower_affine(m, s->form);
     return m->perspective || mapper->is & MAPPER_BY_VERTICES;
 }
 

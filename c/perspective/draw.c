@@ -1,5 +1,6 @@
 /* Draws lines with perspective: by tables if they are accurate enough, otherwise exactly. */
 #include "perspective/far.h"
+#include "perspective/light.h"
 #include "span/far.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
@@ -160,6 +161,24 @@ static void count(const struct setup *s, int32 left)
     s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
 }
 
+/* Keeps the last pixels of lines, which logarithm_lines has emptied as it made `taken`, in start1, which
+   flat lines do not use. */
+static void keep_lines(const struct perspective_plan *plan, const struct logarithm_line *taken)
+{
+    struct scanline *line = plan->lines;
+
+    for (int32 i = plan->count; i > 0; i--, line++, taken++)
+        line->start1 = (uint16)(taken->n < 0 ? line->last : line->left + taken->n);
+}
+
+static void restore_lines(const struct perspective_plan *plan)
+{
+    struct scanline *line = plan->lines;
+
+    for (int32 i = plan->count; i > 0; i--, line++)
+        line->last = (int16)line->start1;
+}
+
 /* Returns 1 if depth changes so little along lines of so many pixels, by `grows` a pixel, that the setting
    has them level. */
 static int32 is_level(const struct setup *s, const struct number64 *grows, int32 width)
@@ -203,8 +222,9 @@ void perspective_find_level(struct setup *s)
 void perspective_draw(struct setup *s)
 {
     union made *made = (union made *)s->scratch->room;
+    struct perspective_plan *plan = s->perspective;
     const int32 pieces = ways[s->setting].bend == 0;
-    int32 left = s->perspective->count;
+    int32 left = plan->count, are_kept;
 
     if (s->level == LEVEL_LINES) {
         perspective_draw_level(s, made->steps);
@@ -218,6 +238,11 @@ void perspective_draw(struct setup *s)
         left = draw_logarithms(s, made);
     if (s->counts)
         count(s, left);
+    are_kept = left && left < plan->count && light_kind(s);
+    if (are_kept)
+        keep_lines(plan, made->logarithms);
     if (left && !s->renderer->only_counts)
         draw_exactly(s, made);
+    if (are_kept)
+        restore_lines(plan);
 }

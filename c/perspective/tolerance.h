@@ -13,7 +13,7 @@ enum {
 int32 tolerance_is_flat(const struct setup *s);
 
 /* Returns 1 if lines may be straight, or their pieces longer than the setting's; then sets
-   s->straight or s->setting. Reads the planes. */
+   s->level or s->setting. Reads the planes. */
 int32 tolerance_is_coarser(struct setup *s);
 
 #endif

@@ -15,6 +15,9 @@
 /* Counts the polygon, and the pixels of its lines for a kind of span. */
 void count_lines(const struct setup *s, enum span_kind kind);
 
+/* Returns the pixels that were drawn: passes over them count them once more. */
+uint32 counts_drawn(const struct draw_counts *counts);
+
 /* Counts the rules that applied if the renderer counts; returns `result`. */
 static inline enum polygon_result count_rules(const struct setup *s, enum polygon_result result)
 {

@@ -13,7 +13,7 @@
     MAPPER(FLAT, flat, MAP_LAYOUTS, 1 + 2 + 4, 0, SPAN_FILL, SPAN_FILL_16, SPAN_FILL_32) \
     /* shade is the pixel */ \
     MAPPER(GOURAUD, gouraud, MAP_LAYOUTS, 1, MAPPER_BY_VERTICES, SPAN_GOURAUD, 0, 0) \
-    MAPPER(AFFINE, affine, MAP_PAGE, 1 + 2 + 4, 0, \
+    MAPPER(AFFINE, affine, MAP_PAGE, 1 + 2 + 4, MAPPER_PERSPECTIVE, \
            SPAN_AFFINE_ADDX_WRAP, SPAN_AFFINE_16_WRAP, SPAN_AFFINE_32_WRAP) \
     /* s, t inside a map of any size */ \
     MAPPER(ARBITRARY, arbitrary, MAP_LINEAR, 1, 0, SPAN_ARBITRARY, 0, 0) \
@@ -22,10 +22,12 @@
     /* code generated for the polygon's steps; affine spans if u of a line leaves its row */ \
     MAPPER(GENERATED, generated, MAP_MARGINS, 1, MAPPER_BY_VERTICES, SPAN_GENERATED, 0, 0) \
     /* through a light table, at the level of the first vertex */ \
-    MAPPER(LIT, lit, MAP_PAGE, 1, MAPPER_LIGHTS + MAPPER_BY_VERTICES, SPAN_LIT_WRAP, 0, 0) \
+    MAPPER(LIT, lit, MAP_PAGE, 1, MAPPER_LIGHTS + MAPPER_BY_VERTICES + MAPPER_PERSPECTIVE, \
+           SPAN_LIT_WRAP, 0, 0) \
     /* each pixel at its level */ \
     MAPPER(LIT_GOURAUD, lit_gouraud, MAP_PAGE, 1, \
-           MAPPER_LIGHTS + MAPPER_PLANE + MAPPER_BY_VERTICES, SPAN_LIT_GOURAUD, 0, 0) \
+           MAPPER_LIGHTS + MAPPER_PLANE + MAPPER_BY_VERTICES + MAPPER_PERSPECTIVE, \
+           SPAN_LIT_GOURAUD, 0, 0) \
     /* as affine, sample points moved by up to 3/8 texel: see span_dithered */ \
     MAPPER(DITHERED, dithered, MAP_PAGE, 1 + 2 + 4, MAPPER_PLANE, \
            SPAN_DITHERED_WRAP, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32_WRAP) \

@@ -86,11 +86,13 @@ enum mapper_trait {
     MAPPER_LIGHTS = 1,          /* it has a light table */
     MAPPER_PLANE = 2,           /* GRADIENTS_PLANE and START_SUBTEXEL only */
     MAPPER_UNIT = 4,            /* a texture unit draws it */
-    MAPPER_BY_VERTICES = 8            /* the vertices may allow a cheaper span */
+    MAPPER_BY_VERTICES = 8,     /* the vertices may allow a cheaper span */
+    MAPPER_PERSPECTIVE = 16     /* it draws perspective, with pixels of 1 byte */
 };
 
 /* Span routines; pixels are counted by them. A polygon with perspective is drawn by one or two of
-   PIECES, CURVES, RECIPROCAL and LOGARITHM. */
+   PIECES, CURVES, RECIPROCAL and LOGARITHM, and lit by LIGHT or LIGHT_GOURAUD, which count its pixels
+   once more. */
 enum span_kind {
 #define SPAN(kind, name, lines) SPAN_##kind,
 #define OTHER(kind, name) SPAN_##kind,
@@ -170,7 +172,7 @@ typedef enum polygon_result polygon_routine(struct renderer *renderer,
 /* The material of a polygon. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
-    uint8 perspective;          /* MAPPER_AFFINE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
+    uint8 perspective;          /* MAPPER_PERSPECTIVE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
     uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: the plane of texture units to
                                    the last bit. u's lowest counts even where v wraps in a line,
                                    for 2 cycles a pixel there */

@@ -33,6 +33,8 @@ struct setup {
                                            gradients */
     int32 count;
     enum span_kind kind;                /* the material's, lowered step by step */
+    enum span_kind affine;              /* SPAN_PERSPECTIVE: what draws it without; set if the vertices
+                                           may lower the kind */
     enum perspective setting;           /* SPAN_PERSPECTIVE: the material's, lowered */
     enum level level;                   /* SPAN_PERSPECTIVE: what is drawn as if it were affine */
 

@@ -50,10 +50,12 @@ static int32 is_inside(const struct shade_plan *plan, const struct texturing *t,
     return 1;
 }
 
-void shading_lines(struct span_plan *span, const struct sides *sides,
-                   const struct vertex *vertices, int32 count, const struct rectangle *box,
-                   uint32 *shades)
+void shading_lines(struct setup *s, uint32 *shades)
 {
+    struct span_plan *span = &s->span;
+    const struct sides *sides = &s->sides;
+    const struct vertex *vertices = s->vertices;
+    const struct rectangle *box = &s->box;
     struct vertex corners[3];
     struct sides shaded;        /* as far as texturing_plane reads it */
     struct texturing t;
@@ -76,7 +78,7 @@ void shading_lines(struct span_plan *span, const struct sides *sides,
                + (uint32)plan.dcdy * (uint32)(box->top - t.j)
                - (uint32)plan.dcdx * (uint32)(EDGE_BIAS + t.i);
     plan.low = plan.high = SHADE_LEVEL(vertices->shade);
-    for (int32 k = 1; k < count; k++) {
+    for (int32 k = 1; k < s->count; k++) {
         fix16 level = SHADE_LEVEL(vertices[k].shade);
 
         plan.low = level < plan.low ? level : plan.low;
@@ -84,9 +86,11 @@ void shading_lines(struct span_plan *span, const struct sides *sides,
     }
     plan.low &= ~0xffff;
     plan.high = (plan.high | 0xffff) - FREE_BITS;
-    plan.inside = is_inside(&plan, &t, vertices, count);
+    plan.inside = is_inside(&plan, &t, vertices, s->count);
     plan.added = (uint32)span->light & 0xffff;
-    if (span->dvdx & 0x800000)
+    if (s->kind == SPAN_PERSPECTIVE)
+        plan.added += plan.dcdx < 0 ? LEVEL_FALLS : 0;
+    else if (span->dvdx & 0x800000)
         plan.added += SHADE_FALLS;
     edge_shade(&plan);
     span->shades = shades;

@@ -2,9 +2,7 @@
 #ifndef SHADING_H
 #define SHADING_H
 
-#include "polygon/edges.h"
-#include "polygon/polygon.h"
-#include "span/scanline.h"
+#include "polygon/setup.h"
 
 enum {
     LEVEL_BITS = 18,            /* a shade's level is shade >> LEVEL_BITS */
@@ -34,10 +32,9 @@ static inline fix16 shade_limited(fix16 shade, fix16 low, fix16 high)
    table. */
 int32 shading_light(struct span_plan *span, const struct material *material, fix16 shade);
 
-/* MAPPER_LIT_GOURAUD: sets the levels of the lines from the polygon's plane. The lines are already
-   cut to the frame. No pixel's level is outside the vertices' range. shades: one a line. */
-void shading_lines(struct span_plan *span, const struct sides *sides,
-                   const struct vertex *vertices, int32 count, const struct rectangle *box,
-                   uint32 *shades);
+/* MAPPER_LIT_GOURAUD: sets the levels of the lines from the polygon's plane, for span_lit_gouraud or, with
+   SPAN_PERSPECTIVE, span_light_gouraud. The lines are already cut to the frame. No pixel's level is
+   outside the vertices' range. shades: one a line. */
+void shading_lines(struct setup *s, uint32 *shades);
 
 #endif

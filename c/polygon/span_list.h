@@ -32,6 +32,8 @@
     OTHER(PERSPECTIVE_CURVES, perspective_curves) \
     OTHER(RECIPROCAL, reciprocal) \
     OTHER(LOGARITHM, logarithm) \
+    SPAN(LIGHT, light, FLAT) \
+    SPAN(LIGHT_GOURAUD, light_gouraud, FLAT) \
     SPAN(AFFINE_COPY, affine_copy, ADDX) \
     SPAN(AFFINE_SHORT, affine_short, ADDX) \
     SPAN(AFFINE_SHORT_WRAP, affine_short_wrap, ADDX) \

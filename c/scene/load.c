@@ -114,7 +114,7 @@ static const char *wrong_material(const struct scene *scene)
         if (m->clip >= CLIP_KINDS)
             return "material.clip";
         if (m->perspective >= PERSPECTIVE_KINDS
-            || (m->perspective && (bytes > 1 || m->mapper != MAPPER_AFFINE
+            || (m->perspective && (bytes > 1 || !is(m->mapper, MAPPER_PERSPECTIVE)
                                    || m->start != START_SUBTEXEL
                                    || m->gradients != GRADIENTS_PLANE)))
             return "material.perspective";

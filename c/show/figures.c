@@ -1,5 +1,6 @@
 #include "show/figures.h"
 
+#include "polygon/counts.h"
 #include "system/text.h"
 
 #define SUM_LIMIT 0x10000000u   /* CYCLES times this, and a frame more, fit 32 bits */
@@ -37,8 +38,7 @@ int32 measured_has_room(const struct measured *measured)
 void measured_add(struct measured *measured, const struct scene_counts *counts, uint32 ticks)
 {
     for (uint32 i = 0; i < counts->materials; i++)
-        for (uint32 kind = 0; kind < SPAN_KINDS; kind++)
-            measured->pixels += counts->frame[i].pixels[kind];
+        measured->pixels += counts_drawn(&counts->frame[i]);
     measured->ticks += ticks;
 }
 

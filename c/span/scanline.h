@@ -34,7 +34,9 @@ enum scanline_constants {
     COPY_16_LEAST = 6,          /* the same for span_affine_16_copy and span_affine_16_row */
 
     /* Added to a lit line's shade where v falls: the bits from which wraps of v borrow. */
-    SHADE_FALLS = 0x3ff0000
+    SHADE_FALLS = 0x3ff0000,
+    /* The same for span_light_gouraud where the level falls: it carries into the fraction. */
+    LEVEL_FALLS = 0x10000
 };
 
 /* One line of a polygon, with the interpolants at its first pixel's centre, packed for its span
@@ -127,8 +129,9 @@ struct shade_plan {
     const struct scanline *lines;       /* left and last are set */
     int32 count;                /* lines, 1 or more */
     uint32 *shades;             /* one a line, in span_lit_gouraud's packing */
-    uint32 added;               /* to each: SHADE_FALLS where dvdx is negative modulo 256,
-                                   and the light table's offset in its page */
+    uint32 added;               /* to each: the light table's offset in its page, and SHADE_FALLS
+                                   where dvdx is negative modulo 256 or, for span_light_gouraud,
+                                   LEVEL_FALLS where dcdx is negative */
     uint32 shade;               /* where left is 0 on the first line; modulo 2^32 */
     fix16 dcdx, dcdy;           /* levels a pixel, a line; dcdx is reduced if a line would not
                                    fit the range */
@@ -149,9 +152,9 @@ struct span_plan {
     const struct column_layout *columns;        /* columns */
     const struct scanline_step *steps;          /* scanline: replace dudx, dvdx */
     void *code;                 /* generated: room for CODE_BYTES */
-    const uint8 *light;         /* lit: the level's row; lit Gouraud: the light table */
-    const uint32 *shades;       /* lit Gouraud: struct shade_plan's */
-    fix16 dcdx;                 /* lit Gouraud: levels a pixel */
+    const uint8 *light;         /* lit, light: the level's row; lit and light Gouraud: the table */
+    const uint32 *shades;       /* lit and light Gouraud: struct shade_plan's */
+    fix16 dcdx;                 /* lit and light Gouraud: levels a pixel */
     int32 odd;                  /* dithered: the first line's y, modulo 2 */
 };
 

@@ -23,6 +23,8 @@ GOALS = {("affine_addx", "a1200-fast", 256): 17.0, ("affine_addx", "a1200-mixed"
          ("affine_addx", "a1200-fast", 16): 21.5, ("affine_row", "a1200-fast", 256): 13.0,
          ("affine_column", "a1200-fast", 256): 15.0, ("affine_copy", "a1200-fast", 256): 4.2,
          ("affine_lit", "a1200-fast", 256): 24.5, ("affine_gouraud", "a1200-fast", 256): 29.0,
+         ("light", "a1200-fast", 256): 16.0, ("light", "a1200-mixed", 256): 21.0,
+         ("light_gouraud", "a1200-fast", 256): 18.0,
          ("c2p_8", "a1200-mixed", 320): 17.5, ("c2p_8_low", "a1200-mixed", 320): 17.5,
          ("rotator", "a1200-fast", 320): 17.0, ("rotator", "a1200-mixed", 320): 21.0}
 

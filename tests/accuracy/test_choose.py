@@ -143,7 +143,7 @@ def test_prices_in_words(tmap, tmp_path, arguments) -> None:
     ((*ERROR, *A1200, "--wrong", "few"), None, "--wrong"),
     *(((*ERROR, *A1200, "--pixels", n), None, "--pixels") for n in ("0", "-8", "small")),
     ((*ERROR, *A1200, "--pixels", "8", "--depth"), None, "--depth"),
-    ((*ERROR, *A1200, "--depth", "--mapper", "lit"), None, "mapper lit"),
+    ((*ERROR, *A1200, "--depth", "--mapper", "tiled"), None, "mapper tiled"),
     ((*ERROR, *A1200, "--data", "/nowhere.json"), None, "/nowhere.json: No such file"),
     ((*ERROR, *A1200), "{", "is not JSON"),
     ((*ERROR, *A1200), "[]", "rows"),

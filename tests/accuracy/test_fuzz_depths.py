@@ -13,6 +13,7 @@ from tmap.ideal import perspective
 from tmap.model import model
 from tmap.scene_file import scene_file
 from tmap.scene_file.scene_file import ONE, SETTINGS
+from tmap.scene_file.textures import IN_DEPTH
 
 SEED = 2026
 
@@ -22,7 +23,7 @@ W_MIN, W_MAX = fuzz_depths.limits()
 @pytest.fixture(scope="module")
 def some() -> list[polygons.Fuzzed]:
     """Polygons with and without depth."""
-    return [polygons.even(SEED, k) for k in range(6000)]
+    return [polygons.even(SEED, k) for k in range(8000)]
 
 
 def is_deep(each: polygons.Fuzzed) -> bool:
@@ -31,14 +32,15 @@ def is_deep(each: polygons.Fuzzed) -> bool:
 
 
 def test_a_share_has_depth(some) -> None:
-    """About 8 % of all have depth, evenly over the perspectives, with the settings that perspective
+    """About 9 % of all have depth, evenly over the perspectives, with the settings that perspective
     needs."""
     found = Counter(p.settings.perspective for p in some)
     assert set(found) == set(SETTINGS["perspective"])
     assert all(0.01 * len(some) < found[name] < 0.03 * len(some) for name in found if name != "none")
     for each in filter(is_deep, some):
         s = each.settings
-        assert (s.mapper, s.gradients, s.start) == ("affine", "plane", "subtexel")
+        assert s.mapper in IN_DEPTH and (s.gradients, s.start) == ("plane", "subtexel")
+    assert {p.settings.mapper for p in some if is_deep(p)} == set(IN_DEPTH)
     assert {(p.settings.edges, p.settings.clip) for p in some if is_deep(p)} == {
         (e, c) for e in SETTINGS["edges"] for c in SETTINGS["clip"]}
     assert all(W_MIN <= v[5] <= W_MAX for p in some for v in p.vertices)

@@ -80,10 +80,13 @@ def test_every_perspective_is_combined() -> None:
     perspectives = scene_file.SETTINGS["perspective"]
     case = BY_NAME["corridor_left"]
     made = list(hard_cases.combinations(case))
-    assert len(made) == len(set(made)) == 2 * 2 * len(perspectives)
-    assert {(s.mapper, s.gradients, s.start) for s in made} == {("affine", "plane", "subtexel")}
+    assert len(made) == len(set(made)) == 2 * 2 * len(perspectives) + 2 * len(perspectives)
+    assert {(s.mapper, s.gradients, s.start) for s in made} == {
+        (mapper, "plane", "subtexel") for mapper in ("affine", "lit", "lit_gouraud")}
     assert {s.edges for s in made} == {"subpixel", "exact"}
-    assert {s.perspective for s in made} == set(perspectives)
+    for mapper in case.mappers:
+        assert {s.perspective for s in made if s.mapper == mapper} == set(
+            perspectives if mapper == "affine" else perspectives[1:])
     every = [(case, s) for case in CASES[::7] for s in hard_cases.combinations(case)]
     scene_file.write(hard_cases.scene(every))
 

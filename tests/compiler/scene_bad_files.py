@@ -75,7 +75,7 @@ def wrong_mappers() -> list[Row]:
         mapped("tiled", "generated"), wide_pixels("rgb565", "columns"),
         wide_pixels("rgba8888", "affine"), mapped("lit"), with_depth()))
     size = "texture.width or texture.height"
-    flat, gouraud, affine, arbitrary, _, lit_flat, lit_gouraud, dithered = range(8)
+    flat, gouraud, affine, arbitrary, columns_mapper, lit_flat, lit_gouraud, dithered = range(8)
     page, linear, columns, light, past_all = range(5)
     tiled, margins = range(2)  # of the large ones
     layouts = {name: number for number, name in enumerate(LAYOUTS)}
@@ -111,7 +111,10 @@ def wrong_mappers() -> list[Row]:
         every.entry("materials", index, "gradients", 0, 1)
         every.entry("materials", index, "start", 0)
     every.entry("materials", dithered, "texture", linear, light, -1)
-    every.entry("materials", dithered, "perspective", 1, 4)
+    for index in flat, gouraud, arbitrary, columns_mapper, dithered:
+        every.entry("materials", index, "perspective", 1, 4)
+    for index in lit_flat, lit_gouraud:
+        every.entry("materials", index, "perspective", 5, M32)
     light_only.entry("vertices", 0, "shade", -1, 256 << 16, 2**31)
     wide.entry("materials", 0, "colour", 65536)
     every.entry("objects", gouraud, "vertices", 4)

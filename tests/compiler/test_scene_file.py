@@ -125,7 +125,7 @@ def test_vertices_at_rounds_every_product_down():
     ({"materials": [Material("dithered", start="truncated", texture=0), Material()]},
      r"materials\[0\].mapper: 'dithered' needs gradients 'plane' and start 'subtexel'"),
     ({"materials": [Material("dithered", perspective="pixel", texture=0), Material()]},
-     r"materials\[0\].perspective: 'pixel' needs mapper 'affine'"),
+     r"materials\[0\].perspective: 'pixel' needs mapper 'affine' or 'lit' or 'lit_gouraud', gradients"),
     ({"textures": [Texture(np.zeros((256, 256), np.uint8)), LIGHT],
       "materials": [Material(), Material("lit_gouraud", texture=0, light=1)],
       "vertices": np.full((6, 6), -1)}, r"objects\[1\]: shade: -1 is not from 0 to 16777215"),

@@ -96,7 +96,8 @@ INSIDE = {
                  {"span_affine_addx", "edge_addx", "texturing_plane", "span_affine_row", "span_lit", "span_tiled", "span_gouraud", "edge_addx_exact",
                   "perspective_lines", "mesh_transform_wide", "mesh_draw"}),
     "mesh": (({"mesh_transform_wide"}, {"mesh_faces_wide"}),
-             {"mesh_transform", "mesh_gather", "span_lit", "span_tiled", "span_generated", "logarithm_lines"}),
+             {"mesh_transform", "mesh_gather", "span_lit", "span_tiled", "span_generated", "logarithm_lines",
+              "span_light", "span_light_gouraud", "light_draw"}),
     "flat": (({"span_fill"}, {"edge_flat_exact"}), {"edge_addx", "texturing_plane", "mesh_transform_wide"}),
     # The parts of their engine that the scene needs: no levels, divides or combiner.
     "units": (({"span_affine_16", "span_affine_16_wrap"}, {"n64_threepoint_16"}, {"n64_weights"},

@@ -39,15 +39,21 @@ def lit_trial(kernel: str, steps: tuple[int, int], size, rng, upwards: bool) -> 
                        light_at=light_at, level=level, dudx=steps[0], dvdx=steps[1])
 
 
+def with_level(count: int, step: int, rng) -> tuple[int, int]:
+    """So many pixels of a line, or as many as the levels allow, and its first level."""
+    if step:
+        count = min(count, ((LEVELS << 16) - 4) // abs(step) + 1)
+    travel = step * max(count - 1, 0)
+    low, high = max(0, -travel), (LEVELS << 16) - 4 - max(0, travel)
+    return count, (low, high, int(rng.integers(low, high + 1)) & ~3)[min(2, rng.integers(5))]
+
+
 def gouraud_trial(steps: tuple[int, int], dcdx: int, size, rng, upwards: bool) -> Trial:
     ground, light, light_at = lit_ground()
     (counts, pitch), step, starts, shades = size, dcdx & ~3, [], []
     for count, u, v in random_starts(counts, rng):
-        if step:
-            count = min(count, ((LEVELS << 16) - 4) // abs(step) + 1)
-        travel = step * max(count - 1, 0)
-        low, high = max(0, -travel), (LEVELS << 16) - 4 - max(0, travel)
-        shades.append((low, high, int(rng.integers(low, high + 1)) & ~3)[min(2, rng.integers(5))])
+        count, shade = with_level(count, step, rng)
+        shades.append(shade)
         starts.append((count, u, v))
     added = (light_at & 0xFFFF) + FALLS * (signed(steps[1], 24) < 0)
     return table_trial(partial(effects.lit_trial, "span_lit_gouraud"), starts, pitch, rng, upwards,
@@ -68,11 +74,16 @@ def lit_trials(kernel: str, rng) -> list[Trial]:
             for size in sizes(kernel) for k, pair in enumerate(pairs_of(rng))]
 
 
-def gouraud_trials(rng) -> list[Trial]:
-    """The same; levels rise and fall, by whole ones too, or stay, and v wraps all it can."""
+def steps_of_levels(rng) -> list[int]:
+    """Levels rise and fall, by whole ones too, or stay."""
     levels = [0, 4, -4, 0x100, -0x100, 0xFC, -0xFC, 0x1000, -0x1000, 63 << 8, -63 << 8, ONE, -ONE,
               -0x10100, 0x18003, -0x18001, 63 * ONE, -63 * ONE]
-    levels += [int(n) for n in rng.integers(-0x4000, 0x4000, 20)]
+    return levels + [int(n) for n in rng.integers(-0x4000, 0x4000, 20)]
+
+
+def gouraud_trials(rng) -> list[Trial]:
+    """The same with levels that change, and v wraps all it can."""
+    levels = steps_of_levels(rng)
     most = [(u, v) for u in (0, ONE, -0x18000) for v in (128 * ONE - 1, -128 * ONE, -128 * ONE + 0x100)]
     trials = []
     for size in (SHORT, LONG):

@@ -13,6 +13,7 @@ from tmap.guest.emulator import MEASURED
 from tmap.model.model import Settings
 from tmap.run.run import picture_of, render
 from tmap.scene_file.scene_file import Material, Object, Scene, Texture
+from tmap.setup.shading import LIT
 
 LEAST = 1e-6  # texels: smaller errors, 0 among them, are drawn as this on a logarithmic axis
 MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",
@@ -21,8 +22,8 @@ MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generat
 
 
 def drawn_by(row: dict) -> str:
-    """Returns a row's perspective, or its mapper if it has no perspective."""
-    return row["mapper"] if row["perspective"] == "none" else row["perspective"]
+    """Returns a row's perspective, or its mapper if it has no perspective or is lit."""
+    return row["mapper"] if row["perspective"] == "none" or row["mapper"] in LIT else row["perspective"]
 
 
 def plot(rows: list[dict], path: Path) -> None:

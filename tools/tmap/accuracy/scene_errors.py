@@ -25,7 +25,7 @@ from tmap.run import run
 from tmap.scene_file.scene_file import Scene
 from tmap.scene_file.textures import UNITS
 
-NAMES = ("cube", "floor", "corridor", "environment", "rotator", "lit", "shaded")
+NAMES = ("cube", "floor", "corridor", "environment", "rotator", "lit", "torch", "shaded")
 ERROR_STEP = 8
 
 

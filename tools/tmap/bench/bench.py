@@ -16,7 +16,7 @@ from tmap.base import markdown
 from tmap.base.errors import UserError
 from tmap.base.outputs import as_json, bars, check_directory
 from tmap.base.paths import BASELINE
-from tmap.bench import cases, rules as bench_rules, scenes
+from tmap.bench import cases, deep, rules as bench_rules, scenes
 from tmap.bench.modes import measure as bench_modes
 from tmap.guest import provenance
 from tmap.guest.conditions import CONDITIONS
@@ -33,6 +33,7 @@ NOTHING_REPEATS = 2000  # calls of the routine that only returns
 UNITS = {"rows": "cycles_per_pixel", "lines": "cycles_per_line", "points": "cycles_per_point",
          "polygons": "cycles_per_polygon", "instructions": "cycles_per_instruction",
          "frames": "cycles_per_frame", "rules": "cycles_per_polygon",
+         "deep": "cycles_per_polygon",
          "modes": "cycles_per_pixel", "first_frames": "cycles_more"}
 #: What stands over each kind's table.
 TITLES = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line",
@@ -41,10 +42,12 @@ TITLES = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line",
           "instructions": "Cycles of instructions, with a loop's around 16 of them",
           "frames": f"Cycles a frame, mean of {scenes.FRAMES}",
           "rules": "Cycles a polygon, with each rule of lowering and without it",
-          "modes": "Texture engines' modes, cycles a pixel of a polygon (_c: in plain C)",
+          "deep": f"Cycles a polygon in perspective, edges exact, mean of {deep.COUNT}: textured, lit, a level "
+                 "a pixel; affine beside them",
+         "modes": "Texture engines' modes, cycles a pixel of a polygon (_c: in plain C)",
           "first_frames": "Cycles that the first frame costs more: tables, texels decoded"}
 #: Kinds that depend on the C compiler.
-IN_C = ("frames", "rules", "modes", "first_frames")
+IN_C = ("frames", "rules", "deep", "modes", "first_frames")
 TOLERANCE = 0.01  # a change beyond it needs a new baseline and a reason in the commit
 #: Ticks by which two measurements of the same may differ: each is the difference of two times, and
 #: each of those is off by less than one.
@@ -82,7 +85,7 @@ def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dic
 
 def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
     """Rows of one machine by kind: those of kernels, then frames, polygons with and without a rule of
-    lowering, and modes of the texture engines. ``machine``: of CONDITIONS; ``only``: a pattern of
+    lowering, polygons with depth, and modes of the texture engines. ``machine``: of CONDITIONS; ``only``: a pattern of
     names; ``on_case``: told how many kernels were begun."""
     def chosen(prefix: str, names) -> list[str]:
         return [name for name in names if fnmatch.fnmatch(prefix + name, only)]
@@ -90,7 +93,8 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
     rules = chosen(bench_rules.ROW, (case.name for case in bench_rules.CASES))
     return (measure_kernels(machine, only, on_case)
             | {"frames": scenes.measure(machine, chosen(scenes.ROW, scenes.NAMES)),
-               "rules": bench_rules.measure(machine, rules)}
+               "rules": bench_rules.measure(machine, rules),
+               "deep": deep.measure(machine, chosen(deep.ROW, deep.MATERIALS))}
             | bench_modes.measure(machine, chosen(bench_modes.ROW, bench_modes.EVERY)))
 
 

@@ -55,7 +55,8 @@ def span_calls(length: int) -> dict[str, Call]:
             | {name: far.span_case(*how, length) for name, how in far.SPANS.items()}
             | {"persp_pixel": logarithm.span_case(length),
                "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
-            | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()})
+            | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()}
+            | {name: effects.light_case(kernel, length) for name, kernel in effects.LIGHT.items()})
 
 
 def special_calls() -> Iterator[tuple[str, int, Call]]:

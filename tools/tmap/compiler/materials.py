@@ -12,7 +12,7 @@ from tmap.base.pixel_formats import FORMATS, PixelFormat
 from tmap.compiler import glide, n64
 from tmap.images import images, palette
 from tmap.scene_file.materials import SETTINGS, Material
-from tmap.scene_file.textures import (LAYOUTS, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, Texture,
+from tmap.scene_file.textures import (IN_DEPTH, LAYOUTS, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, Texture,
                                       size_fault)
 from tmap.setup import snapped
 from tmap.setup.shading import LIT
@@ -120,8 +120,9 @@ def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
         check_units(material, "glide", glide.FRAMES, pixel, at)
         glide.check(material["glide"], f"{at}.glide")
     on_plane = (material["gradients"], material["start"]) == ("plane", "subtexel")
-    if perspective != "none" and not (mapper == "affine" and on_plane):
-        fail(f"{at}.perspective", f'"{perspective}" needs the mapper "affine", gradients "plane" '
+    if perspective != "none" and not (mapper in IN_DEPTH and on_plane):
+        allowed = " or ".join(f'"{each}"' for each in IN_DEPTH)
+        fail(f"{at}.perspective", f'"{perspective}" needs the mapper {allowed}, gradients "plane" '
                                   'and start "subtexel"')
     if material["tolerance"] and perspective == "none":
         fail(f"{at}.tolerance", "there is no perspective that could become less")

@@ -69,8 +69,7 @@ def columns_of(material: dict) -> list[str]:
     if looks:
         has_shade = looks.shade and not primitives.is_coloured(material)
         return ["s", "t", *["w"] * looks.depth, *["shade"] * has_shade]
-    return ["s", "t"] + (["shade"] if mapper in LIT else
-                         ["w"] if material["perspective"] != "none" else [])
+    return ["s", "t", *["w"] * (material["perspective"] != "none"), *["shade"] * (mapper in LIT)]
 
 
 def listed(spec: dict, material: dict, where: str) -> list[list[float]]:

@@ -58,15 +58,16 @@ def map_size(case: Case, mapper: str) -> tuple[int, int]:
 
 def combinations(case: Case) -> Iterator[Settings]:
     """Yields the settings with which a case is drawn: all different ones if the mapper is affine or
-    flat, the usual ones and clipped vertices for other mappers, and each perspective if it has
-    depth."""
+    flat, the usual ones and clipped vertices for other mappers; if it has depth, each perspective, for lit
+    mappers with exact edges."""
     vertices = [v[:2] for v in case.vertices]
     is_clipped = clip(vertices, frame_window(WIDTH, HEIGHT)) != vertices
     clips = SETTINGS["clip"] if is_clipped else ("scissor",)
     for mapper in case.mappers:
         if case.depth:
             made = [Settings(e, perspective=p) for e in ("subpixel", "exact")
-                    for p in SETTINGS["perspective"]]
+                    for p in SETTINGS["perspective"]] if mapper == "affine" else \
+                [Settings("exact", perspective=p) for p in SETTINGS["perspective"][1:]]
         elif mapper == "affine":
             made = [Settings(e, g, s) for e in SETTINGS["edges"] for g in SETTINGS["gradients"]
                     for s in SETTINGS["start"] if g != "polygon" or len(case.vertices) == 3]

@@ -19,8 +19,9 @@ from collections.abc import Callable, Iterator
 from fractions import Fraction
 
 from tmap.base.fixed import fix
-from tmap.corpus.hard_case import LIMIT, HEIGHT, UNIT, WIDTH, Case, label
+from tmap.corpus.hard_case import LIMIT, HEIGHT, UNIT, WIDTH, Case, label, spread
 from tmap.corpus.hard_outlines import FARTHEST, box, ring
+from tmap.scene_file.textures import IN_DEPTH
 
 NEAREST, DEEPEST = Fraction(1, 256), Fraction(16384)  # w's range
 FOCUS = 64  # pixels from the viewer to the screen
@@ -44,9 +45,11 @@ def deep(name: str, sentence: str, points, surface: Surface) -> Case:
 
 def by_vertex(name: str, sentence: str, points, texels, depths) -> Case:
     """Returns a case from each vertex's numbers; for triangles, which are always planar."""
-    return Case(name, sentence, tuple((fix(x), fix(y), fix(s), fix(t), 0, fix(w)) for (x, y), (s, t), w
-                                      in zip(points, texels, depths, strict=True)),
-                ("affine",), depth=True)
+    shades = spread([2 * Fraction(x) + Fraction(y) for x, y in points], Fraction(0), Fraction(255), LIMIT)
+    return Case(name, sentence, tuple((fix(x), fix(y), fix(s), fix(t), fix(shade), fix(w))
+                                      for (x, y), (s, t), shade, w
+                                      in zip(points, texels, shades, depths, strict=True)),
+                IN_DEPTH, depth=True)
 
 
 def at(plane: Affine, x, y) -> Fraction:

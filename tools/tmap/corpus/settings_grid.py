@@ -2,6 +2,7 @@
 
 from tmap.scene_file.scene_file import SETTINGS
 from tmap.scene_file.textures import MAPPERS, ON_PLANE
+from tmap.setup.shading import LIT
 from tmap.setup.texturing import Settings
 
 #: Combinations for all mappers except affine: cheap, usual, exact.
@@ -37,6 +38,9 @@ def size_combinations() -> list[Settings]:
 
 
 def depth_combinations() -> list[Settings]:
-    """Returns the settings for a set with depth: affine and every other perspective."""
+    """Returns the settings for a set with depth: affine and every other perspective, which lit mappers
+    draw too."""
     return [Settings(edges, perspective=p) for edges in ("subpixel", "exact")
-            for p in SETTINGS["perspective"]]
+            for p in SETTINGS["perspective"]] \
+        + [Settings("exact", perspective=p, mapper=mapper) for mapper in LIT
+           for p in SETTINGS["perspective"][1:]]

@@ -19,6 +19,7 @@ from tmap.fuzz import depths
 from tmap.model.model import FAR
 from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, MAPPERS, ON_PLANE, SETTINGS, Material,
                                         Object, Scene, Texture)
+from tmap.scene_file.textures import IN_DEPTH
 from tmap.setup.shading import LIT
 from tmap.setup.texturing import Settings
 
@@ -137,9 +138,9 @@ def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
 
 
 def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by_hand: bool) -> Fuzzed:
-    """Gives a quarter of the affine polygons depths, and a perspective with the settings that it
-    needs; ``size``: the frame's; ``by_hand``: three in four depths are handwritten."""
-    if each.settings.mapper != "affine" or rng.random() >= 0.25:
+    """Gives a quarter of the polygons that may have them depths, and a perspective with the settings that
+    it needs; ``size``: the frame's; ``by_hand``: three in four depths are handwritten."""
+    if each.settings.mapper not in IN_DEPTH or rng.random() >= 0.25:
         return each
     settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
     if settings.perspective != "none":

@@ -61,8 +61,8 @@ outside, 3B + U: 6B + 2U. Negative steps are then 2 units smaller: a line whose 
 the map's far border starts a unit before it and is above the exact values from its next pixel on.
 That adds 2U per pixel.
 
-**Light** (`lit_gouraud`): levels are on a plane like u, in multiples of 4U. Every line is held:
-6B + 8U.
+**Light** (`lit_gouraud`): levels are on a plane over the screen like u, in multiples of 4U, with
+perspective too. Every line is held: 6B + 8U.
 
 The texels that are fetched have the bounds of u and v: tools/tmap/ideal/bounds_fetched.py.
 """
@@ -377,8 +377,8 @@ def check_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):
         check_texels(adapted, polygon, settings, size,
                      held_beyond(adapted, polygon, settings, size), out)
-        if polygon.mapper == "lit_gouraud":
-            check_levels(adapted, polygon, out)
+    if polygon and polygon.mapper == "lit_gouraud":
+        check_levels(adapted, polygon, out)
     return out
 
 

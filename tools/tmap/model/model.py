@@ -20,7 +20,8 @@ from tmap.scene_file.units import state_at
 from tmap.setup.edges import Edge
 from tmap.setup.planarity import parts
 from tmap.setup.polygon import FAR, INSET, Polygon, adapt, held_range, is_steep, plane_range, set_up
-from tmap.setup.spans import coordinates, pixels, repeated
+from tmap.setup.shading import LIT
+from tmap.setup.spans import coordinates, lit, pixels, repeated
 from tmap.setup.texturing import Line, Settings, Texturing, scanline_line
 
 __all__ = ["FAR", "INSET", "M32", "Edge", "Line", "Polygon", "Settings", "Texturing", "adapt",
@@ -34,14 +35,16 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
     [level][texel], for the lit mappers."""
     if polygon.columns:
         draw(frame.T, polygon.columns, texture, colour)
-        return
     if polygon.mapper == "lit":
         light = light[polygon.level]
     for y, line in enumerate(polygon.lines, polygon.top):
         if line.right > line.left and polygon.perspective:
-            u, v = polygon.coordinates(line, y)
-            height, width = texture.shape
-            frame[y, line.left:line.right] = texture[repeated(v, height), repeated(u, width)]
+            texels = frame[y, line.left:line.right]
+            if not polygon.columns:
+                u, v = polygon.coordinates(line, y)
+                height, width = texture.shape
+                texels = texture[repeated(v, height), repeated(u, width)]
+            frame[y, line.left:line.right] = lit(line, texels, light) if polygon.mapper in LIT else texels
         elif line.right > line.left:
             frame[y, line.left:line.right] = pixels(line, polygon.mapper, texture, light, y) \
                 if polygon.textured else colour

@@ -110,7 +110,7 @@ def perspective_table(baseline: dict, accuracy: dict) -> str:
     """A Markdown table: spans of 256 pixels in fast and mixed RAM, whole polygons in fast RAM."""
     figures = bench.figures(baseline["rows"])
     found = {r["perspective"]: r for r in accuracy["rows"] if r["name"] == "depth"
-             and (r["machine"], r["edges"]) == ("a1200-fast", "exact")}
+             and (r["machine"], r["edges"], r["mapper"]) == ("a1200-fast", "exact", "affine")}
     rows = []
     for title, setting, name, exact in PERSPECTIVE_LINES:
         r = found[setting]

@@ -28,6 +28,8 @@ ROWS_MAX = 10  # frames listed one by one, at most
 WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky", "frame_[0-9][0-9][0-9].png")
 COUNTS = r"((?: [a-z]\w* \d+)*)"
 FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
+#: Kinds of spans that light pixels that others have drawn.
+PASSES = ("light", "light_gouraud")
 MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) unsure (\d+) rules{COUNTS} spans{COUNTS}")
 #: Not "scene": the Amiga would take that argument for the keyword in its template.
 SCENE_NAME = "input.scene"
@@ -37,6 +39,11 @@ def counts_of(text: str) -> dict[str, int]:
     """Parses alternating names and numbers."""
     words = text.split()
     return {name: int(count) for name, count in zip(words[::2], words[1::2])}
+
+
+def drawn(spans: dict[str, int]) -> int:
+    """Returns the pixels that spans drew; PASSES went over them once more."""
+    return sum(pixels for kind, pixels in spans.items() if kind not in PASSES)
 
 
 def parse_lines(lines: list[str], pattern: re.Pattern, noun: str) -> list[re.Match]:
@@ -60,7 +67,7 @@ def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], 
     for match in parse_lines(lines[:frames], FRAME_LINE, "frame"):
         spans = counts_of(match[4])
         figures.append({"number": int(match[1]), "cycles": int(match[2]) * CYCLES_PER_TICK,
-                        "polygons": int(match[3]), "pixels": sum(spans.values()),
+                        "polygons": int(match[3]), "pixels": drawn(spans),
                         "spans": spans})
     executed = [{"polygons": int(match[2]), "unsure": int(match[3]), "rules": counts_of(match[4]),
                  "spans": counts_of(match[5])}
@@ -171,7 +178,7 @@ def print_lowering(materials: dict) -> None:
     """Prints for each material its settings, the spans executed, and the rules that chose them."""
     width = max(map(len, materials), default=0)
     for name, material in materials.items():
-        pixels = sum(material["spans"].values())
+        pixels = drawn(material["spans"])
         spans = ", ".join(f"{kind} {100 * count / pixels:.3g} %"
                           for kind, count in material["spans"].items()) or "nothing"
         mapper, depth = (material["asked"][kind] for kind in ("mapper", "perspective"))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from tmap.base.errors import UserError, require
 from tmap.base.pixel_formats import PixelFormat
 from tmap.build import layout
-from tmap.scene_file.textures import MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, UNIT_FORMATS
+from tmap.scene_file.textures import IN_DEPTH, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, UNIT_FORMATS
 from tmap.scene_file.units import PRIMITIVES
 from tmap.setup.shading import LIT
 
@@ -49,9 +49,9 @@ def check_settings(material: Material, name: str, where: str) -> None:
     for kind in SETTINGS:
         number_of(kind, getattr(material, kind), name, f"{where}.{kind}")
     on_plane = (material.gradients, material.start) == ("plane", "subtexel")
-    if material.perspective != "none" and not (material.mapper == "affine" and on_plane):
+    if material.perspective != "none" and not (material.mapper in IN_DEPTH and on_plane):
         raise UserError(f"{name}: {where}.perspective: {material.perspective!r} needs mapper "
-                        "'affine', gradients 'plane' and start 'subtexel'")
+                        f"{' or '.join(map(repr, IN_DEPTH))}, gradients 'plane' and start 'subtexel'")
     if material.mapper in ON_PLANE and not on_plane:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} needs gradients 'plane' and "
                         "start 'subtexel'")

@@ -28,6 +28,8 @@ MAPPERS = {size: tuple(name for name, (_, sizes, _) in LISTED.items() if str(siz
 REPEATING = tuple(name for name, layout in MAPPER_LAYOUT.items() if layout not in (None, "linear"))
 #: Mappers whose u and v come from one plane, to each first pixel.
 ON_PLANE = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_PLANE" in traits)
+#: Mappers that draw perspective.
+IN_DEPTH = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_PERSPECTIVE" in traits)
 #: The format with 2 bytes a pixel that each kind of unit draws.
 UNIT_FORMATS = {"n64": "rgba5551", "glide": "rgb565"}
 

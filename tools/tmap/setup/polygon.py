@@ -279,7 +279,7 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
                     size: tuple[int, int]) -> bool:
     """Sets the planes of a polygon's perspective; returns False if it is drawn affine. ``size``: the
     frame's."""
-    deep = perspective(vertices, outline.corners, outline.box)
+    deep = perspective([v[:5] for v in vertices], outline.corners, outline.box)
     if deep is None:
         return False
     width = outline.box[2] - outline.box[0]
@@ -325,11 +325,16 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
     polygon = outline.polygon(width, settings.has_exact_edges, textured)
     if settings.perspective != "none" and not is_flat(vertices, settings.tolerance) \
             and set_perspective(polygon, vertices, outline, settings, (width, height)):
-        return polygon
+        return set_light(polygon, vertices, outline, settings)
     if textured and not set_texturing(polygon, vertices, outline, settings, size, for_unit):
         return None
     by_code = settings.mapper != "generated" or all(map(stays_in_row, polygon.lines))
-    polygon.mapper = settings.mapper if by_code else "affine"
+    return set_light(polygon, vertices, outline, settings if by_code else replace(settings, mapper="affine"))
+
+
+def set_light(polygon: Polygon, vertices, outline: Outline, settings: Settings) -> Polygon:
+    """Sets a polygon's mapper, and the levels of lit ones."""
+    polygon.mapper = settings.mapper
     if settings.mapper == "lit":
         polygon.level = vertices[0][-1] >> 16
     elif settings.mapper == "lit_gouraud":

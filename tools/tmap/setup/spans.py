@@ -80,6 +80,9 @@ def pixels(line: Line, mapper: str, texture: np.ndarray | None,
     if mapper == "gouraud":
         return columns
     texels = texture[rows_, columns]
-    if mapper not in LIT:
-        return texels
+    return lit(line, texels, light) if mapper in LIT else texels
+
+
+def lit(line: Line, texels: np.ndarray, light: np.ndarray) -> np.ndarray:
+    """Returns a lit line's pixels from its texels; ``light``: as in ``pixels``."""
     return light[rows(line), texels] if light.ndim == 2 else light[texels]
