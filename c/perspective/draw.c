@@ -67,12 +67,13 @@ static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 bit
 static int32 is_drawn_from_afar(const struct setup *s)
 {
     struct reciprocal_plan plan;
-    const int32 shift = far_shift(s);
+    int32 least;
+    const int32 shift = far_shift(s, &least);
 
     plan.planes = s->perspective;
     return shift >= 0
         && ((find_constants(&plan, FAR_4096, FAR_BITS)
-             && far_draw(s, &plan, shift, 1 << ways[s->setting].piece))
+             && far_draw(s, &plan, shift, least, 1 << ways[s->setting].piece))
             || far_draw_planes(s, shift, 1 << ways[s->setting].piece));
 }
 

@@ -4,8 +4,10 @@
 
 typedef void far_routine(const struct far_span *span);
 
-static far_routine *const spans[2][2] = {       /* [coarse][q grows to the left] */
-    {span_far_right, span_far_left}, {span_far_right_coarse, span_far_left_coarse}
+static far_routine *const spans[2][2][2] = {    /* [even][coarse][q grows to the left] */
+    {{span_far_right, span_far_left}, {span_far_right_coarse, span_far_left_coarse}},
+    {{span_far_even_right, span_far_even_left},
+     {span_far_even_right_coarse, span_far_even_left_coarse}}
 };
 
 static const struct far_lengths every16 = {
@@ -21,7 +23,17 @@ static int32 upper(const struct number64 *from, int32 bits)
     return (int32)(from->hi << bits | from->lo >> (32 - bits));
 }
 
-int32 far_shift(const struct setup *s)
+/* Returns log2 of the pixels that pieces of even spans have; 0 if they do not draw the polygon. least: of q. */
+static int32 even_piece(const struct far_lengths *lengths, uint32 steep, int32 least)
+{
+    if (least < 1 << FAR_EVEN)
+        return 0;
+    steep <<= 1;
+    return steep <= lengths->most_16 ? 4 : steep <= lengths->most_8 ? 3
+         : steep <= lengths->most_4 ? 2 : 0;
+}
+
+int32 far_shift(const struct setup *s, int32 *lowest)
 {
     const struct perspective_plan *planes = s->perspective;
     const uint8 edges = s->material->edges;
@@ -31,6 +43,7 @@ int32 far_shift(const struct setup *s)
                       - (edges == EDGES_EXACT || edges == EDGES_SNAPPED ? 0 : steep);
     int32 shift = 0;
 
+    *lowest = least;
     if (least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
         return -1;
     while (!(least >> (29 - shift)))
@@ -46,16 +59,20 @@ static int32 farthest(fix16 k, fix16 low, fix16 high)
     return ((above > below ? above : below) >> 16) + 1;
 }
 
-int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 shift, int32 longest)
+int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 shift, int32 least,
+               int32 longest)
 {
     const struct perspective_plan *planes = plan->planes;
+    const struct far_lengths *lengths = longest == 16 ? &every16 : &every8;
+    const int32 even = even_piece(lengths, (uint32)fix_magnitude((int32)planes->q.dx.hi), least);
+    const int32 up = even ? 1 : shift;
     const int32 leftwards = (int32)planes->q.dx.hi < 0;
     const int32 to_u = farthest(plan->ku, planes->u_low, planes->u_high);
     const int32 to_v = farthest(plan->kv, planes->v_low, planes->v_high);
     const int32 coarse = to_u > FAR_REACH || to_v > FAR_REACH;
     const int32 bits = coarse ? 8 - FAR_BITS - FAR_COARSE : 8 - FAR_BITS;
-    const int32 down = planes->count << shift;
-    const int32 part = FAR_OFF_PART + ((((s->box.right - s->box.left) << shift) + down) >> 11);
+    const int32 down = planes->count << up;
+    const int32 part = FAR_OFF_PART + ((((s->box.right - s->box.left) << up) + down) >> 11);
     const int32 off = FAR_OFF + (coarse ? down >> 1 : FAR_OFF_WORD + (down >> 5));
     struct far_span span;
 
@@ -73,14 +90,15 @@ int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 
     span.dqdy = (int32)planes->q.dy.hi;
     span.q = planes->q.at.hi - (uint32)span.dqdx * (uint32)(planes->left + EDGE_BIAS);
     span.dq = (uint32)(leftwards ? -span.dqdx : span.dqdx);
-    span.lengths = longest == 16 ? every16 : every8;
+    span.lengths = *lengths;
+    span.even = even;
     span.ku = (uint32)(plan->ku + planes->u + off + (to_u * part >> 2)) << 8;
     span.kv = (uint32)(plan->kv + planes->v + off + (to_v * part >> 2)) << 8;
     span.dcu = (uint32)upper(&plan->dcu, bits);
     span.dcv = (uint32)upper(&plan->dcv, bits);
     span.cu = (uint32)upper(&plan->cu, bits);
     span.cv = (uint32)upper(&plan->cv, bits);
-    spans[coarse][leftwards](&span);
+    spans[even != 0][coarse][leftwards](&span);
     return 1;
 }
 

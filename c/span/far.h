@@ -19,6 +19,7 @@ enum far_constants {
     FAR_EVERY8 = 30,
     FAR_MOST = 1 << 30,
     FAR_DEEP = 8,               /* q is shifted left by at most this, an even number: w varies by up to 512 */
+    FAR_EVEN = 28,              /* log2: no q of a polygon that even spans draw is lower */
     FAR_BITS = 3,               /* of a reciprocal_plan */
     FAR_COARSE = 4,             /* bits that C lacks if it does not fit a word */
     /* Texels from K to the polygon's farthest, as C r / 2^8 is less than 2^15 where i is 2^15: 256, less a
@@ -60,6 +61,7 @@ struct far_span {
     int32 dqdx, dqdy;           /* its steps */
     uint32 dq;                  /* and the magnitude of dqdx, above 0 */
     struct far_lengths lengths; /* of pieces, by this */
+    int32 even;                 /* even spans: log2 of a piece's pixels, 4, 3 or 2 */
     uint32 ku, kv;              /* K, 8.24 */
     uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
 };
@@ -87,5 +89,9 @@ void span_far_right(const struct far_span *span);
 void span_far_left(const struct far_span *span);
 void span_far_right_coarse(const struct far_span *span);
 void span_far_left_coarse(const struct far_span *span);
+void span_far_even_right(const struct far_span *span);
+void span_far_even_left(const struct far_span *span);
+void span_far_even_right_coarse(const struct far_span *span);
+void span_far_even_left_coarse(const struct far_span *span);
 
 #endif

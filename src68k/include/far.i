@@ -71,11 +71,9 @@ far_whole macro
         ror.l   #8,\1
         endm
 
-; d2, d3 = u and v, 8.24, where r is d2; d6, d7 = Cu, Cv, words.
+; d2, d3 = u and v, 8.24, where r is d2. d6, d7: Cu, Cv, words; or 16.16 if they are coarse, which become words.
 far_start macro
         ifeq    \2
-        far_word d6
-        far_word d7
         move.w  d2,d3
         muls.w  d6,d2                   ; Uuuu
         muls.w  d7,d3                   ; Vvvv
@@ -95,6 +93,45 @@ far_start macro
         add.l   far_kv(sp),d3
         endm
 
+; d0, d1 = the chain's registers from d2, d3 = u and v, 8.24.
+far_chain macro
+        rol.l   #8,d2                   ; uuuU
+        swap    d3                      ; vvVv
+        move.l  d2,d0
+        move.w  d3,d0                   ; uuVv
+        move.l  d3,d1
+        clr.w   d1
+        move.b  d2,d1                   ; vv-U
+        endm
+
+; d2, d3 = the steps uuuU and vvVv of a piece of 2^\1 pixels whose last q has the index d5.
+far_growth macro
+        move.w  (a3,d5.w*2),d2
+        move.w  d2,d3
+        sub.w   a5,d2
+        movea.w d3,a5
+        move.w  d2,d3
+        muls.w  d6,d2                   ; Uuuu
+        muls.w  d7,d3                   ; Vvvv
+        ifne    4-(\1)+\2
+        lsl.l   #4-(\1)+\2,d2
+        lsl.l   #4-(\1)+\2,d3
+        endc
+        rol.l   #8,d2                   ; uuuU
+        swap    d3                      ; vvVv
+        endm
+
+; d4 = what is left of the line, in pixels less than 0.
+far_rest macro
+        ifc     '\1','right'
+        move.w  a1,d4
+        sub.w   a6,d4
+        else
+        move.w  a6,d4
+        sub.w   a1,d4
+        endc
+        endm
+
 ; Pieces of 2^\3 pixels; d3: step of q a pixel.
 far_pieces macro
         ifne    \3
@@ -106,26 +143,8 @@ far_pieces macro
         add.l   a4,d5
         moveq   #0,d2
         addx.w  d2,d5
-        move.w  (a3,d5.w*2),d2
-        move.w  d2,d3
-        sub.w   a5,d2
-        movea.w d3,a5
-        move.w  d2,d3
-        muls.w  d6,d2                   ; Uuuu
-        muls.w  d7,d3                   ; Vvvv
-        ifne    4-(\3)+\2
-        lsl.l   #4-(\3)+\2,d2
-        lsl.l   #4-(\3)+\2,d3
-        endc
-        rol.l   #8,d2                   ; uuuU
-        swap    d3                      ; vvVv
-        ifc     '\1','right'
-        move.w  a1,d4
-        sub.w   a6,d4
-        else
-        move.w  a6,d4
-        sub.w   a1,d4
-        endc
+        far_growth \3,\2
+        far_rest \1
         cmp.w   #-(1<<\3),d4
         bge     .last\3
         far_steps
@@ -204,14 +223,12 @@ far_lines macro
         swap    d5
         move.w  (a3,d5.w*2),d2
         movea.w d2,a5
+        ifeq    \2
+        far_word d6
+        far_word d7
+        endc
         far_start \1,\2
-        rol.l   #8,d2                   ; uuuU
-        swap    d3                      ; vvVv
-        move.l  d2,d0
-        move.w  d3,d0                   ; uuVv
-        move.l  d3,d1
-        clr.w   d1
-        move.b  d2,d1                   ; vv-U
+        far_chain
         move.l  a4,d3
         cmp.l   far_most_16(sp),d3
         bhi     .under_16

@@ -111,13 +111,7 @@ by_pieces macro
         move.b  d4,d1                   ; v--U
         rol.l   #8,d2                   ; uuuU
         swap    d3                      ; vvVv
-        ifc     '\1','right'
-        move.w  a1,d4
-        sub.w   a6,d4
-        else
-        move.w  a6,d4
-        sub.w   a1,d4
-        endc
+        far_rest \1
         cmp.w   #-(1<<\2),d4
         bge     .last\2
         far_steps

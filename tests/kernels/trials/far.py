@@ -27,17 +27,27 @@ def any_q(leftwards: bool, rng) -> tuple[int, int, int]:
     return (low + ACROSS * step, -step, down) if leftwards else (low, step, down)
 
 
+def even_q(leftwards: bool, pixels: int, longest: int, rng) -> tuple[int, int, int]:
+    """The same for pieces of so many pixels each, between 2^28 and 2^30."""
+    most = min(model.LENGTHS[longest][pixels] // 2, (3 << 28) // ACROSS - MARGIN // ACROSS * 2 - 1)
+    step = int(2.0 ** rng.uniform(0, np.log2(most))) + 1
+    low = int(rng.integers((1 << 28) + MARGIN, (1 << 30) - ACROSS * step - MARGIN))
+    down = int(rng.integers(-4000, 4000))
+    return (low + ACROSS * step, -step, down) if leftwards else (low, step, down)
+
+
 def anything_of(made, rng) -> Trial:
     return bench.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), made, LINES, PITCH, f"{made}")
 
 
-def span_trial(longest: int, leftwards: bool, coarse: int, rng) -> Trial:
-    """Any constants."""
+def span_trial(longest: int, leftwards: bool, coarse: int, rng, even: int = 0) -> Trial:
+    """Any constants. ``even``: pixels of all pieces."""
     c, dc = ([int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(*reach, 2)]
              for reach in ((9, 31), (2, 23)))
     return anything_of(model.Constants(
-        tuple(int(n) for n in rng.integers(0, 1 << 32, 2)), tuple(c), tuple(dc), *any_q(leftwards, rng), 0, 0,
-        longest, coarse, [0, 0]), rng)
+        tuple(int(n) for n in rng.integers(0, 1 << 32, 2)), tuple(c), tuple(dc),
+        *(even_q(leftwards, even, longest, rng) if even else any_q(leftwards, rng)), 0, 0,
+        longest, coarse, [0, 0], even), rng)
 
 
 def planes_trial(longest: int, leftwards: bool, rng) -> Trial:
@@ -52,4 +62,6 @@ def trials() -> list[Trial]:
     rng = np.random.default_rng(24)
     ways = [(longest, leftwards) for longest in (8, 16) for leftwards in (False, True)]
     return [*(span_trial(*way, coarse, rng) for way in ways for coarse in (0, model.COARSE) for _ in range(16)),
+            *(span_trial(16, leftwards, coarse, rng, even) for leftwards in (False, True)
+              for coarse in (0, model.COARSE) for even in (4, 8, 16) for _ in range(8)),
             *(planes_trial(*way, rng) for way in ways for _ in range(16))]

@@ -11,8 +11,10 @@ from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup import far, far_planes
 
-#: Row: the most pixels of a piece, and whether by planes of u and v.
-SPANS = {"persp_far_16": (16, False), "persp_far_8": (8, False), "persp_planes_16": (16, True)}
+#: Row: the most pixels of a piece, whether by planes of u and v, whether all pieces have so many.
+SPANS = {"persp_far_16": (16, False, False), "persp_far_8": (8, False, False),
+         "persp_planes_16": (16, True, False), "persp_even_16": (16, False, True),
+         "persp_even_8": (8, False, True)}
 
 
 def table(arena: Arena) -> int:
@@ -25,7 +27,7 @@ def kernel(k: far.Constants | far_planes.Constants) -> str:
     way = "left" if k.leftwards else "right"
     if isinstance(k, far_planes.Constants):
         return f"span_far_planes_{way}"
-    return f"span_far_{way}{'_coarse' if k.coarse else ''}"
+    return f"span_far_{'even_' if k.even else ''}{way}{'_coarse' if k.coarse else ''}"
 
 
 def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
@@ -39,7 +41,7 @@ def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
             found |= {name: signed(at - bias * dx), f"d{name}dx": dx, f"d{name}dy": dy}
         return found | dict(zip("uv", k.base))
     values = {"dq": abs(k.dqdx), "ku": k.k[0], "kv": k.k[1], "cu": k.c[0], "cv": k.c[1], "dcu": k.dc[0],
-              "dcv": k.dc[1]}
+              "dcv": k.dc[1], "even": max(k.even.bit_length() - 1, 0)}
     return found | {name: n & M32 for name, n in values.items()}
 
 
@@ -62,7 +64,7 @@ def span_trial(arena: Arena, ground: Ground, k: far.Constants | far_planes.Const
     return Trial(Case(kernel(k), arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
 
 
-def span_case(longest: int, planes: bool, length: int):
+def span_case(longest: int, planes: bool, even: bool, length: int):
     """A bench row: lines of one length that begin 0 to 3 pixels on."""
     rng, count, memory = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
@@ -76,7 +78,8 @@ def span_case(longest: int, planes: bool, length: int):
     else:
         across = 2.0**38 / q[0] - 2.0**38 / q[1]  # of C r, where C is 1: see far.h
         c = tuple(int(-d * length / across * 65536) for d in (1, 0.7))
-        made = far.Constants(tuple(any_two.tolist()), c, (0, 0), q[0], step, 0, 0, 0, longest, 0, [0, 0])
+        made = far.Constants(tuple(any_two.tolist()), c, (0, 0), q[0], step, 0, 0, 0, longest, 0, [0, 0],
+                             longest * even)
     ground = framed(memory, map_at, picture, count, length)
     lines = [(k % 4, length) for k in range(count)]
     return span_trial(Arena(), ground, made, lines, length + GAP).row(count * length)

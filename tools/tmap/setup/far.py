@@ -24,6 +24,7 @@ LENGTHS = {16: {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOST},
            8: {16: 0, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
 DEEP = 8
 COARSE = 4
+EVEN = 1 << 28
 BITS = 3  # of K and C
 FAR_4096 = 4096 << 16
 REACH = 192
@@ -47,6 +48,7 @@ class Constants:
     longest: int  # pixels of a piece
     coarse: int  # 0 or COARSE
     raised: list[int]  # units by which u and v are raised, included in k
+    even: int = 0  # pixels of all pieces, if q differs four times at most; q and C are shifted by one bit then
 
     @property
     def leftwards(self) -> bool:
@@ -82,7 +84,14 @@ class Line:
     @cached_property
     def pieces(self) -> list[Piece]:
         """The line's pieces in drawing order."""
-        found, at, dq = [], 0, abs(self.constants.dqdx)
+        found, at, dq, even = [], 0, abs(self.constants.dqdx), self.constants.even
+        if even:
+            step, x = swap(dq * even << 1), swap(self.q << 1 & M32 ^ 1 << 31)
+            while at <= self.n:
+                begin, x = x, step_swapped(x, step)
+                found.append(Piece(at, even, 1, *(signed(n, 16) + ORIGIN for n in (begin, x)), not at))
+                at += even
+            return found
         shift = 31 - self.q.bit_length() & ~1
         q = self.q << shift
         while True:
@@ -97,11 +106,21 @@ class Line:
             q, shift = (swap(x) ^ 1 << 31) >> 2, shift - 2
 
 
+def least_of(p, way: int, exact: bool) -> int:
+    """Returns the least q. ``way``: lines and pixels of the box; ``exact``: edges are not rounded."""
+    return p.least - way - (0 if exact else steepness(p.q.dx) + 1)
+
+
+def even_of(dq: int, least: int, longest: int) -> int:
+    """Returns the pixels of all pieces; 0 if they are not all alike."""
+    fits = (m for m in (16, 8, 4) if dq << 1 <= LENGTHS[longest][m])
+    return next(fits, 0) if least >= EVEN else 0
+
+
 def shift_of(p, way: int, exact: bool) -> int | None:
     """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way.
-    ``way``: lines and pixels of the box; ``exact``: edges are not rounded."""
-    steep = steepness(p.q.dx) + 1
-    least = p.least - way - (0 if exact else steep)
+    ``way``, ``exact``: as in ``least_of``."""
+    steep, least = steepness(p.q.dx) + 1, least_of(p, way, exact)
     if least < 1 << 29 - DEEP or p.most > (1 << 30) + steep:
         return None
     shift = max(0, 31 - least.bit_length() & ~1)
@@ -125,13 +144,15 @@ def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
     coarse = COARSE if max(farthest) > REACH else 0
     if max(farthest) > REACH << coarse:
         return None
+    q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
+    even = even_of(abs(q[1]), least_of(p, way, exact), longest)
+    shift = 1 if even else shift
     part = OFF_PART + (way << shift >> 11)
     off = OFF + (len(lines) << shift >> 1 if coarse else OFF_WORD + (len(lines) << shift >> 5))
     raised = [off + (n * part >> 2) for n in farthest]
     c, dc = ([signed(n << 8 - BITS - coarse >> 32) for n in each] for each in (cs, dcs))
-    q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
     return Constants(tuple(b + n + m << 8 for b, n, m in zip(p.base, ks, raised)), tuple(c), tuple(dc), *q,
-                     p.i, p.j, longest, coarse, raised)
+                     p.i, p.j, longest, coarse, raised, even)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Line:

@@ -27,6 +27,7 @@ class Constants:
     top: int
     longest: int  # pixels of a piece
     raised: list[int]  # units by which u and v are raised, included in the base
+    even: int = 0  # pieces may differ in length
 
     @property
     def leftwards(self) -> bool:
