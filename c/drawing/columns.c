@@ -30,6 +30,7 @@ static void turned_lines(struct setup *to, const struct setup *from)
     to->material = from->material;
     to->off = from->off;
     to->counts = from->counts;
+    to->setting = from->setting;
     to->applied = from->applied;
     to->outline_sides = &to->sides;
     turn(vertices, from->vertices, from->count);

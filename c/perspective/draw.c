@@ -138,6 +138,10 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
         count_lines(s, s->level == LEVEL_LINES ? SPAN_AFFINE_SCANLINE : SPAN_AFFINE_UPRIGHT);
     if (s->renderer->only_counts)
         return;
+    if (s->level == LEVEL_COLUMNS) {    /* as lines would be: for vertices whose depth is rounded */
+        s->perspective->u += ways[s->setting].raise;
+        s->perspective->v += ways[s->setting].raise;
+    }
     level_lines(s->perspective, steps);
     lines.lines = s->perspective->lines;
     lines.count = s->perspective->count;
@@ -180,12 +184,12 @@ static void restore_lines(const struct perspective_plan *plan)
         line->last = (int16)line->start1;
 }
 
-/* Returns 1 if depth changes so little along lines of so many pixels, by `grows` a pixel, that the setting
-   has them level. */
-static int32 is_level(const struct setup *s, const struct number64 *grows, int32 width)
+/* Returns 1 if lines of so many pixels, on which q grows so, may be drawn as if their depth were constant: they
+   are off by `off` at most. */
+static int32 is_level(const struct setup *s, const struct number64 *grows, int32 width, int32 off)
 {
     return width <= ways[s->setting].width
-        && perspective_is_level(s->perspective, grows, width, ways[s->setting].off);
+        && perspective_is_level(s->perspective, grows, width, off);
 }
 
 /* Returns 1 if they may be straight, and sets the plan's tilt; least: q of the longest. */
@@ -207,10 +211,11 @@ void perspective_find_level(struct setup *s)
     plan->tilt = plan->steep = 0;
     if (s->level)
         return;
-    if (is_level(s, &plan->q.dx, width) || is_straight(s, &plan->q.dx, width, plan->q_low)) {
+    if (is_level(s, &plan->q.dx, width, ways[s->setting].off)
+        || is_straight(s, &plan->q.dx, width, plan->q_low)) {
         s->level = LEVEL_LINES;
     } else if (EDGES_ARE_EXACT(s->material->edges) && height >= ways[s->setting].column) {
-        if (is_level(s, &plan->q.dy, height)) {
+        if (is_level(s, &plan->q.dy, height, 0)) {
             s->level = LEVEL_COLUMNS;
         } else if (is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE)) {
             /* a wall is highest where it is nearest: each column is tested */

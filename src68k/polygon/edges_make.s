@@ -27,8 +27,9 @@ bottom  equ     12
         tst.l   d1
         beq.s   edges_of_sides
         lea     edge_exact,a5
-        xdef    edges_of_sides
+        xdef    edges_of_sides,_edges_of_sides
 ; As edges_make behind save_all. In: a0, a1, a2 the rectangle, a5 the routine for an edge.
+_edges_of_sides
 edges_of_sides
         move.l  rectangle_bottom(a2),-(sp)
         move.l  rectangle_top(a2),-(sp)

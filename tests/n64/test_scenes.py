@@ -104,7 +104,7 @@ def test_equal_engines_and_texels_are_there_once(folder):
     (folder / "scene.toml").write_text(text.replace("[[objects]]", other + "[[objects]]", 1))
     scene = compile_scene(folder / "scene.toml")
     assert [m.unit for m in scene.materials] == [0, 0] and len(scene.units) == 1
-    assert [m.edges for m in scene.materials] == ["subpixel", "exact"]
+    assert [m.edges for m in scene.materials] == ["exact", "exact"]
     assert len(scene.dram) == 32 * 32 * 2
     tiles = units.state_at(scene, 0, 0).tiles
     assert tiles[0].tmem == tiles[1].tmem == 0 and tiles[1].s.shift == 1

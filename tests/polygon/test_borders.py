@@ -23,6 +23,7 @@ from tmap.model import model
 from tmap.model.model import Settings
 from tmap.setup import texturing, unit_planes
 from tmap.setup.dithered import MOVES
+from tmap.setup.perspective import CURVES
 
 WIDTH, HEIGHT = 320, 256
 #: Texels a pixel: whole enlargements, reductions, and simple fractions between them.
@@ -176,8 +177,8 @@ def test_floors_show_the_texel_that_begins_on_a_border(setting: str) -> None:
 @pytest.mark.parametrize("setting", PERSPECTIVES)
 def test_walls_show_it_where_lines_begin_and_where_they_are_straight(setting: str) -> None:
     """Depth changes along lines: w of column i, from 64 on, is 128 / (128 - near (i - 64)); u is
-    half a texel a pixel there, v is w (j - 60) / n texels. The texels are exact in the first column
-    and all along line 60, for each kind of line. Turned round, the deep end is on the left."""
+    half a texel a pixel there, v is w (j - 60) / n texels. The texels are exact all along line 60, and in the
+    first column where lines begin there: at the deep end, which is on the left if turned round, or at both."""
     j = np.arange(20, 100)
     for n, near, turned in itertools.product((1, 2, 3, 4, 8), (Fraction(1, 4), Fraction(1, 2), Fraction(15, 16)),
                                              (False, True)):
@@ -188,9 +189,11 @@ def test_walls_show_it_where_lines_begin_and_where_they_are_straight(setting: st
             corners.append((x << 16, y << 16, fix(w * way / 2), fix(w * (y - 60) / n), 0, fix(w)))
         found = deep_shown(corners, setting)
         assert (found[1, 60, 64:192] == 0).all(), (setting, n, near, turned)
-        if not turned:
-            assert (found[0, 20:100, 64] == 0).all(), (setting, n, near)
-            assert np.array_equal(found[1, 20:100, 64], (j - 60) // n % 256), (setting, n, near)
+        if turned or setting in CURVES:
+            way, w = (128, 1 / (1 - near)) if turned else (0, 1)
+            assert (found[0, 20:100, 64] == w * way / 2 // 1 % 256).all(), (setting, n, near)
+            exact = [int(w * (k - 60) / n // 1) % 256 for k in j.tolist()]
+            assert np.array_equal(found[1, 20:100, 64], exact), (setting, n, near)
 
 
 def deep_polygon(rng: random.Random) -> tuple[list, list]:

@@ -23,13 +23,19 @@ LEANS = (0, 0, 1e-6, 1e-5, 1e-4, 1e-3)  # how much 1/w grows on a column, of its
 
 
 def wall(rng: random.Random) -> list[tuple[int, ...]]:
-    """A convex polygon, whose depth grows along lines: 1.1 to 50 times."""
+    """A convex polygon, whose depth grows along lines: 1.1 to 50 times. Many have upright sides: their depth is
+    the same down each column, rounding included."""
+    is_upright = rng.random() < 0.5
     while True:
         points = random_polygons.convex_polygon(rng, WIDTH, HEIGHT)
+        if is_upright:
+            sides = ((rng.randint(-30, 60) * ONE, 1), (rng.randint(70, 150) * ONE, -1))
+            points = [(x, y) for x, way in sides
+                      for y in (rng.randint(-40, 60) * ONE, rng.randint(90, 200) * ONE)[::way]]
         ys = [y for _, y in points]
         if random_polygons.is_convex(points) and min(max(ys), HEIGHT * ONE) - max(min(ys), 0) > 100 * ONE:
             break
-    lean = rng.choice(LEANS)
+    lean = 0 if is_upright else rng.choice(LEANS)
     way = [x + lean * y for x, y in points]
     low, high, ratio = min(way), max(way), rng.uniform(1.1, 50)
     corners = []

@@ -46,8 +46,9 @@ def test_every_setting_is_the_models() -> None:
             for mapper, perspective, edges, clip in itertools.product(
                 LIT, SETTINGS["perspective"][1:], SETTINGS["edges"], SETTINGS["clip"])]
     objects, vertices = [], []
-    for k, (number, points) in enumerate(itertools.product(range(len(made)), PLACES)):
-        objects.append(Object(number, len(vertices), len(points), 0, 1, k))
+    for number in range(len(made)):  # each edges and clip at every place
+        points = PLACES[(number + number // 8) % len(PLACES)]
+        objects.append(Object(number, len(vertices), len(points), 0, 1, number))
         vertices += corners(points)
     scene = Scene(rules.WIDTH, rules.HEIGHT, len(objects), 7, np.zeros((256, 3), np.uint8),
                   rules.textures("chunky"), made, objects, np.array(vertices), np.array([IDENTITY]))

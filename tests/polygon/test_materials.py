@@ -79,16 +79,16 @@ HEAD_32 = HEAD.replace("frames", 'format = "rgba8888"\nframes')
     (RAMP + ', edges = "integer"', Material("gouraud", "integer")),
     (FLAT + ', clip = "vertices"', Material("flat", "snapped", clip="vertices", colour=1)),
     ('texture = "square"', Material("affine", "snapped", texture=0)),
-    ('texture = "square", gradients = "scanline"', Material("affine", gradients="scanline", texture=0)),
-    ('texture = "small", mapper = "columns"', Material("columns", texture=0)),
-    ('texture = "odd", mapper = "arbitrary"', Material("arbitrary", texture=0)),
-    ('texture = "square", mapper = "tiled"', Material("tiled", texture=0)),
-    ('texture = "square", mapper = "generated"', Material("generated", texture=0)),
-    ('texture = "tall", mapper = "columns"', Material("columns", texture=0)),
+    ('texture = "square", gradients = "scanline"', Material("affine", "exact", gradients="scanline", texture=0)),
+    ('texture = "small", mapper = "columns"', Material("columns", "exact", texture=0)),
+    ('texture = "odd", mapper = "arbitrary"', Material("arbitrary", "exact", texture=0)),
+    ('texture = "square", mapper = "tiled"', Material("tiled", "exact", texture=0)),
+    ('texture = "square", mapper = "generated"', Material("generated", "exact", texture=0)),
+    ('texture = "tall", mapper = "columns"', Material("columns", "exact", texture=0)),
     ('texture = "small", mapper = "lit", gradients = "scanline"',
-     Material("lit", gradients="scanline", texture=0, light=1)),
+     Material("lit", "exact", gradients="scanline", texture=0, light=1)),
     ('texture = "square", mapper = "lit_gouraud"', Material("lit_gouraud", "snapped", texture=0, light=1)),
-    ('texture = "small", mapper = "dithered"', Material("dithered", texture=0)),
+    ('texture = "small", mapper = "dithered"', Material("dithered", "exact", texture=0)),
 ])
 def test_settings(folder, text, material):
     made = make(folder, text)
@@ -197,7 +197,7 @@ def test_rgb565(folder):
     made = make(folder, 'texture = "small", mapper = "columns"',
                 head=HEAD_16 + 'red.colour = "#ff0000"\n')
     assert (made.format, made.background) == ("rgb565", 0x1106)
-    assert made.materials == [Material(colour=0xF800), Material("columns", texture=0)]
+    assert made.materials == [Material(edges="exact", colour=0xF800), Material("columns", "exact", texture=0)]
     texels = made.textures[0].texels
     assert texels.dtype == np.uint16 and maps.from_rgb565(texels[4, 2]).tolist() == [0, 0, 0]
     assert abs(maps.from_rgb565(texels[4, 13]).astype(int) - [200, 220, 240]).max() <= 4

@@ -28,13 +28,14 @@ from tmap.scene_file.scene_file import Scene
 
 #: Captions, in the note's words and ours, and settings. Names of the note's methods begin with
 #: their number.
+#: By lines: with exact edges, all perspectives would draw the face by columns.
 METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
            "2: two divides a scanline": Settings("exact", "scanline"),
            "affine, from the plane": Settings("exact"),
-           "every 16 pixels": Settings("exact", perspective="every16"),
-           "every 8 pixels": Settings("exact", perspective="every8"),
-           "1: each pixel": Settings("exact", perspective="pixel"),
-           "each pixel, fine": Settings("exact", perspective="fine")}
+           "every 16 pixels": Settings("subpixel", perspective="every16"),
+           "every 8 pixels": Settings("subpixel", perspective="every8"),
+           "1: each pixel": Settings("subpixel", perspective="pixel"),
+           "each pixel, fine": Settings("subpixel", perspective="fine")}
 SHOWN = 4  # number of the frame in the picture
 
 

@@ -39,6 +39,9 @@ one's cut steps, measured from the chords of the exact curve.
 
 **Straight lines** are measured from the chords between their first and last pixels; see ``tilted_bound``.
 
+**Columns** are raised as the setting's lines are, which is added: where w of the vertices is rounded, so are
+borders on which the exact values lie.
+
 **Level lines**: b, the error that the setting allows them for their change of q (almost half or a
 quarter of its tolerance), and a unit per step, as steps are rounded up. If q does not change, they
 are never below the exact value.
@@ -220,9 +223,10 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
     exact polygon: arrays over the pixels, the bound a number; in texels, found in 16.16. Lines are columns of the
     frame if they are drawn.
     ``vertices``: from ``model.adapt``, in front of the viewer."""
-    three = [vertices[k] for k in ideal.corners(vertices)]
+    three, raised = [vertices[k] for k in ideal.corners(vertices)], 0
     if polygon.columns:
         polygon, three, vertices = polygon.columns, exchanged(three), exchanged(vertices)
+        raised = way(polygon.setting).raised
     p = polygon.perspective
     bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves_through(three))]
     for y, line, extent, left, right in inner_lines(vertices, polygon):
@@ -241,7 +245,8 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                     b = tilted_bound(bound, b, made, y, inside[1])
                     wanted = chord(bound.curve, drawn, y)[seen]
                 yield (key, y, columns, found[seen], error, wanted,
-                       level_bound(b, polygon.setting, made.n) + tolerance * polygon.straight)
+                       level_bound(b, polygon.setting if p.q.dx else "", made.n)
+                       + tolerance * polygon.straight + raised * UNIT)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = (intended_from_afar(bound.curve, record, y) if isinstance(record, far.Line)

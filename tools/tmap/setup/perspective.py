@@ -214,9 +214,9 @@ def perspective(vertices, corners, box) -> Perspective | None:
                        shift, least, max(at), low, high, gentle, raised)
 
 
-def is_level(p: Perspective, width: int, setting: str) -> bool:
-    """Returns true if lines are drawn as if depth did not change along them."""
-    return width <= way(setting).width and keeps_level(p, width, way(setting).off)
+def is_level(p: Perspective, width: int, setting: str, off: int) -> bool:
+    """Returns true if lines are drawn as if depth did not change along them, off by ``off`` at most."""
+    return width <= way(setting).width and keeps_level(p, width, off)
 
 
 def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:

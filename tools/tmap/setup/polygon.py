@@ -246,10 +246,11 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
     return True
 
 
-def set_level(polygon: Polygon, deep: Perspective, width: int, least: int, settings: Settings) -> bool:
-    """Returns true, and sets the tilt, if lines of so many pixels are drawn as if they were affine; ``least``:
-    q of the longest."""
-    if is_level(deep, width, polygon.setting):
+def set_level(polygon: Polygon, deep: Perspective, width: int, off: int, least: int,
+              settings: Settings) -> bool:
+    """Returns true, and sets the tilt, if lines of so many pixels are drawn as if they were affine. ``off``: how far
+    they may be if their depth is constant; ``least``: q of the longest."""
+    if is_level(deep, width, polygon.setting, off):
         return True
     if polygon.setting not in PIECES or polygon.setting != settings.perspective:
         return False
@@ -267,8 +268,9 @@ def columns_of(polygon: Polygon, vertices, box, size: tuple[int, int],
     if not sides:
         return None
     deep = polygon.perspective.turned(sides.box[1], box[1])
+    deep.base = tuple(b + way(polygon.setting).raised for b in deep.base)
     height = box[3] - box[1]
-    if height < way(polygon.setting).column or not set_level(polygon, deep, height, Q_ONE, settings):
+    if height < way(polygon.setting).column or not set_level(polygon, deep, height, 0, Q_ONE, settings):
         return None
     columns = Outline(sides.corners, turned, sides).polygon(size[1], True, True, True)
     columns.perspective, columns.setting, columns.is_level = deep, polygon.setting, True
@@ -285,7 +287,7 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     width = outline.box[2] - outline.box[0]
     setting, straight = coarser(deep, width, settings.perspective, settings.tolerance)
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
-    polygon.is_level = straight or set_level(polygon, deep, width, deep.least, settings)
+    polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
     if not polygon.is_level and settings.has_exact_edges:
         polygon.columns = columns_of(polygon, vertices, outline.box, size, settings)
     polygon.constants = constants(deep, polygon.lines, outline.box, setting, settings.has_exact_edges)
