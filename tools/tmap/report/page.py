@@ -28,7 +28,7 @@ MACHINES = {
     "a1200-030": "a1200-fast with a 68EC030 at the same clock; its data cache on where said"}
 #: Rows of the bench that are compared with memory alone.
 FLOORED = ("gouraud", "generated", "affine_row", "affine_column", "affine_addx", "tiled",
-           "columns", "arbitrary", "affine_lit", "affine_gouraud", "persp_far_16", "persp_far_8",
+           "columns", "arbitrary", "affine_lit", "affine_gouraud", "persp_even_16", "persp_even_8",
            "persp_pixel", "persp_pixel_fine")
 STORES = ("gouraud",)  # rows without texel fetches, compared with stores alone
 #: Hard cases that are listed: the number of those nearest to their bounds, their settings (edges,

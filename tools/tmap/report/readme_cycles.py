@@ -100,8 +100,8 @@ def accuracy_table(accuracy: dict) -> str:
 
 #: Perspective: title, setting, bench row of its spans, bench row of their exact form.
 PERSPECTIVE_LINES = (("none: affine", "none", "affine_addx", None),
-                     ("every 16 pixels", "every16", "persp_far_16", "persp_every16_exact"),
-                     ("every 8 pixels", "every8", "persp_far_8", "persp_every8_exact"),
+                     ("every 16 pixels", "every16", "persp_even_16", "persp_every16_exact"),
+                     ("every 8 pixels", "every8", "persp_even_8", "persp_every8_exact"),
                      ("each pixel, 1/16 texel", "pixel", "persp_pixel", "persp_pixel_exact"),
                      ("each pixel, 1/128 texel", "fine", "persp_pixel_fine", None))
 
