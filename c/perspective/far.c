@@ -118,7 +118,11 @@ int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
     const uint32 bias = (uint32)(planes->left + EDGE_BIAS);
     struct far_planes_span span;
 
-    if (to_u > FAR_RANGE || to_v > FAR_RANGE || way > FAR_WAY)
+    span.dsdx = upper(&planes->s.dx, 32 - FAR_SCALE);
+    span.dtdx = upper(&planes->t.dx, 32 - FAR_SCALE);
+    if (to_u > FAR_RANGE || to_v > FAR_RANGE || way > FAR_WAY
+        || fix_magnitude(span.dsdx) > (uint32)FAR_STEP >> shift
+        || fix_magnitude(span.dtdx) > (uint32)FAR_STEP >> shift)
         return 0;
     if (s->renderer->only_counts)
         return 1;
@@ -131,10 +135,8 @@ int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
     span.dqdx = (int32)planes->q.dx.hi;
     span.dqdy = (int32)planes->q.dy.hi;
     span.q = planes->q.at.hi - (uint32)span.dqdx * bias;
-    span.dsdx = upper(&planes->s.dx, 32 - FAR_SCALE);
     span.dsdy = upper(&planes->s.dy, 32 - FAR_SCALE);
     span.s = (int32)((uint32)upper(&planes->s.at, 32 - FAR_SCALE) - (uint32)span.dsdx * bias);
-    span.dtdx = upper(&planes->t.dx, 32 - FAR_SCALE);
     span.dtdy = upper(&planes->t.dy, 32 - FAR_SCALE);
     span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
     span.u = planes->u + off + (to_u * part >> 2);

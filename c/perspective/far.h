@@ -14,7 +14,7 @@ int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 
                int32 longest);
 
 /* Draws the lines of the setup's plan by the planes of u and v, where K is too far away. Returns 0 if their
-   range is too wide. */
+   range is too wide, or they are too steep. */
 int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest);
 
 #endif

@@ -38,6 +38,8 @@ enum far_constants {
     FAR_SCALE = 28,             /* S is units times q / 2^this */
     FAR_RANGE = 1536,           /* texels from the base */
     FAR_WAY = 8192,
+    FAR_STEP = 1 << 26,         /* of S a pixel, times 2^b: a piece's 16 steps, beyond the polygon too, and S,
+                                   3/8 of 2^31, fit 32 bits; where q is 2^31, 128 texels a pixel */
     FAR_OFF_PLANES = 32         /* units by which lines are raised, 16 of them for a piece's steps */
 };
 

@@ -1,6 +1,6 @@
 ; The planes of q, s and t along the sides of a table (see c/span/perspective.h).
 
-        include "number.i"
+        include "routine.i"
 
 ; A walk down one side, on the stack: the planes at its last pixel; their steps to the next line's, if that
 ; is `whole` pixels further right, and if it is one more; x of its last pixel, from the plan's left.
@@ -14,7 +14,7 @@ walk_x  equ     72
 walk_whole equ  76
 walk_sizeof equ 80
 
-; Pushes a walk that is on the line above the table. In: a6 plan. Uses d0-d5/a2.
+; Pushes a walk that is on the line above the table. In: a6 plan. Uses d0-d5/a1-a2.
 walk_open macro
         lea     -walk_sizeof(sp),sp
         movea.l sp,a2

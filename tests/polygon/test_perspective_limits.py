@@ -54,6 +54,18 @@ def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
         assert bound > 0.98 * bounds_perspective.TOLERANCE["pixel"] / UNIT or power == logarithm.POWERS - 4
 
 
+@pytest.mark.parametrize("setting", PIECES)
+def test_steep_planes_are_not_stepped_beyond_their_format(setting: str) -> None:
+    """A sliver's v falls by 470 texels a pixel: the end of its piece, beyond the polygon, would not fit S."""
+    corners = [(0, 0, 0, 1065 << 16, 0, 0xf8000), (0x2a8000, 0x18000, 0, 0, 0, 0x174000),
+               (0x668000, 0x40000, 0, 0, 0, 0x930000)]
+    settings = model.Settings("exact", perspective=setting)
+    corners = model.adapt(corners, settings, 256)
+    polygon = model.set_up(corners, 160, 100, True, settings, (256, 256))
+    verdict = check_set_up(corners, polygon, settings, 160, 100, (256, 256))
+    assert verdict.pixels and not verdict.complaint
+
+
 def test_k_takes_most_of_what_a_logarithm_was_rounded_by() -> None:
     """Far from K, C's logarithm is half a unit off: a quarter of K's move was not enough."""
     corners = [(7012352, -8192000, 8158985, 6421967, 0, 190741), (458752, -7274496, 1967522, 3064356, 0, 144700),

@@ -28,7 +28,7 @@ from tmap.scene_file.scene_file import Scene
 
 #: Captions, in the note's words and ours, and settings. Names of the note's methods begin with
 #: their number.
-#: By lines: with exact edges, all perspectives would draw the face by columns.
+#: Those with perspective have sub-pixel edges: with exact ones the face is drawn by columns, all alike.
 METHODS = {"3: two divides a polygon": Settings("exact", "polygon"),
            "2: two divides a scanline": Settings("exact", "scanline"),
            "affine, from the plane": Settings("exact"),

@@ -43,8 +43,8 @@ TITLES = {"rows": "Cycles a pixel (step_*: a step)", "lines": "Cycles a line",
           "frames": f"Cycles a frame, mean of {scenes.FRAMES}",
           "rules": "Cycles a polygon, with each rule of lowering and without it",
           "deep": f"Cycles a polygon in perspective, edges exact, mean of {deep.COUNT}: textured, lit, a level "
-                 "a pixel; affine beside them",
-         "modes": "Texture engines' modes, cycles a pixel of a polygon (_c: in plain C)",
+                  "a pixel; affine beside them",
+          "modes": "Texture engines' modes, cycles a pixel of a polygon (_c: in plain C)",
           "first_frames": "Cycles that the first frame costs more: tables, texels decoded"}
 #: Kinds that depend on the C compiler.
 IN_C = ("frames", "rules", "deep", "modes", "first_frames")

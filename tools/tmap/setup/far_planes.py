@@ -12,6 +12,7 @@ from tmap.base.fixed import M32, signed
 from tmap.setup import far, reciprocal
 
 SCALE, RANGE, WAY, OFF = 28, 1536, 8192, 32
+STEP = 1 << 26  # of S a pixel, shifted, so that 16 fit
 
 
 @dataclass
@@ -53,6 +54,8 @@ def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
     raised = [OFF + (way >> 1) + (n * (far.OFF_PART + (way >> 11)) >> 2) for n in ranges]
     q, *st = (tuple(signed(n >> bits) for n in (plane.at, plane.dx, plane.dy))
               for plane, bits in ((p.q, 32), (p.s, SCALE), (p.t, SCALE)))
+    if max(abs(dx) for _, dx, _ in st) > STEP >> shift:
+        return None
     return Constants(*q, tuple(st), tuple(b + n for b, n in zip(p.base, raised)), p.i, p.j, longest, raised)
 
 
