@@ -5,6 +5,7 @@
         xref    mem_largest,mem_needed,mem_uncleared,mem_aside,mem_aside_bytes
 
 ALIGN                   equ     8       ; of allocations, as exec's
+RESERVE_MOST            equ     1024*1024
 
 ; Returns with memory from that set aside if kind is 0 (any) and enough is left; else goes on.
 take    macro
@@ -24,23 +25,27 @@ take    macro
 .exec\@ movea.l (sp)+,a0
         endm
 
-; mem_reserve - sets memory aside for mem_take: half of the largest block
+; mem_reserve - sets memory aside for mem_take: half of the largest block, 1 MB at most
 ;
 ; error:   if memory is short, sets nothing aside
+
+; No more, because AROS writes over every byte that is freed.
         routine mem_reserve
         moveq   #0,d0
         jsr     mem_largest
         lsr.l   #1,d0
-        and.w   #-ALIGN,d0
+        moveq   #RESERVE_MOST>>16,d1
+        swap    d1
+        cmp.l   d1,d0
+        bhs.s   .most
         move.l  d0,d1
-        suba.l  a0,a0
+.most   suba.l  a0,a0
         move.l  d1,-(sp)
         move.l  #mem_aside,d0
         jsr     mem_take
-        move.l  (sp)+,d1
-        tst.l   d0
+        movea.l (sp)+,a0                ; the flags are still those of d0
         beq.s   .none
-        move.l  d1,mem_aside_bytes
+        move.l  a0,mem_aside_bytes
 .none   rts
 
 ; mem_take - allocates memory, freed at the program's end, in a time that does not depend on other
