@@ -189,7 +189,7 @@ def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Po
 
 
 def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], programs: Path,
-            apart: bool) -> None:
+            apart: bool, folders: bool) -> None:
     """Writes a run's volume; parameters as in run_batch."""
     volume = directory / "volume"
     (volume / "S").mkdir(parents=True)
@@ -206,7 +206,12 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
     for program, numbered in itertools.groupby(enumerate(commands), lambda c: c[1].split()[0]):
         numbers, some = zip(*numbered)
         arguments = [command.partition(" ")[2] for command in some]
-        if len(some) > 1 and not apart:
+        if folders:
+            for number, line in zip(numbers, arguments):
+                (volume / str(number)).mkdir()
+                script += [f"cd :{number}", f":{program} >:{number}.log {line}",
+                           f"echo >:{number}.code $RC", "cd :"]
+        elif len(some) > 1 and not apart:
             run = "".join(f"{line}\n" for line in arguments)
             (volume / f"{numbers[0]}.run").write_text(run)
             script += [f"batch {program} {numbers[0]}"]
@@ -251,18 +256,18 @@ def explain_end(program: Path, arguments: str, output: str, silence: str, log: s
 
 def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
              on_output=None, programs: Path = PROGRAMS,
-             patience: float | None = None, apart: bool = False,
+             patience: float | None = None, apart: bool = False, folders: bool = False,
              display: Display = HIDDEN, drives: dict[str, str] | None = None) -> list[Result]:
     """Boots ``machine``, runs the commands one after the other and waits for the end.
 
     ``files`` are put into the run's ``directory`` first (a name to bytes, or to a file that is
     copied); a command's first word is one of ``programs``. ``on_output`` is called with the output
     so far when there is more of it; ``patience``: seconds of silence, in processor time, that count
-    as a hang (STALL_SECONDS); ``apart``: each command loads its program again; ``drives``: options
-    for further disks. Raises UserError for a hang, Closed if a window was closed. The caller judges
+    as a hang (STALL_SECONDS); ``apart``: each command loads its program again; ``folders``: and runs in
+    a folder of its own, ``directory`` of its result; ``drives``: options for further disks. Raises UserError for a hang, Closed if a window was closed. The caller judges
     return codes and crash reports.
     """
-    prepare(directory, commands, files, programs, apart)
+    prepare(directory, commands, files, programs, apart, folders)
     patience = patience or STALL_SECONDS
     volume, log = directory / "volume", directory / "emulator.log"
     config = write_config(directory, machine, display,
@@ -278,7 +283,8 @@ def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str,
         raise (Closed if not silence and process.returncode == 0 else UserError)(why)
     if "" in codes:
         raise UserError(f"{commands[codes.index('')]}: batch could not run it")
-    return [Result(volume, output, int(code)) for output, code in zip(outputs, codes)]
+    places = [volume / str(number) if folders else volume for number in range(len(commands))]
+    return [Result(*ended) for ended in zip(places, outputs, map(int, codes))]
 
 
 def run(program: str, arguments: str, files: dict[str, bytes | Path], machine: str,
