@@ -7,6 +7,7 @@ separated from other timed code by as much as the processor fetches ahead.
 """
 
 import random
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +23,7 @@ LAST = ".rodata.scene_data"  # with maps; addresses are only relocated before it
 #: jsr and jmp to an address become bsr and bra of the same length, which need no relocation.
 BRANCHES = {bytes.fromhex("4eb9"): 0x61, bytes.fromhex("4ef9"): 0x60}
 NOP = bytes.fromhex("4e71")
+PROBES, BLOCK = 16, 256  # bytes of a part, and places for it, that are looked at together
 AHEAD = 4  # bytes that are fetched after an instruction, at most
 
 
@@ -119,6 +121,14 @@ class Layout:
                 self.at[part.section] = self.bss
                 self.bss += part.section.size
 
+    def free(self, live: np.ndarray, places: range) -> Iterator[int]:
+        """Yields those of the places, in order, where some of the ``live`` bytes find room."""
+        kept = np.flatnonzero(live)
+        some = kept[np.linspace(0, len(kept) - 1, min(len(kept), PROBES)).astype(int)]
+        for begin in range(0, len(places), BLOCK):
+            block = np.array(places[begin:begin + BLOCK])
+            yield from block[~self.used[block[:, None] + some].any(axis=1)].tolist()
+
     def put(self, parts: list[Part], offsets: list[int], first: int, step: int,
             apart: bool = False) -> None:
         """Places parts at the lowest address first + n step with room for them.
@@ -132,8 +142,8 @@ class Layout:
         near = fetched(live, first) if apart else None
         lead = int(np.argmax(live))  # bytes before the first kept one
         skip = max(0, self.full - lead - first + step - 1) // step * step
-        for at in range(first + skip, len(self.used), step):
-            if self.used[at + lead] or (self.used[at:at + len(live)] & live).any():
+        for at in self.free(live, range(first + skip, len(self.used) - len(live) + 1, step)):
+            if (self.used[at:at + len(live)] & live).any():
                 continue
             begin = at & ~3
             if near is not None:
