@@ -58,7 +58,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     reduced, printed with all details, and kept. Each round of reduction takes one boot, as drawing
     the polygons does."""
     boots, draw = [], guest_frames.draw
-    monkeypatch.setattr(fuzz, "draw", lambda *drawn: boots.append(drawn) or draw(*drawn))
+    monkeypatch.setattr(fuzz, "draw", lambda *drawn, **how: boots.append(drawn) or draw(*drawn, **how))
     monkeypatch.setattr(edges.Edge, "column", lambda edge, line: (edge.at(line) >> 16) + 1)
     monkeypatch.setattr(shrink, "ROUNDS", 3)
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
@@ -97,7 +97,7 @@ def test_a_crash_is_sought_by_halves(monkeypatch) -> None:
     checks = {id(p): fuzz.check(p, SEED, 0) for p in polygons}
     right = [(c.result, *guest_frames.digest_of(c.frame)) for c in checks.values()]
 
-    def draw(scenes, machine, on_output=None):
+    def draw(scenes, machine, timed):
         (this, _), = scenes
         corners = [tuple(map(int, v)) for v in this.vertices]
         if polygons[5].vertices[0] in corners:

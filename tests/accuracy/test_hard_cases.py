@@ -44,7 +44,7 @@ DRAWINGS = [drawing for case in CASES for drawing in chosen(case)]
 def test_every_case_is_the_models_and_keeps_its_bound() -> None:
     """No byte differs, none outside the frame is written, no fault, no endless loop. A drawing with
     an exact ideal is as near to it as tools/tmap/ideal/bounds.py derives."""
-    rows = hard_report.measure(DRAWINGS, "a1200-fast")
+    rows = hard_report.measure(DRAWINGS, "a1200-fast", timed=False)
     wrong = [f"{hard_report.called(*drawing)}: {row.complaint}"
              for drawing, row in zip(DRAWINGS, rows) if row.complaint]
     assert not wrong, "\n".join([f"{len(wrong)} drawings exceed a bound", *wrong[:20]])
@@ -55,7 +55,8 @@ def test_every_case_is_the_models_and_keeps_its_bound() -> None:
 
 def test_the_other_form_draws_the_same() -> None:
     """Only the affine mapper: the others have one form."""
-    hard_report.cycles([d for d in DRAWINGS if d[1].mapper == "affine"][::4], "a1200-fast", "swap")
+    hard_report.cycles([d for d in DRAWINGS if d[1].mapper == "affine"][::4], "a1200-fast", "swap",
+                       timed=False)
 
 
 def test_page_shows_every_case(tmp_path, monkeypatch) -> None:

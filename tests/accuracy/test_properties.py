@@ -99,7 +99,7 @@ def check_on_the_guest(scene: scene_file.Scene, about: list[str]) -> None:
     __tracebackhide__ = True
     assert len(about) == scene.frames
     drawn = scene, "addx", "a1200-fast"
-    digests, = guest_frames.draw([drawn[:2]], drawn[2])
+    digests, = guest_frames.draw([drawn[:2]], drawn[2], timed=False)
     guest_frames.require_models((model.render(scene, number) for number in range(scene.frames)),
                                 digests, "properties", drawn, about)
 

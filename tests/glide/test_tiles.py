@@ -55,7 +55,7 @@ def drawn() -> dict[tuple, tuple[Asked, Drawn]]:
                                     counted=(pixels, tiles) == PAID)
              for pixels in PIXELS for k, tiles in enumerate(TILES)}
     asked["directly"] = Asked(asked[PAID].scene, "glide_tiles", counted=False)
-    return dict(zip(asked, zip(asked.values(), guest_runs.draw([*asked.values()], MACHINE))))
+    return dict(zip(asked, zip(asked.values(), guest_runs.draw([*asked.values()], MACHINE, timed=True))))
 
 
 @pytest.mark.parametrize("pixels", PIXELS)

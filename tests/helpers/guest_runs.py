@@ -46,15 +46,16 @@ class Drawn:
         return {rule for material in self.executed for rule in material["rules"]}
 
 
-def draw(asked: list[Asked], machine: str = "a1200-fast") -> list[Drawn]:
-    """Draws all of them in one boot."""
+def draw(asked: list[Asked], machine: str = "a1200-fast", timed: bool = False) -> list[Drawn]:
+    """Draws all of them in one boot; ``timed``: as in guest_frames.draw."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each.scene) for k, each in enumerate(asked)}
     commands = [f"render {k}.scene {each.way} DIGEST {k}.digest" for k, each in enumerate(asked)]
     commands += [f"render {k}.scene {each.way} COUNT" for k, each in enumerate(asked)
                  if each.counted]
     with emulator.workspace() as folder:
-        done = emulator.run_batch(commands, files, machine, folder,
+        programs = emulator.PROGRAMS if timed else guest_frames.at_once(folder / "programs")
+        done = emulator.run_batch(commands, files, machine, folder, programs=programs,
                                   patience=emulator.PATIENT_SECONDS)
         for command, result in zip(commands, done):
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)

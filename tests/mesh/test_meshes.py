@@ -34,7 +34,8 @@ def assert_models(scenes: dict, results: tuple = (0,), part: float = 0.75,
     right = {name: [model.render(scene, number) for number in range(scene.frames)]
              for name, scene in scenes.items()}
     drawings = [*((name, "addx") for name in scenes), *more]
-    drawn = guest_frames.draw([(scenes[name], form) for name, form in drawings], MACHINE)
+    drawn = guest_frames.draw([(scenes[name], form) for name, form in drawings], MACHINE,
+                              timed=False)
     for (name, form), digests in zip(drawings, drawn, strict=True):
         for number, (frame, digest) in enumerate(zip(right[name], digests, strict=True)):
             which = f"{name}, frame {number}, form {form}"

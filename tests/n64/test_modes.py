@@ -101,7 +101,7 @@ def test_pages_keep_all_bits_of_u() -> None:
     settings = model.Settings(edges=scene.materials[0].edges)
     made = model.set_up(corners, 160, 96, True, settings, (256, 256))
     assert made.texturing.u_cut, "v does not wrap: the polygon tests nothing"
-    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast")
+    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast", timed=False)
     assert guest_frames.is_models(model.render(scene, FIRST), digests[FIRST]), (
         "the page's spans do not show the texels of the passes")
 

@@ -193,7 +193,7 @@ def test_polygon_draw_is_the_model() -> None:
     scene = Scene(WIDTH, HEIGHT, len(cases), 7, np.zeros((256, 3), np.uint8), maps, list(materials),
                   objects, np.array(vertices), np.array([IDENTITY]))
     forms = "addx", "swap", "addx OFF all"
-    drawn = guest_frames.draw([(scene, form) for form in forms], "a1200-fast")
+    drawn = guest_frames.draw([(scene, form) for form in forms], "a1200-fast", timed=False)
     for number, case in enumerate(cases):
         right = guest_frames.digest_of(model.render(scene, number))
         for form, digests in zip(forms, drawn):

@@ -196,7 +196,7 @@ def test_each_is_drawn_as_the_model_has_it(families) -> None:
         sizes.setdefault(each.size, []).append(each)
     scenes = [scene_of(some) for some in sizes.values()]
     found = guest_frames.draw([(this, form) for this in scenes for form in ("addx", "addx OFF all")],
-                              "a1200-fast")
+                              "a1200-fast", timed=False)
     wrong = []
     for k, (some, this) in enumerate(zip(sizes.values(), scenes)):
         for number, each in enumerate(some):

@@ -86,15 +86,17 @@ def judged(case: Case, settings: Settings, cycles: int) -> Row:
     return row_of(case, settings, cycles, verdict, has_ideal)
 
 
-def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None) -> list[int]:
+def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=None,
+           timed: bool = True) -> list[int]:
     """Returns the cycles of each drawing on the guest. Refuses a frame that differs from the
-    model's. ``on_part`` is called with the number drawn and the number of all."""
+    model's. ``on_part`` is called with the number drawn and the number of all; ``timed``: as in
+    guest_frames.draw."""
     spent: list[int] = []
     for first in range(0, len(drawings), PART):
         part = drawings[first:first + PART]
         scene = hard_cases.scene(part)
         scene.frames += 1
-        digests, = guest_frames.draw([(scene, form)], machine)
+        digests, = guest_frames.draw([(scene, form)], machine, timed=timed)
         wrong = [number for number, digest in enumerate(digests[:-1])
                  if not guest_frames.is_models(model.render(scene, number), digest)]
         if wrong:
@@ -109,10 +111,11 @@ def cycles(drawings: list[Drawing], machine: str, form: str = "addx", on_part=No
     return spent
 
 
-def measure(drawings: list[Drawing], machine: str, on_part=None) -> list[Row]:
-    """Returns a row for each drawing, checked against its bounds."""
+def measure(drawings: list[Drawing], machine: str, on_part=None, timed: bool = True) -> list[Row]:
+    """Returns a row for each drawing, checked against its bounds; ``timed``: as in
+    guest_frames.draw."""
     return [judged(case, settings, each) for (case, settings), each
-            in zip(drawings, cycles(drawings, machine, on_part=on_part))]
+            in zip(drawings, cycles(drawings, machine, on_part=on_part, timed=timed))]
 
 
 def measure_meshes(drawings: list[hard_mesh_report.Drawing], machine: str) -> list[Row]:

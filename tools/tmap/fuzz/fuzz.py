@@ -92,7 +92,7 @@ def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
            machine: str) -> dict[int, Fault]:
     """Returns the faults of a block's polygons, by index; a crash is located by halves."""
     try:
-        digests, = draw([(scene(seed, block, polygons), form)], machine)
+        digests, = draw([(scene(seed, block, polygons), form)], machine, timed=False)
     except UserError as error:
         if len(polygons) == 1:
             return {0: Fault("crash", str(error))}
@@ -171,7 +171,7 @@ def run_part(seed: int, numbers: range, machine: str) -> Tally:
     tally = Tally()
     try:
         digests = draw([(scene(seed, block, some), form_of(block))
-                        for block, some in polygons.items()], machine)
+                        for block, some in polygons.items()], machine, timed=False)
     except UserError:  # a crash or a hang: block by block, then by halves
         for block, some in polygons.items():
             for k, fault in faults(some, seed, block, form_of(block), machine).items():
