@@ -263,9 +263,10 @@ def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str,
     ``files`` are put into the run's ``directory`` first (a name to bytes, or to a file that is
     copied); a command's first word is one of ``programs``. ``on_output`` is called with the output
     so far when there is more of it; ``patience``: seconds of silence, in processor time, that count
-    as a hang (STALL_SECONDS); ``apart``: each command loads its program again; ``folders``: and runs in
-    a folder of its own, ``directory`` of its result; ``drives``: options for further disks. Raises UserError for a hang, Closed if a window was closed. The caller judges
-    return codes and crash reports.
+    as a hang (STALL_SECONDS); ``apart``: each command loads its program again; ``folders``: and
+    runs in a folder of its own, ``directory`` of its result; ``drives``: options for further disks.
+    Raises UserError for a hang, Closed if a window was closed. The caller judges return codes and
+    crash reports.
     """
     prepare(directory, commands, files, programs, apart, folders)
     patience = patience or STALL_SECONDS
