@@ -16,6 +16,7 @@
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
+#include "perspective/far.h"
 #include "perspective/light.h"
 #include "perspective/perspective.h"
 #include "polygon/clip.h"
@@ -265,33 +266,62 @@ static void draw_each_line(struct setup *s)
     }
 }
 
+/* Makes the table of lines, unless nothing reads it but lines from afar whose edges are in the frame. Returns
+   1 if it is made. */
+static int32 make_lines_read(struct setup *s, int32 from_afar)
+{
+    if (from_afar && !s->counts && !light_kind(s) && lower_to_no_scissor(s))
+        return 0;
+    make_lines(s, SPAN_FILL);
+    s->perspective->lines = s->edges.lines;
+    s->perspective->count = s->span.count;
+    return 1;
+}
+
+/* Counts a polygon whose planes are too inexact; returns 0. */
+static int32 unsure(struct setup *s)
+{
+    if (s->counts)
+        s->counts->unsure++;
+    return 0;
+}
+
 /* Draws with perspective. Returns 0 without drawing if the planes are too inexact, too steep or too
    wide: affine spans then draw the polygon. */
 static int32 draw_perspective(struct setup *s)
 {
     struct perspective_plan plan;
-    int32 by_columns;
+    struct depth depth;
+    struct far_way way;
+    int32 has_texels = 0, by_columns, from_afar, has_lines;
 
     s->perspective = &plan;
-    if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off */
+    way.shift = -1;
+    if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off: all lines are level */
         set_plane(s);
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
-    } else if (!perspective_planes(&plan, s->vertices, s->count, &s->sides, &s->box)) {
-        if (s->counts)
-            s->counts->unsure++;
-        return 0;
+        has_texels = 1;
+    } else if (!perspective_depth(&plan, &depth, s->vertices, s->count, &s->sides, &s->box)
+               || (s->material->tolerance
+                   && !(has_texels = perspective_texels(&plan, &depth)))) {
+        return unsure(s);
     }
     lower_by_planes(s);
     perspective_find_level(s);
+    if (s->level && !has_texels && !(has_texels = perspective_texels(&plan, &depth)))
+        return unsure(s);
     by_columns = s->level == LEVEL_COLUMNS && columns_draw(s);
     if (by_columns && !light_kind(s))
         return 1;
-    make_lines(s, SPAN_FILL);
-    plan.lines = s->edges.lines;
-    plan.count = s->span.count;
-    if (!by_columns)
-        perspective_draw(s);
+    from_afar = !by_columns && s->level != LEVEL_LINES && perspective_from_afar(s, &depth, &way);
+    if (!from_afar && !has_texels && !perspective_texels(&plan, &depth))
+        return unsure(s);
+    has_lines = make_lines_read(s, from_afar);
+    if (from_afar)
+        perspective_draw_from_afar(s, &depth, &way, has_lines);
+    else if (!by_columns)
+        perspective_draw(s, way.shift);
     if (light_kind(s))
         light_draw(s, made_of(s)->shades);
     return 1;

@@ -33,48 +33,30 @@ union made {
 
 SCRATCH_FITS(union made);
 
-/* K, u and v are nearer than this to their bases, so that C fits 64 bits with 6 bits, or with 3. */
+/* K, u and v are nearer than this to their bases, so that C fits 64 bits. */
 #define FAR_512 (512 << 16)
-#define FAR_4096 (4096 << 16)
 
-/* Returns 1 if K (value) and the range are nearer than `far` to the base, and K is at most reach
-   outside the range: some line may then be within reach of K. */
-static int32 is_near(fix16 value, fix16 low, fix16 high, fix16 reach, fix16 far)
+/* Returns 1 if K (value) and the range are near the base, and K is as near the range: some line may then be
+   within reach of K. */
+static int32 is_near(fix16 value, fix16 low, fix16 high)
 {
-    return value > -far && value < far && low > -far && high < far
-        && low - value <= reach && value - high <= reach;
+    return value > -FAR_512 && value < FAR_512 && low > -FAR_512 && high < FAR_512
+        && low - value <= FAR_512 && value - high <= FAR_512;
 }
 
-/* Finds K and C. Returns 0 if no line can be drawn with them. reach: texels from K, 16.16, beyond
-   which lines are not drawn. */
-static int32 find_constants(struct reciprocal_plan *plan, fix16 reach, int32 bits)
+/* Finds K and C. Returns 0 if no line can be drawn with them. */
+static int32 find_constants(struct reciprocal_plan *plan)
 {
     const struct perspective_plan *planes = plan->planes;
-    const fix16 far = bits == FAR_BITS ? FAR_4096 : FAR_512;
     int32 y = 0;
-
-    plan->bits = bits;
 
     while (planes->lines[y].last < planes->lines[y].left)
         if (++y == planes->count)
             return 0;
     return planes->gentle
         && reciprocal_find(plan, planes->lines[y].left - EDGE_BIAS - planes->left, y)
-        && is_near(plan->ku, planes->u_low, planes->u_high, reach, far)
-        && is_near(plan->kv, planes->v_low, planes->v_high, reach, far);
-}
-
-static int32 is_drawn_from_afar(const struct setup *s)
-{
-    struct reciprocal_plan plan;
-    int32 least;
-    const int32 shift = far_shift(s, &least);
-
-    plan.planes = s->perspective;
-    return shift >= 0
-        && ((find_constants(&plan, FAR_4096, FAR_BITS)
-             && far_draw(s, &plan, shift, least, 1 << ways[s->setting].piece))
-            || far_draw_planes(s, shift, 1 << ways[s->setting].piece));
+        && is_near(plan->ku, planes->u_low, planes->u_high)
+        && is_near(plan->kv, planes->v_low, planes->v_high);
 }
 
 /* Draws the lines it can and empties them; returns how many are left. */
@@ -88,7 +70,7 @@ static int32 draw_logarithms(const struct setup *s, union made *made)
     int32 left;
 
     plan.planes = planes;
-    if (!find_constants(&plan, FAR_512, RECIPROCAL_BITS))
+    if (!find_constants(&plan))
         return planes->count;
     plan.ku += planes->u + LOGARITHM_OFF;
     plan.kv += planes->v + LOGARITHM_OFF;
@@ -225,11 +207,35 @@ void perspective_find_level(struct setup *s)
     }
 }
 
-void perspective_draw(struct setup *s)
+static int32 has_pieces(const struct setup *s)
+{
+    return ways[s->setting].bend == 0;
+}
+
+static int32 longest(const struct setup *s)
+{
+    return 1 << ways[s->setting].piece;
+}
+
+int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way)
+{
+    way->shift = -1;
+    return has_pieces(s) && s->renderer->reciprocals && far_find(way, s, depth, longest(s));
+}
+
+void perspective_draw_from_afar(const struct setup *s, const struct depth *depth,
+                                const struct far_way *way, int32 has_lines)
+{
+    if (s->counts)
+        count_lines(s, SPAN_RECIPROCAL);
+    if (!s->renderer->only_counts)
+        far_draw(s, depth, way, longest(s), has_lines);
+}
+
+void perspective_draw(struct setup *s, int32 shift)
 {
     union made *made = (union made *)s->scratch->room;
     struct perspective_plan *plan = s->perspective;
-    const int32 pieces = ways[s->setting].bend == 0;
     int32 left = plan->count, are_kept;
 
     if (s->level == LEVEL_LINES) {
@@ -237,9 +243,9 @@ void perspective_draw(struct setup *s)
         return;
     }
     if (s->counts)              /* before lines that are drawn become empty */
-        count_lines(s, pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
-    if (pieces && s->renderer->reciprocals)
-        left = is_drawn_from_afar(s) ? 0 : left;
+        count_lines(s, has_pieces(s) ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
+    if (shift >= 0)
+        left = far_draw_planes(s, shift, longest(s)) ? 0 : left;
     else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
         left = draw_logarithms(s, made);
     if (s->counts)

@@ -33,18 +33,20 @@ static int32 even_piece(const struct far_lengths *lengths, uint32 steep, int32 l
          : steep <= lengths->most_4 ? 2 : 0;
 }
 
-int32 far_shift(const struct setup *s, int32 *lowest)
+/* Returns the bits by which q may have to be shifted left; below 0 if the polygon is not drawn this way.
+   Sets *lowest to the least q. */
+static int32 find_shift(const struct setup *s, const struct depth *depth, int32 *lowest)
 {
     const struct perspective_plan *planes = s->perspective;
-    const uint8 edges = s->material->edges;
     const int32 steep = perspective_steepness(&planes->q.dx) + 1;
     /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
-    const int32 least = planes->q_low - (planes->count + s->box.right - s->box.left)
-                      - (edges == EDGES_EXACT || edges == EDGES_SNAPPED ? 0 : steep);
+    const int32 least = planes->q_low
+                      - (s->box.bottom - s->box.top + s->box.right - s->box.left)
+                      - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
     int32 shift = 0;
 
     *lowest = least;
-    if (least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
+    if (!depth->gentle || least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
         return -1;
     while (!(least >> (29 - shift)))
         shift += 2;
@@ -52,54 +54,117 @@ int32 far_shift(const struct setup *s, int32 *lowest)
 }
 
 /* Returns the whole texels from K to the farther end of a range, rounded up. */
-static int32 farthest(fix16 k, fix16 low, fix16 high)
+static int32 farthest(int32 k, fix16 low, fix16 high)
 {
-    const fix16 above = high - k, below = k - low;
+    const fix16 at = k >> FAR_K_BITS, above = high - at, below = at - low;
 
     return ((above > below ? above : below) >> 16) + 1;
 }
 
-int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 shift, int32 least,
-               int32 longest)
+static const struct far_lengths *lengths_of(int32 longest)
 {
-    const struct perspective_plan *planes = plan->planes;
-    const struct far_lengths *lengths = longest == 16 ? &every16 : &every8;
-    const int32 even = even_piece(lengths, (uint32)fix_magnitude((int32)planes->q.dx.hi), least);
-    const int32 up = even ? 1 : shift;
+    return longest == 16 ? &every16 : &every8;
+}
+
+int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth, int32 longest)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const struct sides *sides = &s->sides;
+    struct far_plan *plan = &way->plan;
+    int32 least;
+
+    way->shift = find_shift(s, depth, &least);
+    if (way->shift < 0 || depth->scale > FAR_K_SCALE - 1 || depth->down > FAR_DOWN)
+        return 0;
+    plan->corners = &depth->corners;
+    plan->scale = depth->scale;
+    if (!far_asymptotes(plan))
+        return 0;
+    way->to_u = farthest(plan->ku, planes->u_low, planes->u_high);
+    way->to_v = farthest(plan->kv, planes->v_low, planes->v_high);
+    way->coarse = way->to_u > FAR_REACH || way->to_v > FAR_REACH;
+    if (way->to_u > FAR_REACH << FAR_COARSE || way->to_v > FAR_REACH << FAR_COARSE)
+        return 0;
+    plan->bottom = sides->middle_right ? &depth->corners.b : &depth->corners.a;
+    plan->top_u = sides->top->s - planes->u + 1;
+    plan->top_v = sides->top->t - planes->v + 1;
+    plan->bottom_u = sides->bottom->s - planes->u + 1;
+    plan->bottom_v = sides->bottom->t - planes->v + 1;
+    if (!far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS))
+        return 0;
+    way->even = even_piece(lengths_of(longest), (uint32)fix_magnitude((int32)planes->q.dx.hi),
+                           least);
+    if (way->even)
+        way->shift = 1;
+    return 1;
+}
+
+/* Makes the span's table of lines in the scratch room. */
+static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
+{
+    const struct perspective_plan *planes = s->perspective;
     const int32 leftwards = (int32)planes->q.dx.hi < 0;
-    const int32 to_u = farthest(plan->ku, planes->u_low, planes->u_high);
-    const int32 to_v = farthest(plan->kv, planes->v_low, planes->v_high);
-    const int32 coarse = to_u > FAR_REACH || to_v > FAR_REACH;
-    const int32 bits = coarse ? 8 - FAR_BITS - FAR_COARSE : 8 - FAR_BITS;
-    const int32 down = planes->count << up;
-    const int32 part = FAR_OFF_PART + ((((s->box.right - s->box.left) << up) + down) >> 11);
-    const int32 off = FAR_OFF + (coarse ? down >> 1 : FAR_OFF_WORD + (down >> 5));
+    const uint32 dqdx = planes->q.dx.hi, dqdy = planes->q.dy.hi;
+    uint32 q = planes->q.at.hi - dqdx * (uint32)(planes->left + EDGE_BIAS + leftwards);
+    struct far_place place;
+
+    place.lines = (struct far_line *)s->scratch->room;
+    place.row = s->span.row;
+    place.pitch = s->span.pitch;
+    place.q = shift ? q + q + (1u << 31) : q;
+    place.dqdx = (int32)(dqdx << shift);
+    place.dqdy = (int32)(dqdy << shift);
+    if (has_lines) {
+        struct far_lines lines;
+
+        lines.place = place;
+        lines.from = s->edges.lines;
+        lines.count = s->span.count;
+        lines.leftwards = leftwards;
+        lines_far(&lines);
+    } else {
+        struct far_edges edges;
+
+        edges.place = place;
+        edges.far = leftwards ? s->edges.right : s->edges.left;
+        edges.near = leftwards ? s->edges.left : s->edges.right;
+        edges.fars = leftwards ? s->edges.rights : s->edges.lefts;
+        edges.nears = leftwards ? s->edges.lefts : s->edges.rights;
+        edges_far(&edges);
+    }
+}
+
+void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
+              int32 longest, int32 has_lines)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const struct far_plan *plan = &way->plan;
+    const int32 leftwards = (int32)planes->q.dx.hi < 0;
+    const int32 across = s->box.right - s->box.left, lines = s->span.count;
+    const int32 down = (depth->down + FAR_OFF_LINES) << way->shift;
+    const int32 part = FAR_OFF_PART
+                     + (((across + lines + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
+    const int32 off = FAR_OFF + (1 << way->shift >> 1)
+                    + (way->coarse ? down >> 1 : FAR_OFF_WORD + (down >> 5));
     struct far_span span;
 
-    if (to_u > FAR_REACH << FAR_COARSE || to_v > FAR_REACH << FAR_COARSE)
-        return 0;
-    if (s->renderer->only_counts)
-        return 1;
-    span.lines = planes->lines;
-    span.count = planes->count;
-    span.row = s->span.row;
-    span.pitch = s->span.pitch;
+    make_lines(s, way->even != 0, has_lines);
+    span.lines = (const struct far_line *)s->scratch->room;
+    span.count = lines;
     span.map = s->span.map;
     span.table = s->renderer->reciprocals;
-    span.dqdx = (int32)planes->q.dx.hi;
-    span.dqdy = (int32)planes->q.dy.hi;
-    span.q = planes->q.at.hi - (uint32)span.dqdx * (uint32)(planes->left + EDGE_BIAS);
-    span.dq = (uint32)(leftwards ? -span.dqdx : span.dqdx);
-    span.lengths = *lengths;
-    span.even = even;
-    span.ku = (uint32)(plan->ku + planes->u + off + (to_u * part >> 2)) << 8;
-    span.kv = (uint32)(plan->kv + planes->v + off + (to_v * part >> 2)) << 8;
-    span.dcu = (uint32)upper(&plan->dcu, bits);
-    span.dcv = (uint32)upper(&plan->dcv, bits);
-    span.cu = (uint32)upper(&plan->cu, bits);
-    span.cv = (uint32)upper(&plan->cv, bits);
-    spans[even != 0][coarse][leftwards](&span);
-    return 1;
+    span.dq = (uint32)fix_magnitude((int32)planes->q.dx.hi);
+    span.lengths = *lengths_of(longest);
+    span.even = way->even;
+    span.ku = ((uint32)plan->ku << (8 - FAR_K_BITS))
+            + ((uint32)(planes->u + off + (way->to_u * part >> 2)) << 8);
+    span.kv = ((uint32)plan->kv << (8 - FAR_K_BITS))
+            + ((uint32)(planes->v + off + (way->to_v * part >> 2)) << 8);
+    span.dcu = plan->dcu;
+    span.dcv = plan->dcv;
+    span.cu = plan->cu;
+    span.cv = plan->cv;
+    spans[way->even != 0][way->coarse][leftwards](&span);
 }
 
 /* Returns the most texels of u or v from its base, rounded up. */
@@ -141,7 +206,7 @@ int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
     span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
     span.u = planes->u + off + (to_u * part >> 2);
     span.v = planes->v + off + (to_v * part >> 2);
-    span.lengths = longest == 16 ? every16 : every8;
+    span.lengths = *lengths_of(longest);
     if (span.dqdx < 0)
         span_far_planes_left(&span);
     else

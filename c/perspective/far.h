@@ -4,14 +4,35 @@
 
 #include "perspective/perspective.h"
 
-/* Returns the bits by which q may have to be shifted left; below 0 if the polygon is not drawn this way.
-   Sets *lowest to the least q. */
-int32 far_shift(const struct setup *s, int32 *lowest);
+/* K and C of a polygon: see span/far.h. */
+struct far_plan {
+    const struct plane_corners *corners;        /* the first is the top */
+    const struct plane_corner *bottom;          /* the vector to the bottom */
+    int32 scale;                        /* of s and t, 16 to 28 */
+    fix16 top_u, top_v, bottom_u, bottom_v;     /* less their bases */
+    int32 ku, kv;                       /* less the bases, in 2^-FAR_K_BITS units */
+    uint32 cu, cv, dcu, dcv;            /* as a far_span's, of the first line */
+};
 
-/* Draws the lines of a plan whose bits are FAR_BITS with pieces of up to `longest` pixels, 16 or 8. Returns 0
-   if K is too far away. */
-int32 far_draw(const struct setup *s, const struct reciprocal_plan *plan, int32 shift, int32 least,
-               int32 longest);
+/* How a polygon is drawn. */
+struct far_way {
+    struct far_plan plan;
+    int32 shift;                /* bits by which q may have to be shifted left, 1 by even spans */
+    int32 even, coarse;
+    int32 to_u, to_v;           /* whole texels from K to the farthest, rounded up */
+};
+
+/* src68k/polygon: contracts there. */
+int32 far_asymptotes(struct far_plan *plan);
+int32 far_constants(struct far_plan *plan, int32 bits);
+
+/* Finds K and C. Returns 0 if the polygon is not drawn with them; then way->shift is below 0 if not from afar at
+   all. longest: pixels of a piece, 16 or 8. */
+int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth, int32 longest);
+
+/* Draws it. has_lines: its lines are in the scanline table; else edges are inside the frame. */
+void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
+              int32 longest, int32 has_lines);
 
 /* Draws the lines of the setup's plan by the planes of u and v, where K is too far away. Returns 0 if their
    range is too wide, or they are too steep. */

@@ -19,6 +19,7 @@ int32 perspective_steepness(const struct number64 *gradient)
     return steep;
 }
 
+
 static int32 is_gentle(const struct number64 *gradient)
 {
     return perspective_steepness(gradient) < STEEP_2_14;
@@ -115,14 +116,14 @@ static int32 least_of(const struct plane_corners *corners)
     return least < 0 ? corners->first.q + least : corners->first.q;
 }
 
-int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
-                         int32 count, const struct sides *sides, const struct rectangle *box)
+int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
+                        const struct vertex *vertices, int32 count, const struct sides *sides,
+                        const struct rectangle *box)
 {
+    struct plane_corners *corners = &depth->corners;
     struct corner_source source;
-    struct plane_corners corners;
-    struct found_planes planes;
-    int32 right, down, least, off_q, off_s, off_t, shares;
-    int32 farthest = 0, scale = 16;
+    struct screen_plane q;
+    int32 farthest = 0, scale = 16, least;
 
     vertex_range(&vertices->w, count, &source.nearest);
     plan->u = middle(&vertices->s, count, &plan->u_low, &plan->u_high, &farthest);
@@ -134,42 +135,54 @@ int32 perspective_planes(struct perspective_plan *plan, const struct vertex *ver
     source.b = sides->middle_right ? sides->bottom : sides->middle;
     source.u = plan->u;
     source.v = plan->v;
-    source.scale = scale;
-    corners_find(&corners, &source);
-    corners.x = (box->left << 16) - corners.first.x;
-    corners.y = (box->top << 16) - corners.first.y;
-    corners.area = sides->area;
-    planes_find(&planes, &corners);
+    source.scale = depth->scale = scale;
+    corners_find(corners, &source);
+    corners->x = (box->left << 16) - corners->first.x;
+    corners->y = (box->top << 16) - corners->first.y;
+    corners->area = sides->area;
+    plan->u += 1;               /* quotients are truncated */
+    plan->v += 1;
+    depth_plane_find(&q, corners);
+    depth->is_triangle = count == 3;
     if (count == 3) {
-        least = least_of(&corners);
+        least = least_of(corners);
         plan->q_high = PERSPECTIVE_ONE;
     } else {
-        find_q(plan, &planes.q, vertices, count, box);
+        find_q(plan, &q, vertices, count, box);
         least = plan->q_low;
     }
-    right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
-    down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
-    off_q = plane_error(&planes.q, right, down);
-    off_s = plane_error(&planes.s, right, down);
-    off_t = plane_error(&planes.t, right, down);
-    if (!is_sure(off_q, least) || !is_sure(off_s, least) || !is_sure(off_t, least))
+    depth->right = (int32)(fix_magnitude(corners->x) >> 16) + box->right - box->left + 1;
+    depth->down = (int32)(fix_magnitude(corners->y) >> 16) + box->bottom - box->top + 1;
+    depth->off = plane_error(&q, depth->right, depth->down);
+    if (!is_sure(depth->off, least))
         return 0;
-    if (count == 3)
-        plan->q_low = least - off_q;
+    depth->least = least;
+    depth->gentle = is_gentle(&q.dx) && is_gentle(&q.dy);
+    plan->q_low = count == 3 ? least - depth->off : least;
+    scale_plane(&plan->q, &q, 32);
+    plan->left = box->left;
+    return 1;
+}
+
+int32 perspective_texels(struct perspective_plan *plan, const struct depth *depth)
+{
+    const int32 shares = depth->is_triangle ? 1 : 3;
+    struct texel_planes planes;
+    int32 off_s, off_t;
+
+    texel_planes_find(&planes, &depth->corners);
+    off_s = plane_error(&planes.s, depth->right, depth->down);
+    off_t = plane_error(&planes.t, depth->right, depth->down);
+    if (!is_sure(off_s, depth->least) || !is_sure(off_t, depth->least))
+        return 0;
     /* Raised so that s / q is never below u. q's error changes s by less than itself, as u less its
        base is below 2^scale. Rounding at each corner adds less than half a unit and one, times the
        pixel's shares of the corners. */
-    shares = count == 3 ? 1 : 3;
-    raise(&planes.s, off_s + off_q + 2 * shares + 2);
-    raise(&planes.t, off_t + off_q + 2 * shares + 2);
-    plan->u += 1;               /* quotients are truncated */
-    plan->v += 1;
-    scale_plane(&plan->q, &planes.q, 32);
-    scale_plane(&plan->s, &planes.s, scale);
-    scale_plane(&plan->t, &planes.t, scale);
-    plan->gentle = is_gentle(&planes.q.dx) && is_gentle(&planes.q.dy) && is_gentle(&planes.s.dx)
-                && is_gentle(&planes.t.dx);
-    plan->left = box->left;
+    raise(&planes.s, off_s + depth->off + 2 * shares + 2);
+    raise(&planes.t, off_t + depth->off + 2 * shares + 2);
+    plan->gentle = depth->gentle && is_gentle(&planes.s.dx) && is_gentle(&planes.t.dx);
+    scale_plane(&plan->s, &planes.s, depth->scale);
+    scale_plane(&plan->t, &planes.t, depth->scale);
     return 1;
 }
 

@@ -14,7 +14,7 @@ struct plane_corner {
     int32 q, s, t;              /* up to 2^30, in vectors below 2^31 */
 };
 
-/* Input of planes_find. */
+/* Input of depth_plane_find and so on. */
 struct plane_corners {
     struct plane_corner first, a, b;    /* a, b: vectors from the first, a x b > 0 */
     struct number64 area;               /* a x b, 32.32 */
@@ -29,22 +29,39 @@ struct corner_source {
     int32 scale;                        /* 16 to 31 */
 };
 
-/* Output of planes_find: values at the pixel, and their steps to the next pixel and line; 48.16. */
-struct found_planes {
-    struct screen_plane q, s, t;
+/* Output of texel_planes_find. */
+struct texel_planes {
+    struct screen_plane s, t;
 };
 
-/* src68k/polygon: contracts there. */
+/* What the planes of a polygon are found from. */
+struct depth {
+    struct plane_corners corners;
+    int32 scale;                /* of s and t, as corner_source's */
+    int32 is_triangle;
+    int32 right, down;          /* how far pixels are from the first corner, pixels and lines */
+    int32 off;                  /* units by which q may be off */
+    int32 least;                /* of the corners' q, of their plane at the vertices if they are more */
+    int32 gentle;               /* 1: no step of q reaches 2^30 units */
+};
+
+/* src68k/polygon: contracts there. depth_plane_find and texel_planes_find: values at the pixel, and their
+   steps to the next pixel and line; 48.16. */
 void corners_find(struct plane_corners *corners, const struct corner_source *source);
-void planes_find(struct found_planes *planes, const struct plane_corners *corners);
+void depth_plane_find(struct screen_plane *q, const struct plane_corners *corners);
+void texel_planes_find(struct texel_planes *planes, const struct plane_corners *corners);
 
-/* Fills in the planes and bases of a plan, for the box's pixels. Returns 0 if the planes are too
-   inexact because q of a vertex is below 4 times its error: draw the polygon affine. w must not be
-   constant; the vertices are those of material_vertices. */
-int32 perspective_planes(struct perspective_plan *plan, const struct vertex *vertices,
-                         int32 count, const struct sides *sides, const struct rectangle *box);
+/* Fills in the plane of q, the bases and ranges of a plan, for the box's pixels, and what other planes are
+   found from. Returns 0 if q is too inexact, as q of a vertex is below 4 times its error: draw the polygon
+   affine. w must not be constant; the vertices are those of material_vertices. */
+int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
+                        const struct vertex *vertices, int32 count, const struct sides *sides,
+                        const struct rectangle *box);
 
-/* Does the same for constant w, from the planes of u and v: q is 1 everywhere, and the picture is
+/* Fills in the planes of s and t. Returns 0 if they are as inexact. */
+int32 perspective_texels(struct perspective_plan *plan, const struct depth *depth);
+
+/* Fills in all of a plan for constant w, from the planes of u and v: q is 1 everywhere, and the picture is
    the affine one. Returns 0 if the planes are too steep or the box is too wide. */
 int32 perspective_of_texturing(struct perspective_plan *plan, const struct texturing *t,
                                const struct rectangle *box);
@@ -71,8 +88,15 @@ void perspective_turn(struct perspective_plan *plan, int32 left, int32 next);
 /* Finds s->level, unless a tolerance has, and tilt and steep of the plan. */
 void perspective_find_level(struct setup *s);
 
-/* Draws the lines of the plan with s->setting and s->level. */
-void perspective_draw(struct setup *s);
+/* Returns 1 if the polygon's lines are drawn from their far ends with K and C: no planes of s and t are needed.
+   Otherwise way->shift is 0 or more if planes may do so. */
+struct far_way;
+int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way);
+void perspective_draw_from_afar(const struct setup *s, const struct depth *depth,
+                                const struct far_way *way, int32 has_lines);
+
+/* Draws the lines of the plan with s->setting and s->level. shift: of a far_way, or -1. */
+void perspective_draw(struct setup *s, int32 shift);
 
 /* Draws the lines of the plan by s->level. steps: room for their number. */
 void perspective_draw_level(const struct setup *s, struct scanline_step *steps);

@@ -20,17 +20,25 @@ enum far_constants {
     FAR_MOST = 1 << 30,
     FAR_DEEP = 8,               /* q is shifted left by at most this, an even number: w varies by up to 512 */
     FAR_EVEN = 28,              /* log2: no q of a polygon that even spans draw is lower */
-    FAR_BITS = 3,               /* of a reciprocal_plan */
-    FAR_COARSE = 4,             /* bits that C lacks if it does not fit a word */
+    FAR_K_BITS = 3,             /* K is known to 1/8 unit */
+    FAR_K_SCALE = 29,           /* where s and t have this scale, K is 2^32 times their growth over q's */
+    FAR_BITS = 5,               /* C is (u - K) q in 1/8 units of 2.30, times 2^(this - 32); */
+    FAR_BITS_COARSE = 1,        /* if it would not fit a word, with FAR_COARSE bits less */
+    FAR_COARSE = 4,
+    FAR_DOWN = 2048,            /* the most lines below the top vertex: the error of C's steps adds up */
     /* Texels from K to the polygon's farthest, as C r / 2^8 is less than 2^15 where i is 2^15: 256, less a
        quarter for pixels that rounded edges add; and 16 times as many if C is coarse. */
     FAR_REACH = 192,
     /* Units by which lines are raised. For each texel from K quarters of a unit: 32768 / i for half an
-       index, i / 8192 for half of r, together 5 at most where a line begins; and the cuts of q's steps, one a
-       pixel and line, times 2^b / 2^13. For half a word of C where r is 2^15: 1024; for the cuts of C's steps
-       2^b / 32 a line, or if it is coarse, without half a word, 2^b / 2; and 8 for the rest. */
+       index, i / 8192 for half of r, together 5 at most where a line begins; and what q is low by times
+       2^b / 2^13: the cuts of its steps, one a pixel and line, its plane's error, and CORNERS for s and t, which
+       are a unit low at each corner, as u is near K there if it is so anywhere. For half a word of C where r is
+       2^15: 1024; for the cuts of C's steps 2^b / 32 a line from the top vertex on, and LINES for its start's
+       or, if it is coarse, without half a word, 2^b / 2; 2^b / 2 for K; and 8 for the rest. */
     FAR_OFF_PART = 21,
+    FAR_OFF_CORNERS = 32,
     FAR_OFF_WORD = 1024,
+    FAR_OFF_LINES = 4,
     FAR_OFF = 8,
     /* Planes instead of K and C: u less its base is S r / 2^16 units, S below 2^31 where q is 2^31, and with
        room for pieces that end beyond the polygon. Their steps' cuts, one a pixel and line, are 2^b / 2 units
@@ -51,17 +59,44 @@ struct far_lengths {
     uint32 most_16, most_8, most_4, most_2;
 };
 
-/* Everything a far span needs: it draws the whole table. */
-struct far_span {
-    const struct scanline *lines;       /* left and last are read */
-    int32 count;                /* lines, 1 or more */
+/* A line of a polygon that is drawn from its far end. */
+struct far_line {
+    uint32 q;                   /* of the first pixel drawn; even spans: twice that, less 2^31 */
+    uint8 *from, *end;          /* pixels: drawn from the first to before the second or, leftwards, from before the
+                                   first to the second; none if they have passed each other */
+};
+
+/* Everything that the lines need but their edges. */
+struct far_place {
+    struct far_line *lines;
     uint8 *row;                 /* pixel -EDGE_BIAS of the first line */
     int32 pitch;                /* bytes from line to line */
+    uint32 q;                   /* where the first line's far edge is drawn from if its x is 0; */
+    int32 dqdx, dqdy;           /* its steps */
+};
+
+/* Everything edges_far needs. */
+struct far_edges {
+    struct far_place place;
+    const struct edge *far, *near;
+    int32 fars, nears;          /* both cover the same lines */
+};
+
+/* Everything lines_far needs. */
+struct far_lines {
+    struct far_place place;
+    const struct scanline *from;        /* left and last are read */
+    int32 count;                /* lines, 1 or more */
+    int32 leftwards;            /* 1: lines are drawn from their last pixel */
+};
+
+/* Everything a far span needs: it draws the whole table. */
+struct far_span {
+    const struct far_line *lines;
+    int32 count;                /* lines, 1 or more */
     const uint8 *map;           /* MAP_PAGE */
     const uint16 *table;        /* at index 0 */
-    uint32 q;                   /* 2.30, at pixel -EDGE_BIAS of the first line; */
-    int32 dqdx, dqdy;           /* its steps */
-    uint32 dq;                  /* and the magnitude of dqdx, above 0 */
+    uint32 dq;                  /* step of q in the way that lines are drawn, 2.30, above 0 */
     struct far_lengths lengths; /* of pieces, by this */
     int32 even;                 /* even spans: log2 of a piece's pixels, 4, 3 or 2 */
     uint32 ku, kv;              /* K, 8.24 */
@@ -76,13 +111,17 @@ struct far_planes_span {
     int32 pitch;
     const uint8 *map;
     const uint16 *table;
-    uint32 q;                   /* as in a far_span; */
-    int32 dqdx, dqdy;
+    uint32 q;                   /* 2.30, at pixel -EDGE_BIAS of the first line; */
+    int32 dqdx, dqdy;           /* its steps */
     int32 s, dsdx, dsdy;        /* S and T, there too */
     int32 t, dtdx, dtdy;
     fix16 u, v;                 /* the bases */
     struct far_lengths lengths;
 };
+
+/* src68k/edge: contracts there. */
+void edges_far(const struct far_edges *edges);
+void lines_far(const struct far_lines *lines);
 
 /* src68k/span: contracts there. */
 void span_far_planes_right(const struct far_planes_span *span);

@@ -5,13 +5,12 @@
 #include "span/perspective.h"
 
 enum reciprocal_constants {
-    RECIPROCAL_BITS = 6             /* of a plan for lines by logarithms */
+    RECIPROCAL_BITS = 6             /* C is 2^this times as large */
 };
 
 struct reciprocal_plan {
     const struct perspective_plan *planes;  /* lines that are taken may be emptied in it */
-    int32 bits;                         /* 6, or 3: K then may be 8 times as far away */
-    struct number64 cu, cv;             /* C * 2^bits at the first line */
+    struct number64 cu, cv;             /* C * 2^RECIPROCAL_BITS at the first line */
     struct number64 dcu, dcv;           /* steps of these a line */
     fix16 ku, kv;
 };

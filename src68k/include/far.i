@@ -15,24 +15,45 @@
 
 ; On the stack.
 far_end         equ     0               ; of the table
-far_row         equ     4               ; the line's, at pixel -EDGE_BIAS
-far_pitch       equ     8
-far_q           equ     12              ; at pixel -EDGE_BIAS of the line
-far_dqdx        equ     16
-far_dqdy        equ     20
-far_dq          equ     24              ; a pixel on
-far_most_16     equ     28              ; of this in pieces of 16
-far_most_8      equ     32
-far_most_4      equ     36
-far_most_2      equ     40
-far_ku          equ     44
-far_kv          equ     48
-far_dcu         equ     52
-far_dcv         equ     56
-far_cu          equ     60              ; of the line, not shifted
-far_cv          equ     64
-far_shift       equ     68              ; b
-far_bytes       equ     72
+far_dq          equ     4               ; the step of q a pixel on
+far_most_16     equ     8               ; of this in pieces of 16
+far_most_8      equ     12
+far_most_4      equ     16
+far_most_2      equ     20
+far_ku          equ     24
+far_kv          equ     28
+far_dcu         equ     32
+far_dcv         equ     36
+far_cu          equ     40              ; of the line, not shifted
+far_cv          equ     44
+far_shift       equ     48              ; b
+far_bytes       equ     52
+
+; Stores the end of the table of the span in a0, which is below everything on the stack. Uses d0/a1-a2.
+far_table macro
+        move.l  far_span_count(a0),d0
+        movea.l far_span_lines(a0),a1
+        lsl.l   #2,d0
+        lea     (a1,d0.l),a2
+        lea     (a2,d0.l*2),a2          ; 12 bytes a line
+        move.l  a2,(sp)
+        endm
+
+; Branches to \2 if the line from a1 to a6 has no pixels.
+far_is_empty macro
+        cmpa.l  a1,a6
+        ifc     '\1','right'
+        bls.s   \2
+        else
+        bhs.s   \2
+        endc
+        endm
+
+; Steps \1 on the stack by d\1 to the next line; \2: far or even. Uses d0.
+far_next macro
+        move.l  \2_d\1(sp),d0
+        add.l   d0,\2_\1(sp)
+        endm
 
 ; \1: l, or w at a piece's last pixel; \2: left or right, the way that lines are drawn.
 far_pixel macro
@@ -168,45 +189,25 @@ far_pieces macro
 
 ; Draws the table of the span in a0.
 far_lines macro
-        move.l  far_span_count(a0),d0
-        movea.l far_span_lines(a0),a1
-        lsl.l   #2,d0
-        lea     (a1,d0.l),a2
-        lea     (a2,d0.l*2),a2
         lea     -far_bytes(sp),sp
-        move.l  a2,far_end(sp)
-        move.l  far_span_row(a0),far_row(sp)
-        move.l  far_span_pitch(a0),far_pitch(sp)
-        movem.l far_span_q(a0),d0-d7    ; dqdx, dqdy, dq, most_16, 8, 4, 2
-        movem.l d0-d7,far_q(sp)
+        far_table
+        movem.l far_span_dq(a0),d0-d4   ; most_16, 8, 4, 2
+        movem.l d0-d4,far_dq(sp)
         movem.l far_span_ku(a0),d0-d5   ; kv, dcu, dcv, cu, cv
         movem.l d0-d5,far_ku(sp)
         move.l  far_span_map(a0),d4     ; mm00
         movea.l far_span_table(a0),a3
         movea.l far_span_lines(a0),a0
+        bra.s   .line
 
         ; a0 line  a1 pixel  a6 the line's end  a4 step of q  a5 r where the piece begins
         ; d4 mm00  d5 q, its index less 2^15  d6 Cu  d7 Cv
-.line   move.l  (a0)+,d0                ; start0:left
-        move.w  (a0)+,d1                ; last
-        addq.l  #6,a0
-        movea.l far_row(sp),a2
-        move.w  d1,d2
-        sub.w   d0,d2
-        bmi     .below
-        addq.w  #1,d2
-        moveq   #0,d5
-        ifc     '\1','right'
-        move.w  d0,d5
-        lea     (a2,d5.l),a1
-        else
-        move.w  d1,d5
-        lea     1(a2,d5.l),a1
-        neg.w   d2
-        endc
-        lea     (a1,d2.w),a6
-        muls.l  far_dqdx(sp),d5
-        add.l   far_q(sp),d5
+.below  cmpa.l  far_end(sp),a0
+        beq     .done
+        far_next cu,far
+        far_next cv,far
+.line   movem.l (a0)+,d5/a1/a6
+        far_is_empty \1,.below
         bfffo   d5{1:31},d2
         subq.l  #1,d2
         and.w   #-2,d2
@@ -255,16 +256,6 @@ far_lines macro
         subq.l  #2,d2
         bra     .begun
 
-.below  move.l  far_pitch(sp),d0
-        add.l   d0,far_row(sp)
-        move.l  far_dqdy(sp),d0
-        add.l   d0,far_q(sp)
-        move.l  far_dcu(sp),d0
-        add.l   d0,far_cu(sp)
-        move.l  far_dcv(sp),d0
-        add.l   d0,far_cv(sp)
-        cmpa.l  far_end(sp),a0
-        bne     .line
-        lea     far_bytes(sp),sp
+.done   lea     far_bytes(sp),sp
         rts
         endm

@@ -8,25 +8,29 @@
 
 ; On the stack; ku and kv where far.i has them.
 even_end        equ     0               ; of the table
-even_row        equ     4               ; the line's, at pixel -EDGE_BIAS
-even_pitch      equ     8
-even_q          equ     12              ; at pixel -EDGE_BIAS of the line, less 2^31
-even_dqdx       equ     16
-even_dqdy       equ     20
-even_cu         equ     24              ; of the line; if it is a word, half a unit more
-even_cv         equ     28
-even_dcu        equ     32
-even_dcv        equ     36
-even_pieces     equ     40              ; the loop over a line's pieces
-even_bytes      equ     52
-        ifne    far_ku-44
-        fail    ku is not where far_start reads it
+even_pieces     equ     4               ; the loop over a line's pieces
+even_cu         equ     8               ; of the line, if C is coarse
+even_cv         equ     12
+even_ku         equ     far_ku
+even_dcu        equ     far_ku+8        ; swapped, unless C is coarse
+even_dcv        equ     far_ku+12
+even_bytes      equ     far_ku+16
+        ifgt    even_cv+4-far_ku
+        fail    C is where far_start reads K
         endc
 
-; Steps \1 to the next line. Uses d0.
+; Steps C to the next line. Uses d0/d2.
 even_next macro
-        move.l  even_d\1(sp),d0
-        add.l   d0,even_\1(sp)
+        ifeq    \1
+        moveq   #0,d2
+        add.l   even_dcu(sp),d6
+        addx.w  d2,d6
+        add.l   even_dcv(sp),d7
+        addx.w  d2,d7
+        else
+        far_next cu,even
+        far_next cv,even
+        endc
         endm
 
 ; The loop over pieces of 2^\3 pixels. In: a4 step of q a piece, swapped.
@@ -57,33 +61,24 @@ even_loop macro
 
 ; Draws the table of the span in a0.
 even_lines macro
-        move.l  far_span_count(a0),d0
-        movea.l far_span_lines(a0),a1
-        lsl.l   #2,d0
-        lea     (a1,d0.l),a2
-        lea     (a2,d0.l*2),a2
         lea     -even_bytes(sp),sp
-        move.l  a2,even_end(sp)
-        move.l  far_span_row(a0),even_row(sp)
-        move.l  far_span_pitch(a0),even_pitch(sp)
-        movem.l far_span_q(a0),d0-d2    ; dqdx, dqdy
-        add.l   d0,d0
-        add.l   d1,d1
-        add.l   d2,d2
-        bchg    #31,d0
-        movem.l d0-d2,even_q(sp)
-        movem.l far_span_ku(a0),d0-d5   ; kv, dcu, dcv, cu, cv
-        movem.l d0-d1,far_ku(sp)
+        far_table
+        movem.l far_span_ku(a0),d0-d3/d6-d7     ; kv, dcu, dcv, cu, cv
         add.l   d2,d2
         add.l   d3,d3
-        add.l   d4,d4
-        add.l   d5,d5
+        add.l   d6,d6
+        add.l   d7,d7
         ifeq    \2
-        add.l   #$8000,d4
-        add.l   #$8000,d5
+        add.l   #$8000,d6
+        add.l   #$8000,d7
+        swap    d2
+        swap    d3
+        swap    d6
+        swap    d7
+        else
+        movem.l d6-d7,even_cu(sp)
         endc
-        movem.l d2-d3,even_dcu(sp)
-        movem.l d4-d5,even_cu(sp)
+        movem.l d0-d3,even_ku(sp)
         move.l  far_span_dq(a0),d3
         move.l  far_span_even(a0),d0
         addq.l  #1,d0
@@ -100,36 +95,19 @@ even_lines macro
         move.l  far_span_map(a0),d4     ; mm00
         movea.l far_span_table(a0),a3
         movea.l far_span_lines(a0),a0
+        bra.s   .line
 
         ; a0 line  a1 pixel  a6 the line's end  a4 step of q  a5 r where the piece begins
         ; d4 mm00  d5 q, its index less 2^15  d6 Cu  d7 Cv
-.line   move.l  (a0)+,d0                ; start0:left
-        move.w  (a0)+,d1                ; last
-        addq.l  #6,a0
-        move.w  d1,d2
-        sub.w   d0,d2
-        bmi     .below
-        addq.w  #1,d2
-        movea.l even_row(sp),a2
-        moveq   #0,d5
-        ifc     '\1','right'
-        move.w  d0,d5
-        lea     (a2,d5.l),a1
-        else
-        move.w  d1,d5
-        lea     1(a2,d5.l),a1
-        neg.w   d2
-        endc
-        lea     (a1,d2.w),a6
-        muls.l  even_dqdx(sp),d5
-        add.l   even_q(sp),d5
+.below  cmpa.l  even_end(sp),a0
+        beq.s   .done
+        even_next \2
+.line   movem.l (a0)+,d5/a1/a6
+        far_is_empty \1,.below
         swap    d5
         move.w  (a3,d5.w*2),d2
         movea.w d2,a5
-        ifeq    \2
-        move.w  even_cu(sp),d6
-        move.w  even_cv(sp),d7
-        else
+        ifne    \2
         move.l  even_cu(sp),d6
         move.l  even_cv(sp),d7
         endc
@@ -137,18 +115,10 @@ even_lines macro
         far_chain
         movea.l even_pieces(sp),a2
         jmp     (a2)
+.done   lea     even_bytes(sp),sp
+        rts
+
         even_loop \1,\2,4
         even_loop \1,\2,3
         even_loop \1,\2,2
-
-.below  move.l  even_pitch(sp),d0
-        add.l   d0,even_row(sp)
-        move.l  even_dqdy(sp),d0
-        add.l   d0,even_q(sp)
-        even_next cu
-        even_next cv
-        cmpa.l  even_end(sp),a0
-        bne     .line
-        lea     even_bytes(sp),sp
-        rts
         endm

@@ -63,9 +63,8 @@ constant macro
 .grows\@
         cmp.l   #FLAT,d2
         blo     .not
-        move.l  reciprocal_plan_bits(a0),d6
-        moveq   #32,d7
-        sub.l   d6,d7
+        moveq   #RECIPROCAL_BITS,d6
+        moveq   #32-RECIPROCAL_BITS,d7
         move.l  d0,d5
         lsr.l   d7,d5
         bne     .not
@@ -75,7 +74,7 @@ constant macro
         lsr.l   d7,d5
         or.l    d5,d4
         cmp.l   d2,d4
-        bhs     .not                    ; K would be 2^(16 - bits) texels or more
+        bhs     .not                    ; K would be 2^(16 - RECIPROCAL_BITS) texels or more
         bfffo   d2{0:32},d7
         moveq   #32,d6
         sub.l   d7,d6
@@ -125,8 +124,8 @@ FLAT    equ     1<<8                    ; if q grows less than this a pixel, no 
 ; in:      a0  reciprocal_plan*  the plan to fill in; its planes
 ;          d0  int32             a pixel of the polygon: its distance to the right
 ;          d1  int32             and down from that of the planes
-; out:     d0  int32             1; 0 if K of u or v is 2^(16 - bits) texels or more from the base
-; reads:   the plan's planes, bits
+; out:     d0  int32             1; 0 if K of u or v is 2^(16 - RECIPROCAL_BITS) texels or more from the base
+; reads:   the plan's planes
 ; writes:  cu, cv, dcu, dcv; ku and kv, less their bases
 ; formats: K = (ds/dx) / (dq/dx), 32.32 here and 16.16 in the plan; C = s - K q,
 ;          which does not change along a line. No gradient of q by x or y, nor of s
@@ -153,14 +152,11 @@ FLAT    equ     1<<8                    ; if q grows less than this a pixel, no 
         subx.l  d7,d0
         rts
 
-; d0:d1 = d0:d1 times 2^bits. Uses d2-d3/a1.
-.grown  move.l  reciprocal_plan_bits(a0),d3
-        moveq   #32,d2
-        sub.l   d3,d2
-        movea.l d1,a1
-        lsl.l   d3,d0
-        lsr.l   d2,d1
-        or.l    d1,d0
-        move.l  a1,d1
-        lsl.l   d3,d1
+; d0:d1 = d0:d1 times 2^RECIPROCAL_BITS. Uses d2-d3.
+.grown  move.l  d1,d2
+        moveq   #32-RECIPROCAL_BITS,d3
+        lsl.l   #RECIPROCAL_BITS,d0
+        lsr.l   d3,d2
+        or.l    d2,d0
+        lsl.l   #RECIPROCAL_BITS,d1
         rts

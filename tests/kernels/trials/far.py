@@ -1,12 +1,18 @@
-"""Trials of perspective from the far ends of lines: tables of lines with any planes that stay inside the table."""
+"""Trials of perspective from the far ends of lines: tables of lines with any planes that stay inside the table,
+the lines themselves, K and C of triangles."""
+
+from collections.abc import Iterator
 
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.reciprocal import COUNTS, PITCH
+from tests.kernels.trials.edge import SPARE, SPLITS, side
+from tests.kernels.trials.reciprocal import COUNTS, PITCH, triangles
 from tests.kernels.trials.span import picture_ground
 from tmap.bench import far as bench
-from tmap.bench.trial import Trial
+from tmap.bench.trial import Trial, anything, fields
+from tmap.build import layout
+from tmap.guest.kernels import Case
 from tmap.setup import far as model, far_planes
 
 
@@ -58,10 +64,65 @@ def planes_trial(longest: int, leftwards: bool, rng) -> Trial:
         [0, 0]), rng)
 
 
+def any_place(rng) -> tuple[int, ...]:
+    """Where lines are, and q."""
+    return (int(rng.integers(0, 1 << 31)), int(rng.integers(-2000, 2000)), int(rng.integers(0, 1 << 32)),
+            *(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)))
+
+
+def edges_trial(splits, exact: bool, rng) -> Trial:
+    """Edges of any slopes; ``splits``: lines of each, by sides."""
+    sides, where = [side(rng, split, None, exact) for split in splits], any_place(rng)
+    return bench.edges_trial(Memory(int(rng.integers(1 << 30))), *sides, where, f"{sides}, {where}", SPARE)
+
+
+def lines_trial(leftwards: bool, rng) -> Trial:
+    """A table with any lines."""
+    lines = [(int(left), int(count)) for left, count in rng.integers((-9, -3), (1100, 300), (20, 2))]
+    where = any_place(rng)
+    return bench.lines_trial(Memory(int(rng.integers(1 << 30))), lines, leftwards, where, f"{lines}, {where}")
+
+
+def constants_trials(deep) -> Iterator[Trial]:
+    """K of a triangle and, if it has one, C."""
+    names = ("x", "y", "q", "s", "t")
+    top, bottom, middle = (dict(zip(names, three)) for three in deep.corners.three)
+    vectors = [{name: n - top[name] for name, n in other.items()} for other in (bottom, middle)]
+    swapped = vectors[0]["x"] * vectors[1]["y"] < vectors[1]["x"] * vectors[0]["y"]
+    shape, plan_shape = layout.load().struct("plane_corner"), layout.load().struct("far_plan").fields
+    ks = model.asymptotes(deep)
+    for kernel in ("far_asymptotes", "far_constants"):
+        if not ks and kernel == "far_constants":
+            return
+        bits = model.BITS if max(map(abs, ks or [0])) < 512 << 19 else model.BITS_COARSE
+        memory = Memory()
+        rows = [top, *(vectors[::-1] if swapped else vectors)]
+        corners = memory.struct("plane_corners", {}, area=[0] * 8, x=0, y=deep.corners.y,
+                                **{name: list(shape.pack(**row)) for name, row in zip(("first", "a", "b"), rows)})
+        at = layout.load().struct("plane_corners").fields["b" if swapped else "a"]["offset"]
+        texels = dict(zip(("top_u", "top_v", "bottom_u", "bottom_v"), sum(deep.corners.texels[:2], ())))
+        given = dict(zip(("ku", "kv"), ks)) if kernel == "far_constants" else {"ku": 0, "kv": 0}
+        plan = memory.struct("far_plan", dict(corners=corners, bottom=corners + at), scale=deep.scale, cu=0, cv=0,
+                             dcu=0, dcv=0, **given, **texels)
+        found = ks if kernel == "far_asymptotes" else model.starts(deep, ks, bits)
+        made = ("ku", "kv") if kernel == "far_asymptotes" else ("cu", "cv", "dcu", "dcv")
+        if found:
+            flat = found if kernel == "far_asymptotes" else sum(found, [])
+            writes = fields(plan, "far_plan", dict(zip(made, flat)))
+        else:
+            writes = [anything(plan + plan_shape[name]["offset"], 4) for name in made]
+        registers = {"d0": bits} if kernel == "far_constants" else {}
+        yield Trial(Case(kernel, memory, registers, {"a0": plan}), f"{deep}", {"d0": int(bool(found))}, writes=writes)
+
+
 def trials() -> list[Trial]:
     rng = np.random.default_rng(24)
     ways = [(longest, leftwards) for longest in (8, 16) for leftwards in (False, True)]
     return [*(span_trial(*way, coarse, rng) for way in ways for coarse in (0, model.COARSE) for _ in range(16)),
             *(span_trial(16, leftwards, coarse, rng, even) for leftwards in (False, True)
               for coarse in (0, model.COARSE) for even in (4, 8, 16) for _ in range(8)),
-            *(planes_trial(*way, rng) for way in ways for _ in range(16))]
+            *(planes_trial(*way, rng) for way in ways for _ in range(16)),
+            *(edges_trial(splits, exact, rng) for splits in SPLITS for exact in (False, True) for _ in range(3)),
+            *(lines_trial(leftwards, rng) for leftwards in (False, True) for _ in range(8)),
+            *(trial for deep, _, _ in triangles(rng, 60) if deep.scale < model.K_SCALE
+              for trial in constants_trials(deep))]

@@ -27,8 +27,9 @@ def longs(*numbers: int) -> list[int]:
     return list(b"".join((n & M64).to_bytes(8, "big") for n in numbers))
 
 
-def planes_trial(rng) -> Trial:
-    """Three planes through three corners of any kind."""
+def planes_trial(rng, kernel: str, out: str, keys: range) -> Trial:
+    """Planes through three corners of any kind. ``out``: the struct; ``keys``: their values, q, s and t being 2
+    to 4."""
     reach = int(rng.integers(4, 31))
     while True:
         a, b = ([any_size(rng, reach) for _ in range(2)] for _ in range(2))
@@ -48,7 +49,7 @@ def planes_trial(rng) -> Trial:
     at = memory.struct("plane_corners", {}, area=list(area.to_bytes(8, "big")), x=x, y=y,
                        **{field: list(shape.pack(**dict(zip(names, row))))
                           for field, row in zip(("first", "a", "b"), rows)})
-    out = memory.room("found_planes")
+    out = memory.room(out)
     cut = max(area.bit_length() - 32, 0)
 
     def divided(n: int) -> int:
@@ -57,7 +58,7 @@ def planes_trial(rng) -> Trial:
 
     expected = b""
     worst = None
-    for k in range(2, 5):
+    for k in keys:
         n = rows[1][k] * b[1] - rows[2][k] * a[1], a[0] * rows[2][k] - b[0] * rows[1][k]
         dx, dy = map(divided, n)
         for found, exact in zip((dx, dy), (Fraction(part << 32, area) for part in n)):
@@ -67,7 +68,7 @@ def planes_trial(rng) -> Trial:
         dx, dy = signed(dx, 64), signed(dy, 64)
         numbers = (rows[0][k] << 16) + (dx * x >> 16) + (dy * y >> 16), dx, dy
         expected += bytes(longs(*numbers))
-    return Trial(Case("planes_find", memory, pointers={"a0": out, "a1": at}),
+    return Trial(Case(kernel, memory, pointers={"a0": out, "a1": at}),
                  values(x=x, y=y) + f", a {a}, b {b}", writes=[Write(out, expected)],
                  also=lambda _: worst)
 
@@ -167,7 +168,8 @@ def span_trial(setting: str, ends, reach: int, rng) -> Trial:
 def trials() -> list[Trial]:
     rng = np.random.default_rng(5)
     every = ("every16", "every8", "pixel", "fine")
-    return [*(planes_trial(rng) for _ in range(120)), *(corners_trial(rng) for _ in range(60)),
+    return [*(planes_trial(rng, "depth_plane_find", "screen_plane", range(2, 3)) for _ in range(60)),
+            *(planes_trial(rng, "texel_planes_find", "texel_planes", range(3, 5)) for _ in range(60)), *(corners_trial(rng) for _ in range(60)),
             *(level_trial(rng) for _ in range(60)),
             *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),

@@ -52,18 +52,18 @@ def triangles(rng, count: int):
             yield deep, right - left, lines
 
 
-def find_trial(deep, lines, bits: int) -> Trial:
+def find_trial(deep, lines) -> Trial:
     memory = Memory()
     x, y = next((left - deep.i, k) for k, (left, right, _) in enumerate(lines) if right > left)
-    found = model.asymptotes(deep, x, y, bits) if deep.gentle else None
+    found = model.asymptotes(deep, x, y) if deep.gentle else None
     planes = bench_perspective.add_perspective_plan(memory, deep, lines, memory.room("perspective_line"))
-    at = memory.struct("reciprocal_plan", dict(planes=planes), ku=0, kv=0, bits=bits,
+    at = memory.struct("reciprocal_plan", dict(planes=planes), ku=0, kv=0,
                        **dict.fromkeys(("cu", "cv", "dcu", "dcv"), [0] * 8))
     shape = layout.load().struct("reciprocal_plan").fields
-    title = f"{deep}, pixel {x}, {y}, {bits} bits"
+    title = f"{deep}, pixel {x}, {y}"
     case = Case("reciprocal_find", memory, {"d0": x, "d1": y}, {"a0": at})
     if not found:
-        taken = None not in [model.asymptote(deep.q, plane, bits) for plane in (deep.s, deep.t)]
+        taken = None not in [model.asymptote(deep.q, plane) for plane in (deep.s, deep.t)]
         first, last = shape["cu"]["offset"], shape["kv"]["offset"] + 4
         return Trial(case, title, {"d0": int(taken)}, writes=[anything(at + first, last - first)])
     ks, cs, dcs = found
@@ -110,4 +110,4 @@ def records(line_of: Callable[[int, int], object]) -> list:
 
 def trials() -> list[Trial]:
     rng = np.random.default_rng(8)
-    return [find_trial(deep, lines, bits) for deep, _, lines in triangles(rng, 60) for bits in (3, model.BITS)]
+    return [find_trial(deep, lines) for deep, _, lines in triangles(rng, 60)]

@@ -112,7 +112,8 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "perspective_lines_curves": perspective.lines_case("pixel"),
                        "level_lines": perspective.level_case(),
                        "level_lines_tilted": perspective.level_case(True),
-                       "logarithm_lines": logarithm.lines_case()}.items():
+                       "logarithm_lines": logarithm.lines_case(),
+                       "edges_far": far.edges_case(), "lines_far": far.lines_case()}.items():
         yield name, edges.LINES, call
 
 

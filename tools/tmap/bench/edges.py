@@ -69,8 +69,8 @@ def edge_trial(kernel: str, arena: Arena, lefts: list[Fields], rights: list[Fiel
                  writes=table_writes(table, lines, form))
 
 
-def edge_case(name: str):
-    """One section of LINES lines between two edges."""
+def edge_sides(name: str) -> list[list[Fields]]:
+    """The edges of both sides of a section of LINES lines."""
     height, sides = LINES << 16, []  # x is in units of height pixels
     for x, slope in zip(((100 + BIAS) * ONE + 12345, (110 + BIAS) * ONE + 54321), SLOPES):
         edge = rounded_edge(LINES, x, slope)
@@ -81,7 +81,12 @@ def edge_case(name: str):
         whole = (sides or [edge])[0]["whole"]
         sides.append(edge | {"u": 100 << 16, "v": 50 << 16,  # a line and the whole pixels:
                              "du": -DV + whole * DU, "dv": DU + whole * DV})
-    return edge_trial(name, Arena(), *([side] for side in sides), dict(dudx=DU, dvdx=DV)).row(LINES)
+    return [[side] for side in sides]
+
+
+def edge_case(name: str):
+    """One section of LINES lines between two edges."""
+    return edge_trial(name, Arena(), *edge_sides(name), dict(dudx=DU, dvdx=DV)).row(LINES)
 
 
 def ramp_points(side: list[Fields]) -> list[tuple[int, int, int]]:

@@ -5,8 +5,9 @@ in short lines; a line grows by a texel a pixel in u and 0.7 in v on the whole.
 import numpy as np
 
 from tmap.base.fixed import M32, signed
+from tmap.bench.edges import LINES, edge_columns, edge_sides
 from tmap.bench.spans import BIAS, GAP, Ground, framed, line_count, table_of
-from tmap.bench.trial import Trial, Write
+from tmap.bench.trial import Trial, Write, fields
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup import far, far_planes
@@ -32,17 +33,37 @@ def kernel(k: far.Constants | far_planes.Constants) -> str:
 
 def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
     """What a span's structure has of them."""
-    bias = k.left + BIAS
     most = {f"most_{pixels}": far.LENGTHS[k.longest][pixels] for pixels in (16, 8, 4, 2)}
     lengths = layout.load().struct("far_lengths").pack(**most)
-    found = {"q": k.q - bias * k.dqdx & M32, "lengths": list(lengths)}
+    found = {"lengths": list(lengths)}
     if isinstance(k, far_planes.Constants):
-        for name, (at, dx, dy) in zip("st", k.st):
+        bias = k.left + BIAS
+        for name, (at, dx, dy) in zip("qst", ((k.q, k.dqdx, k.dqdy), *k.st)):
             found |= {name: signed(at - bias * dx), f"d{name}dx": dx, f"d{name}dy": dy}
-        return found | dict(zip("uv", k.base))
+        return found | {"q": found["q"] & M32} | dict(zip("uv", k.base))
     values = {"dq": abs(k.dqdx), "ku": k.k[0], "kv": k.k[1], "cu": k.c[0], "cv": k.c[1], "dcu": k.dc[0],
               "dcv": k.dc[1], "even": max(k.even.bit_length() - 1, 0)}
     return found | {name: n & M32 for name, n in values.items()}
+
+
+def far_lines(arena: Arena, k: far.Constants, lines: list[tuple[int, int]], frame_at: int, pitch: int) -> int:
+    """Adds the table of lines (first column, pixels) with their q; where it is."""
+    shape, table = layout.load().struct("far_line"), bytearray()
+    for y, (left, count) in enumerate(lines):
+        ends = [frame_at + y * pitch + x for x in (left, left + count)]
+        q = far.line(None, k, left, left + count, k.top + y).q
+        q = q << 1 ^ 1 << 31 if k.even else q
+        table += shape.pack(q=q & M32, **dict(zip(("from", "end"), ends[::-1] if k.leftwards else ends)))
+    at = arena.add(table, name="lines", shape=shape)
+    arena.far_pointers += [at + n * shape.size + shape.fields[name]["offset"] for n in range(len(lines))
+                           for name in ("from", "end")]
+    return at
+
+
+def scanlines(arena: Arena, lines: list[tuple[int, int]]) -> int:
+    """Adds a scanline table of lines (first column, pixels)."""
+    entries = table_of([{"left": left + BIAS, "last": left + count - 1 + BIAS} for left, count in lines])
+    return arena.add(entries, name="lines", shape=layout.load().struct("scanline"))
 
 
 def span_trial(arena: Arena, ground: Ground, k: far.Constants | far_planes.Constants, lines: list[tuple[int, int]],
@@ -55,13 +76,68 @@ def span_trial(arena: Arena, ground: Ground, k: far.Constants | far_planes.Const
             u, v = model.coordinates(model.line(None, k, left, left + count, k.top + y))
             writes.append(Write(ground.frame_at + y * pitch + left,
                                 ground.picture[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
-    entries = table_of([{"left": left + BIAS, "last": left + count - 1 + BIAS} for left, count in lines])
-    near = {"lines": arena.add(entries, name="lines", shape=layout.load().struct("scanline")),
-            "table": table(arena)}
-    plan = arena.struct("far_planes_span" if planes else "far_span", near,
-                        dict(row=ground.frame_at - BIAS, map=ground.map_at), count=len(lines), pitch=pitch,
-                        dqdx=k.dqdx, dqdy=k.dqdy, **plan_fields(k))
+    near, to = {"table": table(arena)}, {"map": ground.map_at}
+    if planes:
+        near["lines"] = scanlines(arena, lines)
+        plan = arena.struct("far_planes_span", near, to | {"row": ground.frame_at - BIAS}, count=len(lines),
+                            pitch=pitch, **plan_fields(k))
+    else:
+        near["lines"] = far_lines(arena, k, lines, ground.frame_at, pitch)
+        plan = arena.struct("far_span", near, to, count=len(lines), **plan_fields(k))
     return Trial(Case(kernel(k), arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
+
+
+def place(lines: int, row: int, pitch: int, q: int, dqdx: int, dqdy: int) -> list[int]:
+    """A far_place, which begins a struct; ``lines`` is to be relocated."""
+    return list(layout.load().struct("far_place").pack(lines=lines, row=row, pitch=pitch, q=q & M32, dqdx=dqdx,
+                                                       dqdy=dqdy))
+
+
+def line_writes(at: int, lines: list[tuple[int, int]], row: int, pitch: int, q: int, dqdx: int,
+                dqdy: int) -> list[Write]:
+    """What a table at ``at`` gets of lines from a far x to a near one."""
+    writes = []
+    for y, (far_x, near_x) in enumerate(lines):
+        writes += fields(at + y * layout.load().struct("far_line").size, "far_line",
+                         {"q": q + far_x * dqdx + y * dqdy, "from": row + y * pitch + far_x,
+                          "end": row + y * pitch + near_x})
+    return writes
+
+
+def edges_trial(arena: Arena, fars: list[dict[str, int]], nears: list[dict[str, int]], where: tuple[int, ...],
+                title: str = "", spare: int = 0) -> Trial:
+    """edges_far with the edges of both sides, struct edge each. ``where``: row, pitch, q, dqdx, dqdy."""
+    shape = layout.load().struct("edge")
+    lines = list(zip(*([x for edge in side for x in edge_columns(edge)] for side in (fars, nears))))
+    table_at = arena.room("far_line", len(lines) + spare, "lines")
+    sides = {name: arena.add(b"".join(shape.pack(**e) for e in edges), name=name, shape=shape)
+             for name, edges in (("far", fars), ("near", nears))}
+    plan = arena.struct("far_edges", sides, place=place(table_at, *where), fars=len(fars), nears=len(nears))
+    arena.pointers.append(plan)
+    return Trial(Case("edges_far", arena, pointers={"a0": plan}), title,
+                 writes=line_writes(table_at, lines, *where))
+
+
+def lines_trial(arena: Arena, lines: list[tuple[int, int]], leftwards: bool, where: tuple[int, ...],
+                title: str = "") -> Trial:
+    """lines_far with a scanline table (first column, pixels)."""
+    ends = [(left + BIAS, left + count + BIAS)[::-1 if leftwards else 1] for left, count in lines]
+    table_at = arena.room("far_line", len(lines), "to")
+    plan = arena.struct("far_lines", {"from": scanlines(arena, lines)}, place=place(table_at, *where),
+                        count=len(lines), leftwards=int(leftwards))
+    arena.pointers.append(plan)
+    return Trial(Case("lines_far", arena, pointers={"a0": plan}), title, writes=line_writes(table_at, ends, *where))
+
+
+def edges_case():
+    """A bench row: the lines of edge_flat_exact's, each with its q."""
+    sides = edge_sides("edge_flat_exact")
+    return edges_trial(Arena(), *sides, (0, 320, 1 << 28, 1 << 20, -1 << 18)).row(LINES)
+
+
+def lines_case():
+    """A bench row: lines of a table."""
+    return lines_trial(Arena(), [(k, 10) for k in range(LINES)], True, (0, 320, 1 << 28, 1 << 20, -1 << 18)).row(LINES)
 
 
 def span_case(longest: int, planes: bool, even: bool, length: int):

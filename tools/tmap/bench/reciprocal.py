@@ -12,7 +12,7 @@ def constants_fields(constants) -> dict:
     """What a reciprocal_plan has of its polygon's constants."""
     longs = zip(("cu", "cv", "dcu", "dcv"), constants.c + constants.dc)
     return {name: list((n % (1 << 64)).to_bytes(8, "big")) for name, n in longs} \
-        | {"ku": signed(constants.k[0]), "kv": signed(constants.k[1]), "bits": reciprocals.BITS}
+        | {"ku": signed(constants.k[0]), "kv": signed(constants.k[1])}
 
 
 def constants_of(deep, lines):

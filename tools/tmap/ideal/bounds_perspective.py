@@ -48,7 +48,13 @@ are never below the exact value.
 
 **From the far end** (tmap.setup.far, far_planes): pieces are measured from the chords that begin at the line's
 far end, the last one beyond its near end; ``bound`` is added, and what lines are raised by: they are never below
-the exact value at the far end.
+the exact value at the far end. By planes b is added; by K and C these, Q the far end's q, l its coordinates:
+
+* q of the corners is rounded, and q's plane off by E, cut included: (sum of |l| R / 2 + E |u - K|) / Q.
+* C = (u - K) q is exact at the top and the bottom but for what ``far.bound`` has. So an error of K counts as far
+  as q changes from the line between them to the pixel: at most its error times 2^30 / Q, 1/8 unit and |K| / 2^31
+  for the quotient. What S of the corners is cut by, up to 1 each, moves K by at most 2 2^scale h / N, N the
+  quotient's divisor and h the height; q changes by N / h times l of the middle corner: 2 l 2^scale / Q.
 
 Lines by logarithms are off from their planes' quotients by ``logarithm.bound``, which is kept within
 1/32 texel, all of the setting's tolerance. It is added, and so are the units by which these lines are
@@ -74,7 +80,7 @@ from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves, curves_through
-from tmap.setup import far, spans
+from tmap.setup import far, far_planes, spans
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
@@ -97,6 +103,7 @@ class Bound:
         self.curve, self.p, self.plane = curve, p, (p.s, p.t)[key - 2]
         self.low, self.high = min(values), max(values)
         self.corner = [c * UNIT for c in three[0][:2]]
+        self.three = [tuple(c * UNIT for c in v[:2]) for v in three]
         self.spread = 1 if len(vertices) == 3 else 3  # L
         # Q = 2^30 (least w) / w: ``unit`` is the factor from the curve's integers to it
         _, nearest = curve.terms(*three[0][:2])
@@ -122,6 +129,28 @@ class Bound:
             bound += max(0.0, exact - self.high, self.low - exact)
             off += max(0.0, (self.p.least - big) / big)
         return bound, off
+
+    def shares(self, x: float, y: float) -> float:
+        """The sum of the magnitudes of a point's barycentric coordinates: 1 inside the corners."""
+        areas = [(bx - ax) * (y - ay) - (by - ay) * (x - ax)
+                 for (ax, ay), (bx, by) in zip(self.three, self.three[1:] + self.three[:1])]
+        return sum(map(abs, areas)) / abs(sum(areas))
+
+    def afar(self, made: far.Line, y: int, key: int) -> float:
+        """Returns what K, C and q of a line from its far end add to ``far.bound``, in units. ``key``: 0 for u, 1
+        for v."""
+        k, ends = made.constants, (made.left, made.left + made.n)
+        first = ends[k.leftwards]
+        n, q = self.curve.terms(first << 16, y << 16)
+        if q <= 0:
+            return BOUNDLESS / UNIT
+        exact, big = n / q, q * self.unit
+        high, low = max(self.high, exact), min(self.low, exact)
+        at = k.k[key] / 256 - k.raised[key]
+        off_q = plane_error(self.p.q, 32, abs(first - self.corner[0]), abs(y - self.corner[1])) + 1
+        share = max(self.shares(x, y) for x in ends)
+        return ((share * ((high - low) / 2 + 2 * 2.0**self.p.scale) + off_q * max(high - at, at - low)) / big
+                + (1 / 8 + abs(at - self.base) / 2**31) * 2**30 / big + 1)
 
     def line(self, made: Ends, y: int, inside: tuple[bool, bool]) -> float:
         """Returns b of a line's pixels, texels; ``inside``: true for each end in the polygon."""
@@ -251,9 +280,12 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
                 wanted = (intended_from_afar(bound.curve, record, y) if isinstance(record, far.Line)
                           else intended(bound.curve.values(drawn, y), polygon.setting))[seen]
-                b = bound.line(made, y, inside)
-                allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
-                                  else line_bound(b, polygon.setting))
+                if isinstance(record, far.Line) and not isinstance(record, far_planes.Line):
+                    allowed = more + bound.afar(record, y, "uv".index(key)) * UNIT + FLOAT
+                else:
+                    b = bound.line(made, y, inside)
+                    allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
+                                      else line_bound(b, polygon.setting))
             else:  # an end on a rounded edge is behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, found[seen], error, wanted, allowed

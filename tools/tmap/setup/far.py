@@ -1,7 +1,8 @@
 """The integer model's polygons with perspective that are drawn from the far ends of their lines to the
-near ones: c/perspective/far.c and the spans src68k/span/far_*.
+near ones: c/perspective/far.c, src68k/polygon/far_* and the spans src68k/span/far_*.
 
-On a line u = K + C r with r = TABLE[q]: K and the steps of q belong to the polygon, C to the line. q is shifted
+On a line u = K + C r with r = TABLE[q]: K and the steps of q belong to the polygon, C to the line. K is the growth of
+S over that of q; C = (u - K) q at the top and the bottom, and changes by the same from line to line. q is shifted
 left by an even number so that its index is LOWEST to 4 LOWEST; where that is over, the line begins again. Pieces
 go from the far end on; the near end cuts the last one short.
 """
@@ -11,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tmap.base.fixed import M32, signed, step_swapped, swap
+from tmap.base.fixed import M32, cut_quotient, signed, step_swapped, swap
 from tmap.setup import reciprocal
 from tmap.setup.perspective import steepness
 
@@ -25,11 +26,12 @@ LENGTHS = {16: {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOST},
 DEEP = 8
 COARSE = 4
 EVEN = 1 << 28
-BITS = 3  # of K and C
-FAR_4096 = 4096 << 16
+K_BITS, K_SCALE = 3, 29
+BITS, BITS_COARSE = 5, 1
+DOWN = 2048
 REACH = 192
 TABLE = [((1 << 29) + i) // (2 * i + 1) for i in range(LOWEST, LOWEST + COUNT)]
-OFF_PART, OFF_WORD, OFF = 21, 1024, 8
+OFF_PART, OFF_CORNERS, OFF_WORD, OFF_LINES, OFF = 21, 32, 1024, 4, 8
 
 
 @dataclass
@@ -49,6 +51,19 @@ class Constants:
     coarse: int  # 0 or COARSE
     raised: list[int]  # units by which u and v are raised, included in k
     even: int = 0  # pixels of all pieces, if q differs four times at most; q and C are shifted by one bit then
+    down: int = 0  # lines from the top vertex to the first
+
+    @cached_property
+    def words(self) -> list[list[int]]:
+        """Even spans: C of each line, once asked for, half a word more, with its halves exchanged."""
+        return []
+
+    def words_at(self, n: int) -> tuple[int, int]:
+        """Returns C of an even span's line, as words: the chain of both halves."""
+        while len(self.words) <= n:
+            self.words.append([step_swapped(c, swap(dc << 1 & M32)) for c, dc in zip(self.words[-1], self.dc)]
+                              if self.words else [swap((c << 1) + 0x8000 & M32) for c in self.c])
+        return tuple(signed(c, 16) for c in self.words[n])
 
     @property
     def leftwards(self) -> bool:
@@ -80,6 +95,12 @@ class Line:
     way: int  # pixels and lines from the planes' own pixel to the far end
     down: int  # lines from the planes' own
     constants: Constants
+
+    def words(self, shift: int) -> list[int]:
+        """C as words."""
+        if self.constants.even and not self.constants.coarse:
+            return self.constants.words_at(self.down)
+        return [signed(signed(c << shift) + 0x8000 >> 16, 16) for c in self.c]
 
     @cached_property
     def pieces(self) -> list[Piece]:
@@ -121,38 +142,73 @@ def shift_of(p, way: int, exact: bool) -> int | None:
     """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way.
     ``way``, ``exact``: as in ``least_of``."""
     steep, least = steepness(p.q.dx) + 1, least_of(p, way, exact)
-    if least < 1 << 29 - DEEP or p.most > (1 << 30) + steep:
+    if not p.corners.gentle or least < 1 << 29 - DEEP or p.most > (1 << 30) + steep:
         return None
     shift = max(0, 31 - least.bit_length() & ~1)
     return shift if steep << shift <= MOST else None
 
 
-def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
+def asymptotes(p) -> list[int] | None:
+    """Returns K of u and v, less their bases, in 2^-K_BITS units; None if one is 4,096 texels away or q hardly
+    grows."""
+    top, bottom, middle = p.corners.three
+    (_, ay, *a), (_, by, *b) = ([n - m for n, m in zip(each, top)] for each in (bottom, middle))
+    q, *st = (m * by - n * ay for m, n in zip(a, b))
+    shift = 32 - (abs(q) >> 32).bit_length()
+    if shift == 32:
+        return None
+    divisor, up = abs(q) << shift >> 32, shift + p.scale - K_SCALE
+    found = []
+    for grows in st:
+        k = (abs(grows) << up if up >= 0 else abs(grows) >> -up) // divisor
+        if k >> 31:
+            return None
+        found.append(-k if (grows < 0) != (q < 0) else k)
+    return found
+
+
+def starts(p, ks: list[int], bits: int) -> tuple[list[int], list[int]] | None:
+    """Returns C of u and v on the first line and their growth a line, 16.16; None if that does not fit."""
+    top, bottom, _ = p.corners.three
+    cs, dcs = [], []
+    for k, *texels in zip(ks, *p.corners.texels[:2]):
+        at, to = (((n << K_BITS) - k) * corner[2] >> 32 - bits for n, corner in zip(texels, (top, bottom)))
+        if signed(to - at) != to - at:
+            return None
+        dc = cut_quotient(to - at << 16, bottom[1] - top[1])
+        if signed(dc) != dc:
+            return None
+        cs.append(at + (dc * p.corners.y >> 16))
+        dcs.append(dc)
+    return cs, dcs
+
+
+def find(p, longest: int, box, exact: bool) -> Constants | None:
     """Returns the constants of a tmap.setup.perspective.Perspective, whose lines begin at the box's first;
     None if the polygon is drawn another way. ``longest``: the most pixels of a piece;
     ``exact``: edges are not rounded."""
-    way = len(lines) + box[2] - box[0]
+    lines = box[3] - box[1]
+    way = lines + box[2] - box[0]
     shift = shift_of(p, way, exact)
-    first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
-    if shift is None or first is None:
+    if shift is None or p.scale >= K_SCALE or p.corners.down > DOWN:
         return None
-    found = reciprocal.asymptotes(p, lines[first].left - box[0], first, BITS)
-    if found is None or not reciprocal.is_near(p, found[0], FAR_4096, FAR_4096):
+    ks = asymptotes(p)
+    if ks is None:
         return None
-    ks, cs, dcs = found
-    farthest = [(max(high - n, n - low) >> 16) + 1 for n, low, high in zip(ks, p.low, p.high)]
+    farthest = [(max(high - (n >> K_BITS), (n >> K_BITS) - low) >> 16) + 1 for n, low, high in zip(ks, p.low, p.high)]
     coarse = COARSE if max(farthest) > REACH else 0
-    if max(farthest) > REACH << coarse:
+    found = max(farthest) <= REACH << coarse and starts(p, ks, BITS_COARSE if coarse else BITS)
+    if not found:
         return None
     q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
     even = even_of(abs(q[1]), least_of(p, way, exact), longest)
     shift = 1 if even else shift
-    part = OFF_PART + (way << shift >> 11)
-    off = OFF + (len(lines) << shift >> 1 if coarse else OFF_WORD + (len(lines) << shift >> 5))
+    part = OFF_PART + (way + p.corners.off + OFF_CORNERS << shift >> 11)
+    down = p.corners.down + OFF_LINES << shift
+    off = OFF + (1 << shift >> 1) + (down >> 1 if coarse else OFF_WORD + (down >> 5))
     raised = [off + (n * part >> 2) for n in farthest]
-    c, dc = ([signed(n << 8 - BITS - coarse >> 32) for n in each] for each in (cs, dcs))
-    return Constants(tuple(b + n + m << 8 for b, n, m in zip(p.base, ks, raised)), tuple(c), tuple(dc), *q,
-                     p.i, p.j, longest, coarse, raised, even)
+    return Constants(tuple((k << 8 - K_BITS) + (b + m << 8) for b, k, m in zip(p.base, ks, raised)),
+                     *map(tuple, found), *q, p.i, p.j, longest, coarse, raised, even, p.corners.down - lines)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Line:
@@ -177,14 +233,15 @@ def bound(each: Line) -> float:
     scale = 2.0**(k.coarse - 4)  # units of 1 in C r
     for piece in each.pieces:
         up = 2.0**piece.shift / 65536
-        c = (max(abs(n) for n in each.c) + each.down) * up + 1
+        down = k.down + each.down + OFF_LINES
+        c = (max(abs(n) for n in each.c) + down) * up + 1
         cut = (each.way + piece.at + 2 * piece.pixels) * up
         if piece.is_first:
             first = reciprocal_at(piece.begin)
         for i in (piece.begin, piece.end):
             r = reciprocal_at(i)
             most = max(most, scale * (c * r * ((0.5 + cut) / i + 0.5 / r) + (first - r if k.coarse else r) / 2
-                                      + r * each.down * up))
+                                      + r * down * up))
     return each.n + 8 + most
 
 
@@ -194,8 +251,7 @@ def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
     for piece in each.pieces:
         old, r = reciprocal_at(piece.begin), reciprocal_at(piece.end)
         if piece.is_first:
-            cs = [signed(c << piece.shift) for c in each.c]
-            words = [signed(c + 0x8000 >> 16, 16) for c in cs]
+            cs, words = [signed(c << piece.shift) for c in each.c], each.words(piece.shift)
             at = [base + (c * old >> 8 if k.coarse else w * old << 4)
                   for base, c, w in zip(k.k, cs, words)]
             state = reciprocal.begun(*at)

@@ -1,5 +1,5 @@
 """The integer model's perspective: c/perspective/perspective.c, src68k/polygon/corners_find
-and planes_find, src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
+and planes_find.s, src68k/edge/perspective_lines and the spans src68k/span/perspective_*.
 
 q = (least w) / w, S = u q and T = v q are planes over the screen. On each line u and v are
 divided at the first and the last pixel. Between them u = first + (last - first) * part, with
@@ -87,6 +87,18 @@ class Plane:
 
 
 @dataclass
+class Corners:
+    """What the planes are found from: top, bottom and middle."""
+
+    three: list[tuple[int, ...]]  # x, y, q, s, t
+    texels: list[tuple[int, int]]  # u and v less their bases
+    y: int  # from the top to the first line, 16.16
+    down: int  # lines from the top to the last line, rounded up
+    off: int  # units by which q may be off
+    gentle: bool  # no step of q reaches 2^30 units
+
+
+@dataclass
 class Perspective:
     """The planes of q (in their upper 32 bits), S and T (S / q is u - base in 16.16)."""
 
@@ -104,6 +116,8 @@ class Perspective:
     gentle: bool = True  # no gradient is too steep for 32 integer bits
     raised: tuple[int, int] = (0, 0)  # units by which S and T are raised
     tilt: int = 0  # of level lines: q's growth a pixel, 24.8
+    corners: Corners | None = None
+    is_sure: bool = True  # S and T are accurate enough
 
     @property
     def farthest(self) -> int:
@@ -172,7 +186,7 @@ def error_part(gradient: int, pixels: int) -> int:
 
 def perspective(vertices, corners, box) -> Perspective | None:
     """Returns the planes of (x, y, u, v, w) vertices; None if the polygon is drawn affine: w is
-    constant, or the planes are not accurate enough.
+    constant, or the plane of q is not accurate enough.
 
     ``corners``: indices of top, bottom and middle.
     """
@@ -185,10 +199,11 @@ def perspective(vertices, corners, box) -> Perspective | None:
     high = tuple(max(span) - b for span, b in zip(spans, base))
     farthest = max(*high, *(-c for c in low))
     shift = max(farthest.bit_length(), 16)
-    three = []
+    three, texels = [], []
     for x, y, u, v, w in (vertices[k] for k in corners):
         q = mul_div(min(ws), Q_ONE, w)
-        three.append((x, y, q, (u - base[0]) * q >> shift, (v - base[1]) * q >> shift))
+        texels.append((u - base[0], v - base[1]))
+        three.append((x, y, q, *(n * q >> shift for n in texels[-1])))
     left, top, right, bottom = box
     x, y = signed((left << 16) - three[0][0]), signed((top << 16) - three[0][1])
     ways = (abs(x) >> 16) + right - left + 1, (abs(y) >> 16) + bottom - top + 1
@@ -202,16 +217,22 @@ def perspective(vertices, corners, box) -> Perspective | None:
                + wide_mul(q.dy, signed(v[1] - (top << 16)))) for v in vertices]
     least = min(at)
     errors = [2 + error_part(plane.dx, ways[0]) + error_part(plane.dy, ways[1]) for plane in planes]
-    if max(errors) >= TOO_STEEP or least < Q_SURE * max(errors):
+
+    def is_sure(error: int) -> bool:
+        return error < TOO_STEEP and least >= Q_SURE * error
+
+    if not is_sure(errors[0]):
         return None
-    least -= errors[0] if len(vertices) == 3 else 0
     raised = tuple(error + errors[0] + 2 * shares + 2 for error in errors[1:])
     for plane, units in zip(st, raised):  # s / q is never below u
         plane.at += units << 16
-    base = tuple(b + 1 for b in base)  # quotients are cut
-    gentle = all(abs(signed(g, 64)) >> 32 < STEEP_2_14 for g in (q.dx, q.dy, *(p.dx for p in st)))
-    return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top, base,
-                       shift, least, max(at), low, high, gentle, raised)
+    gentle = [all(abs(signed(g, 64)) >> 32 < STEEP_2_14 for g in each)
+              for each in ((q.dx, q.dy), (p.dx for p in st))]
+    return Perspective(q.scaled(16), *(plane.scaled(shift - 16) for plane in st), left, top,
+                       tuple(b + 1 for b in base),  # quotients are cut
+                       shift, least - (errors[0] if len(vertices) == 3 else 0), max(at), low, high, all(gentle),
+                       raised, corners=Corners(three, texels, y, ways[1], errors[0], gentle[0]),
+                       is_sure=all(map(is_sure, errors)))
 
 
 def is_level(p: Perspective, width: int, setting: str, off: int) -> bool:

@@ -259,10 +259,10 @@ def set_level(polygon: Polygon, deep: Perspective, width: int, off: int, least: 
     return tilt is not None
 
 
-def columns_of(polygon: Polygon, vertices, box, size: tuple[int, int],
-               settings: Settings) -> Polygon | None:
-    """Returns a polygon with perspective and exact edges that is drawn by columns; else None. ``size``: the
-    frame's."""
+def turned_of(polygon: Polygon, vertices, box, size: tuple[int, int],
+              settings: Settings) -> tuple[Perspective, list, Sides] | None:
+    """Returns the planes, vertices and sides with x and y exchanged of a polygon with exact edges whose columns may
+    be straight; else None. ``size``: the frame's."""
     turned = [(v[1], v[0], 0, 0) for v in vertices]
     sides = measure(turned, size[1], size[0])
     if not sides:
@@ -272,6 +272,12 @@ def columns_of(polygon: Polygon, vertices, box, size: tuple[int, int],
     height = box[3] - box[1]
     if height < way(polygon.setting).column or not set_level(polygon, deep, height, 0, Q_ONE, settings):
         return None
+    return deep, turned, sides
+
+
+def columns_of(polygon: Polygon, found, height: int, size: tuple[int, int]) -> Polygon | None:
+    """Returns the polygon of the columns that ``turned_of`` has found; None if they bend too much."""
+    deep, turned, sides = found
     columns = Outline(sides.corners, turned, sides).polygon(size[1], True, True, True)
     columns.perspective, columns.setting, columns.is_level = deep, polygon.setting, True
     return None if deep.tilt and bends(deep, columns.lines, height) else columns
@@ -282,15 +288,23 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     """Sets the planes of a polygon's perspective; returns False if it is drawn affine. ``size``: the
     frame's."""
     deep = perspective([v[:5] for v in vertices], outline.corners, outline.box)
-    if deep is None:
+    if deep is None or settings.tolerance and not deep.is_sure:
         return False
     width = outline.box[2] - outline.box[0]
     setting, straight = coarser(deep, width, settings.perspective, settings.tolerance)
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
     polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
+    turned = None
     if not polygon.is_level and settings.has_exact_edges:
-        polygon.columns = columns_of(polygon, vertices, outline.box, size, settings)
+        turned = turned_of(polygon, vertices, outline.box, size, settings)
     polygon.constants = constants(deep, polygon.lines, outline.box, setting, settings.has_exact_edges)
+    from_afar = isinstance(polygon.constants, far.Constants) and not polygon.is_level and not turned
+    if not deep.is_sure and not from_afar:
+        polygon.perspective, polygon.setting, polygon.constants = None, "none", None
+        polygon.straight = polygon.is_level = False
+        return False
+    if turned:
+        polygon.columns = columns_of(polygon, turned, outline.box[3] - outline.box[1], size)
     return True
 
 
@@ -363,12 +377,12 @@ def by_triangles(vertices, outline: Outline, width: int, settings: Settings,
 
 def constants(deep: Perspective, lines: list[Line], box, setting: str, exact: bool):
     """Returns the constants of lines drawn by tables; None if no line is."""
+    if setting in PIECES:
+        return (far.find(deep, PIECES[setting], box, exact)
+                or far_planes.find(deep, PIECES[setting], lines, box, exact))
     first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
     if setting == "fine" or first is None:
         return None
-    if setting in PIECES:
-        return (far.find(deep, PIECES[setting], lines, box, exact)
-                or far_planes.find(deep, PIECES[setting], lines, box, exact))
     return reciprocal.find(deep, lines[first].left - box[0], first)
 
 

@@ -29,46 +29,45 @@ def product(k: int, q: int) -> int:
     return a * c + (a * d >> 32) + (b * c >> 32)
 
 
-def asymptote(q, plane, bits: int = BITS) -> int | None:
-    """Returns K of a plane, 32.32; None if it is 2^(16 - bits) texels away."""
+def asymptote(q, plane) -> int | None:
+    """Returns K of a plane, 32.32; None if it is 2^(16 - BITS) texels away."""
     top, bottom = signed(plane.dx, 64), signed(q.dx, 64)
     sign = -1 if (top < 0) != (bottom < 0) else 1
     top, bottom = abs(top), abs(bottom)
-    if bottom >> 32 < FLAT or top >> 64 - bits or top >> 32 - bits >= bottom >> 32:
+    if bottom >> 32 < FLAT or top >> 64 - BITS or top >> 32 - BITS >= bottom >> 32:
         return None
     up = 32 - (bottom >> 32).bit_length()
     return sign * ((top << up + 32) // (bottom << up >> 32))
 
 
-def asymptotes(p, x: int, y: int, bits: int = BITS) -> tuple[list[int], list[int], list[int]] | None:
-    """Returns K of u and v, less their bases, C 2^bits of the first line, and its growth per line; None if
+def asymptotes(p, x: int, y: int) -> tuple[list[int], list[int], list[int]] | None:
+    """Returns K of u and v, less their bases, C 2^BITS of the first line, and its growth per line; None if
     there is no K. (x, y): a pixel of the polygon, relative to the planes' (i, j)."""
     if not p.gentle:
         return None
     k, c, dc = [], [], []
     q = signed(p.q.value(x, y), 64)
     for plane in (p.s, p.t):
-        full = asymptote(p.q, plane, bits)
+        full = asymptote(p.q, plane)
         if full is None:
             return None
         k.append(full >> 32)
-        dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << bits, 64))
-        c.append(signed((plane.value(x, y) - product(full, q) << bits) - y * dc[-1], 64))
+        dc.append(signed(plane.dy - product(full, signed(p.q.dy, 64)) << BITS, 64))
+        c.append(signed((plane.value(x, y) - product(full, q) << BITS) - y * dc[-1], 64))
     return k, c, dc
 
 
-def is_near(p, k: list[int], reach: int, far: int = FAR_512) -> bool:
-    """Returns true if K and the ranges are nearer than ``far`` to the bases, and K is at most ``reach``
-    outside the ranges."""
-    return (max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) < far
-            and not any(max(low - n, n - high) > reach for n, high, low in zip(k, p.high, p.low)))
+def is_near(p, k: list[int]) -> bool:
+    """Returns true if K and the ranges are nearer than FAR_512 to the bases, and K is as near the ranges."""
+    return (max(max(abs(n), high, -low) for n, high, low in zip(k, p.high, p.low)) < FAR_512
+            and not any(max(low - n, n - high) > FAR_512 for n, high, low in zip(k, p.high, p.low)))
 
 
 def find(p, x: int, y: int) -> Constants | None:
     """Returns the constants of a tmap.setup.perspective.Perspective for logarithms; None if no line is tried.
     (x, y): a pixel of the polygon, relative to the planes' (i, j)."""
     found = asymptotes(p, x, y)
-    if found is None or not is_near(p, found[0], FAR_512):
+    if found is None or not is_near(p, found[0]):
         return None
     k, c, dc = found
     more = layout.load().constants["LOGARITHM_OFF"]
