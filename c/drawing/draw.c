@@ -293,7 +293,7 @@ static int32 draw_perspective(struct setup *s)
     struct perspective_plan plan;
     struct depth depth;
     struct far_way way;
-    int32 has_texels = 0, by_columns, from_afar, has_lines;
+    int32 by_columns, from_afar, has_lines;
 
     s->perspective = &plan;
     way.shift = -1;
@@ -301,21 +301,20 @@ static int32 draw_perspective(struct setup *s)
         set_plane(s);
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
-        has_texels = 1;
+        depth.has_texels = 1;
     } else if (!perspective_depth(&plan, &depth, s->vertices, s->count, &s->sides, &s->box)
-               || (s->material->tolerance
-                   && !(has_texels = perspective_texels(&plan, &depth)))) {
+               || (s->material->tolerance && !perspective_texels(&plan, &depth))) {
         return unsure(s);
     }
     lower_by_planes(s);
     perspective_find_level(s);
-    if (s->level && !has_texels && !(has_texels = perspective_texels(&plan, &depth)))
+    if (s->level && !perspective_texels(&plan, &depth))
         return unsure(s);
     by_columns = s->level == LEVEL_COLUMNS && columns_draw(s);
     if (by_columns && !light_kind(s))
         return 1;
     from_afar = !by_columns && s->level != LEVEL_LINES && perspective_from_afar(s, &depth, &way);
-    if (!from_afar && !has_texels && !perspective_texels(&plan, &depth))
+    if (!from_afar && !perspective_texels(&plan, &depth))
         return unsure(s);
     has_lines = make_lines_read(s, from_afar);
     if (from_afar)

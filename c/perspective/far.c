@@ -10,12 +10,12 @@ static far_routine *const spans[2][2][2] = {    /* [even][coarse][q grows to the
      {span_far_even_right_coarse, span_far_even_left_coarse}}
 };
 
-static const struct far_lengths every16 = {
-    1 << (FAR_EVERY16 - 8), 1 << (FAR_EVERY16 - 6), 1 << (FAR_EVERY16 - 4), FAR_MOST / 2
-};
-static const struct far_lengths every8 = {
-    0, 1 << (FAR_EVERY8 - 6), 1 << (FAR_EVERY8 - 4), 1 << (FAR_EVERY8 - 2)
-};
+/* By log2 of the greatest step, of q 2^31, in pieces of one pixel. */
+#define LENGTHS(every) \
+    {1 << ((every) - 8), 1 << ((every) - 6), 1 << ((every) - 4), 1 << ((every) - 2)}
+
+static const struct far_lengths every16 = LENGTHS(FAR_EVERY16);
+static const struct far_lengths every8 = LENGTHS(FAR_EVERY8);
 
 /* The upper half of a number times 2^bits; bits: 1 to 31. */
 static int32 upper(const struct number64 *from, int32 bits)
@@ -23,14 +23,13 @@ static int32 upper(const struct number64 *from, int32 bits)
     return (int32)(from->hi << bits | from->lo >> (32 - bits));
 }
 
-/* Returns log2 of the pixels that pieces of even spans have; 0 if they do not draw the polygon. least: of q. */
-static int32 even_piece(const struct far_lengths *lengths, uint32 steep, int32 least)
+/* Returns the index of q, less FAR_ORIGIN, from which on q / step is 2^bits / 8 or more, so that pieces of
+   16 pixels may be drawn if bits is FAR_EVERY16 - 21, and so on. */
+static int16 first_index(uint32 step, int32 bits)
 {
-    if (least < 1 << FAR_EVEN)
-        return 0;
-    steep <<= 1;
-    return steep <= lengths->most_16 ? 4 : steep <= lengths->most_8 ? 3
-         : steep <= lengths->most_4 ? 2 : 0;
+    const uint32 index = (step + (1u << bits) - 1) >> bits;
+
+    return (int16)(index < 65536 ? (int32)index - FAR_ORIGIN : 32767);
 }
 
 /* Returns the bits by which q may have to be shifted left; below 0 if the polygon is not drawn this way.
@@ -61,12 +60,12 @@ static int32 farthest(int32 k, fix16 low, fix16 high)
     return ((above > below ? above : below) >> 16) + 1;
 }
 
-static const struct far_lengths *lengths_of(int32 longest)
+static const struct far_lengths *lengths_of(int32 every)
 {
-    return longest == 16 ? &every16 : &every8;
+    return every == 16 ? &every16 : &every8;
 }
 
-int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth, int32 longest)
+int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth, int32 every)
 {
     const struct perspective_plan *planes = s->perspective;
     const struct sides *sides = &s->sides;
@@ -92,8 +91,8 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
     plan->bottom_v = sides->bottom->t - planes->v + 1;
     if (!far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS))
         return 0;
-    way->even = even_piece(lengths_of(longest), (uint32)fix_magnitude((int32)planes->q.dx.hi),
-                           least);
+    way->even = least >= 1 << FAR_EVEN
+             && 2 * fix_magnitude((int32)planes->q.dx.hi) <= lengths_of(every)->most_4;
     if (way->even)
         way->shift = 1;
     return 1;
@@ -135,7 +134,7 @@ static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
 }
 
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
-              int32 longest, int32 has_lines)
+              int32 every, int32 has_lines)
 {
     const struct perspective_plan *planes = s->perspective;
     const struct far_plan *plan = &way->plan;
@@ -146,16 +145,18 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
                      + (((across + lines + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
     const int32 off = FAR_OFF + (1 << way->shift >> 1)
                     + (way->coarse ? down >> 1 : FAR_OFF_WORD + (down >> 5));
+    const int32 bits = every == 16 ? FAR_EVERY16 : FAR_EVERY8;
     struct far_span span;
 
-    make_lines(s, way->even != 0, has_lines);
+    make_lines(s, way->even, has_lines);
     span.lines = (const struct far_line *)s->scratch->room;
     span.count = lines;
     span.map = s->span.map;
     span.table = s->renderer->reciprocals;
     span.dq = (uint32)fix_magnitude((int32)planes->q.dx.hi);
-    span.lengths = *lengths_of(longest);
-    span.even = way->even;
+    span.lengths = *lengths_of(every);
+    span.from_8 = first_index(2 * span.dq, bits - 19);
+    span.from_16 = first_index(2 * span.dq, bits - 21);
     span.ku = ((uint32)plan->ku << (8 - FAR_K_BITS))
             + ((uint32)(planes->u + off + (way->to_u * part >> 2)) << 8);
     span.kv = ((uint32)plan->kv << (8 - FAR_K_BITS))
@@ -164,7 +165,7 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
     span.dcv = plan->dcv;
     span.cu = plan->cu;
     span.cv = plan->cv;
-    spans[way->even != 0][way->coarse][leftwards](&span);
+    spans[way->even][way->coarse][leftwards](&span);
 }
 
 /* Returns the most texels of u or v from its base, rounded up. */
@@ -173,7 +174,7 @@ static int32 range(fix16 low, fix16 high)
     return ((-low > high ? -low : high) >> 16) + 1;
 }
 
-int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
+int32 far_draw_planes(const struct setup *s, int32 shift, int32 every)
 {
     const struct perspective_plan *planes = s->perspective;
     const int32 to_u = range(planes->u_low, planes->u_high);
@@ -206,7 +207,7 @@ int32 far_draw_planes(const struct setup *s, int32 shift, int32 longest)
     span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
     span.u = planes->u + off + (to_u * part >> 2);
     span.v = planes->v + off + (to_v * part >> 2);
-    span.lengths = *lengths_of(longest);
+    span.lengths = *lengths_of(every);
     if (span.dqdx < 0)
         span_far_planes_left(&span);
     else

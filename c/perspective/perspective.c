@@ -144,6 +144,7 @@ int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
     plan->v += 1;
     depth_plane_find(&q, corners);
     depth->is_triangle = count == 3;
+    depth->has_texels = 0;
     if (count == 3) {
         least = least_of(corners);
         plan->q_high = PERSPECTIVE_ONE;
@@ -164,12 +165,14 @@ int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
     return 1;
 }
 
-int32 perspective_texels(struct perspective_plan *plan, const struct depth *depth)
+int32 perspective_texels(struct perspective_plan *plan, struct depth *depth)
 {
     const int32 shares = depth->is_triangle ? 1 : 3;
     struct texel_planes planes;
     int32 off_s, off_t;
 
+    if (depth->has_texels)
+        return 1;
     texel_planes_find(&planes, &depth->corners);
     off_s = plane_error(&planes.s, depth->right, depth->down);
     off_t = plane_error(&planes.t, depth->right, depth->down);
@@ -183,6 +186,7 @@ int32 perspective_texels(struct perspective_plan *plan, const struct depth *dept
     plan->gentle = depth->gentle && is_gentle(&planes.s.dx) && is_gentle(&planes.t.dx);
     scale_plane(&plan->s, &planes.s, depth->scale);
     scale_plane(&plan->t, &planes.t, depth->scale);
+    depth->has_texels = 1;
     return 1;
 }
 

@@ -43,6 +43,7 @@ struct depth {
     int32 off;                  /* units by which q may be off */
     int32 least;                /* of the corners' q, of their plane at the vertices if they are more */
     int32 gentle;               /* 1: no step of q reaches 2^30 units */
+    int32 has_texels;           /* 1: the planes of s and t have been found */
 };
 
 /* src68k/polygon: contracts there. depth_plane_find and texel_planes_find: values at the pixel, and their
@@ -58,8 +59,8 @@ int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
                         const struct vertex *vertices, int32 count, const struct sides *sides,
                         const struct rectangle *box);
 
-/* Fills in the planes of s and t. Returns 0 if they are as inexact. */
-int32 perspective_texels(struct perspective_plan *plan, const struct depth *depth);
+/* Fills in the planes of s and t, once. Returns 0 if they are as inexact. */
+int32 perspective_texels(struct perspective_plan *plan, struct depth *depth);
 
 /* Fills in all of a plan for constant w, from the planes of u and v: q is 1 everywhere, and the picture is
    the affine one. Returns 0 if the planes are too steep or the box is too wide. */

@@ -12,9 +12,9 @@ enum far_constants {
     FAR_LOWEST = 8192,
     FAR_COUNT = 40962,
     FAR_ORIGIN = 32768,         /* index 0 in the table */
-    /* Pieces have h pixels where the step of q a pixel is at most EVERY / h^2, q being 2^29 to 2^31. The chord is
-       off by about h^2 / (4 L) pixels, L = q / step: at most 1 pixel with every16, 1/2 with every8, which has no
-       pieces of 16. The table has room for steps up to MOST, in pieces of 2 half of that. */
+    /* Pieces have h pixels, 16 at most, where the step of q a pixel is at most EVERY / h^2, q being 2^29 to 2^31.
+       The chord is off by about h^2 / (4 L) pixels, L = q / step: at most 1 pixel with every16, 1/2 with every8. The
+       table has room for steps up to MOST, in pieces of 2 half of that. */
     FAR_EVERY16 = 31,           /* log2 */
     FAR_EVERY8 = 30,
     FAR_MOST = 1 << 30,
@@ -98,7 +98,7 @@ struct far_span {
     const uint16 *table;        /* at index 0 */
     uint32 dq;                  /* step of q in the way that lines are drawn, 2.30, above 0 */
     struct far_lengths lengths; /* of pieces, by this */
-    int32 even;                 /* even spans: log2 of a piece's pixels, 4, 3 or 2 */
+    int16 from_8, from_16;      /* even spans: the index less FAR_ORIGIN from which pieces have so many pixels */
     uint32 ku, kv;              /* K, 8.24 */
     uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
 };

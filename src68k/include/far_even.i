@@ -1,6 +1,6 @@
 ; Perspective spans as in far.i for polygons whose q differ at most four times. q and C are shifted by one bit,
-; so that the index is 2^13 to 2^15 on every line, and all pieces have the same length: a line only looks up
-; its beginning.
+; so that the index is 2^13 to 2^15 on every line: a line begins once. Its pieces grow with q, from 4 or 8 pixels
+; to 8 and 16.
 ;
 ; \1: right if q grows to the right, or left; \2: as in far.i.
 
@@ -8,15 +8,19 @@
 
 ; On the stack; ku and kv where far.i has them.
 even_end        equ     0               ; of the table
-even_pieces     equ     4               ; the loop over a line's pieces
-even_cu         equ     8               ; of the line, if C is coarse
-even_cv         equ     12
+even_step2      equ     4               ; of q in pieces of 4 pixels, swapped
+even_step3      equ     8               ; of 8
+even_step4      equ     12              ; of 16
+even_from3      equ     16              ; words: the index less 2^15 from which pieces have 8 pixels
+even_from4      equ     18              ; and 16
 even_ku         equ     far_ku
 even_dcu        equ     far_ku+8        ; swapped, unless C is coarse
 even_dcv        equ     far_ku+12
-even_bytes      equ     far_ku+16
-        ifgt    even_cv+4-far_ku
-        fail    C is where far_start reads K
+even_cu         equ     far_ku+16       ; of the line, if C is coarse
+even_cv         equ     far_ku+20
+even_bytes      equ     far_ku+24
+        ifgt    even_from4+2-far_ku
+        fail    something is where far_start reads K
         endc
 
 ; Steps C to the next line. Uses d0/d2.
@@ -33,8 +37,17 @@ even_next macro
         endc
         endm
 
-; The loop over pieces of 2^\3 pixels. In: a4 step of q a piece, swapped.
+; Stores d3, the step of q in pieces of 2^\1 pixels, and doubles it. Uses d0.
+even_step macro
+        move.l  d3,d0
+        swap    d0
+        move.l  d0,even_step\1(sp)
+        add.l   d3,d3
+        endm
+
+; The loop over pieces of 2^\3 pixels, until those of 2^\4 may begin or the line ends.
 even_loop macro
+.from\3 movea.l even_step\3(sp),a4
 .piece\3
         add.l   a4,d5
         moveq   #0,d2
@@ -50,8 +63,15 @@ even_loop macro
         far_pixel w,\1
 .pixels\3
         cmpa.l  a6,a1
+        ifeq    \3-4
         bne     .piece\3
         bra     .below
+        else
+        beq     .below
+        cmp.w   even_from\4(sp),d5
+        blt     .piece\3
+        bra     .from\4
+        endc
 
 .last\3 lea     .pixels\3(pc,d4.w*4),a2
         lea     (a2,d4.w*8),a2          ; 12 bytes a pixel
@@ -80,18 +100,11 @@ even_lines macro
         endc
         movem.l d0-d3,even_ku(sp)
         move.l  far_span_dq(a0),d3
-        move.l  far_span_even(a0),d0
-        addq.l  #1,d0
-        lsl.l   d0,d3
-        swap    d3
-        movea.l d3,a4                   ; step of q a piece
-        lea     .piece4(pc),a2
-        subq.l  #4,d0
-        bgt.s   .chosen
-        lea     .piece3(pc),a2
-        beq.s   .chosen
-        lea     .piece2(pc),a2
-.chosen move.l  a2,even_pieces(sp)
+        lsl.l   #3,d3
+        even_step 2
+        even_step 3
+        even_step 4
+        move.l  far_span_from_8(a0),even_from3(sp)      ; from_16 too
         move.l  far_span_map(a0),d4     ; mm00
         movea.l far_span_table(a0),a3
         movea.l far_span_lines(a0),a0
@@ -113,12 +126,15 @@ even_lines macro
         endc
         far_start \1,\2
         far_chain
-        movea.l even_pieces(sp),a2
-        jmp     (a2)
+        cmp.w   even_from4(sp),d5
+        bge     .from4
+        cmp.w   even_from3(sp),d5
+        bge     .from3
+        bra     .from2
 .done   lea     even_bytes(sp),sp
         rts
 
         even_loop \1,\2,4
-        even_loop \1,\2,3
-        even_loop \1,\2,2
+        even_loop \1,\2,3,4
+        even_loop \1,\2,2,3
         endm

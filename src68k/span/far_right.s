@@ -2,9 +2,9 @@
 
 ; span_far_right - draws lines with perspective from their far, left ends on
 ;
-; in:      a0  far_span*  the lines, the frame, the map, the table, the planes
+; in:      a0  far_span*  the lines, the map, the table, K and C
 ; trashes: d0-d7/a0-a6
-; reads:   the span, left and last of its lines, the table, the map
+; reads:   the span, its lines, the table, the map
 ; writes:  the pixels of the lines, nothing else
 ; formats: u, v 8.24, both wrap at 256; 8-bit texels and pixels. A piece's steps are C times the
 ;          growth of r in it; a line's last piece is the beginning of a whole one

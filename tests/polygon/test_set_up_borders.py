@@ -61,7 +61,8 @@ def sureness(each: Border) -> int:
     with pytest.MonkeyPatch.context() as patch:
         for times in range(1, 7):
             patch.setattr(perspective, "Q_SURE", times)
-            if perspective.perspective(corners, sides.corners, sides.box) is None:
+            planes = perspective.perspective(corners, sides.corners, sides.box)
+            if planes is None or not planes.is_sure:
                 return times - 1
     return 6
 

@@ -33,9 +33,9 @@ def any_q(leftwards: bool, rng) -> tuple[int, int, int]:
     return (low + ACROSS * step, -step, down) if leftwards else (low, step, down)
 
 
-def even_q(leftwards: bool, pixels: int, longest: int, rng) -> tuple[int, int, int]:
-    """The same for pieces of so many pixels each, between 2^28 and 2^30."""
-    most = min(model.LENGTHS[longest][pixels] // 2, (3 << 28) // ACROSS - MARGIN // ACROSS * 2 - 1)
+def even_q(leftwards: bool, pixels: int, every: int, rng) -> tuple[int, int, int]:
+    """The same between 2^28 and 2^30, for pieces of so many pixels everywhere."""
+    most = min(model.LENGTHS[every][pixels] // 2, (3 << 28) // ACROSS - MARGIN // ACROSS * 2 - 1)
     step = int(2.0 ** rng.uniform(0, np.log2(most))) + 1
     low = int(rng.integers((1 << 28) + MARGIN, (1 << 30) - ACROSS * step - MARGIN))
     down = int(rng.integers(-4000, 4000))
@@ -46,21 +46,21 @@ def anything_of(made, rng) -> Trial:
     return bench.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), made, LINES, PITCH, f"{made}")
 
 
-def span_trial(longest: int, leftwards: bool, coarse: int, rng, even: int = 0) -> Trial:
-    """Any constants. ``even``: pixels of all pieces."""
+def span_trial(every: int, leftwards: bool, coarse: int, rng, even: int = 0) -> Trial:
+    """Any constants. ``even``: the pixels of pieces wherever they begin; 0: not even."""
     c, dc = ([int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(*reach, 2)]
              for reach in ((9, 31), (2, 23)))
     return anything_of(model.Constants(
         tuple(int(n) for n in rng.integers(0, 1 << 32, 2)), tuple(c), tuple(dc),
-        *(even_q(leftwards, even, longest, rng) if even else any_q(leftwards, rng)), 0, 0,
-        longest, coarse, [0, 0], even), rng)
+        *(even_q(leftwards, even, every, rng) if even else any_q(leftwards, rng)), 0, 0,
+        every, coarse, [0, 0], even > 0), rng)
 
 
-def planes_trial(longest: int, leftwards: bool, rng) -> Trial:
+def planes_trial(every: int, leftwards: bool, rng) -> Trial:
     """Any planes of u and v; their base is the same."""
     st = tuple(tuple(int(rng.integers(-1 << bits, 1 << bits)) for bits in (30, 22, 22)) for _ in "uv")
     return anything_of(far_planes.Constants(
-        *any_q(leftwards, rng), st, tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)), 0, 0, longest,
+        *any_q(leftwards, rng), st, tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)), 0, 0, every,
         [0, 0]), rng)
 
 
@@ -84,17 +84,18 @@ def lines_trial(leftwards: bool, rng) -> Trial:
 
 
 def constants_trials(deep) -> Iterator[Trial]:
-    """K of a triangle and, if it has one, C."""
+    """K of a triangle and, if it is near enough, C."""
     names = ("x", "y", "q", "s", "t")
     top, bottom, middle = (dict(zip(names, three)) for three in deep.corners.three)
     vectors = [{name: n - top[name] for name, n in other.items()} for other in (bottom, middle)]
     swapped = vectors[0]["x"] * vectors[1]["y"] < vectors[1]["x"] * vectors[0]["y"]
     shape, plan_shape = layout.load().struct("plane_corner"), layout.load().struct("far_plan").fields
     ks = model.asymptotes(deep)
+    farthest = max(model.to_farthest(deep, ks)) if ks else 0
+    bits = model.BITS if farthest <= model.REACH else model.BITS_COARSE
     for kernel in ("far_asymptotes", "far_constants"):
-        if not ks and kernel == "far_constants":
+        if kernel == "far_constants" and (not ks or farthest > model.REACH << model.COARSE):
             return
-        bits = model.BITS if max(map(abs, ks or [0])) < 512 << 19 else model.BITS_COARSE
         memory = Memory()
         rows = [top, *(vectors[::-1] if swapped else vectors)]
         corners = memory.struct("plane_corners", {}, area=[0] * 8, x=0, y=deep.corners.y,
@@ -117,10 +118,10 @@ def constants_trials(deep) -> Iterator[Trial]:
 
 def trials() -> list[Trial]:
     rng = np.random.default_rng(24)
-    ways = [(longest, leftwards) for longest in (8, 16) for leftwards in (False, True)]
+    ways = [(every, leftwards) for every in (8, 16) for leftwards in (False, True)]
     return [*(span_trial(*way, coarse, rng) for way in ways for coarse in (0, model.COARSE) for _ in range(16)),
-            *(span_trial(16, leftwards, coarse, rng, even) for leftwards in (False, True)
-              for coarse in (0, model.COARSE) for even in (4, 8, 16) for _ in range(8)),
+            *(span_trial(every, leftwards, coarse, rng, even) for every, leftwards in ways
+              for coarse in (0, model.COARSE) for even in (4, 8, 16) for _ in range(6)),
             *(planes_trial(*way, rng) for way in ways for _ in range(16)),
             *(edges_trial(splits, exact, rng) for splits in SPLITS for exact in (False, True) for _ in range(3)),
             *(lines_trial(leftwards, rng) for leftwards in (False, True) for _ in range(8)),

@@ -12,7 +12,7 @@ from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup import far, far_planes
 
-#: Row: the most pixels of a piece, whether by planes of u and v, whether all pieces have so many.
+#: Row: the setting, whether by planes of u and v, whether by even spans.
 SPANS = {"persp_far_16": (16, False, False), "persp_far_8": (8, False, False),
          "persp_planes_16": (16, True, False), "persp_even_16": (16, False, True),
          "persp_even_8": (8, False, True)}
@@ -33,7 +33,7 @@ def kernel(k: far.Constants | far_planes.Constants) -> str:
 
 def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
     """What a span's structure has of them."""
-    most = {f"most_{pixels}": far.LENGTHS[k.longest][pixels] for pixels in (16, 8, 4, 2)}
+    most = {f"most_{pixels}": far.LENGTHS[k.every][pixels] for pixels in (16, 8, 4, 2)}
     lengths = layout.load().struct("far_lengths").pack(**most)
     found = {"lengths": list(lengths)}
     if isinstance(k, far_planes.Constants):
@@ -42,8 +42,10 @@ def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
             found |= {name: signed(at - bias * dx), f"d{name}dx": dx, f"d{name}dy": dy}
         return found | {"q": found["q"] & M32} | dict(zip("uv", k.base))
     values = {"dq": abs(k.dqdx), "ku": k.k[0], "kv": k.k[1], "cu": k.c[0], "cv": k.c[1], "dcu": k.dc[0],
-              "dcv": k.dc[1], "even": max(k.even.bit_length() - 1, 0)}
-    return found | {name: n & M32 for name, n in values.items()}
+              "dcv": k.dc[1]}
+    starts = {f"from_{pixels}": min(k.first_index(pixels) - far.ORIGIN, 32767) if k.even else 0
+              for pixels in (8, 16)}
+    return found | starts | {name: n & M32 for name, n in values.items()}
 
 
 def far_lines(arena: Arena, k: far.Constants, lines: list[tuple[int, int]], frame_at: int, pitch: int) -> int:
@@ -140,22 +142,22 @@ def lines_case():
     return lines_trial(Arena(), [(k, 10) for k in range(LINES)], True, (0, 320, 1 << 28, 1 << 20, -1 << 18)).row(LINES)
 
 
-def span_case(longest: int, planes: bool, even: bool, length: int):
+def span_case(every: int, planes: bool, even: bool, length: int):
     """A bench row: lines of one length that begin 0 to 3 pixels on."""
     rng, count, memory = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
     map_at = memory.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
-    step = min(3 * (1 << 28) // length, far.LENGTHS[longest][longest] // 2)
+    step = min(3 * (1 << 28) // length, far.LENGTHS[every][every] // 2)
     q = 1 << 28, (1 << 28) + length * step
     any_two = rng.integers(0, 1 << 32, 2)
     if planes:  # from 0 on
         st = tuple((0, int(d * q[1] / 4096), 0) for d in (1, 0.7))
-        made = far_planes.Constants(q[0], step, 0, st, tuple(map(signed, any_two.tolist())), 0, 0, longest, [0, 0])
+        made = far_planes.Constants(q[0], step, 0, st, tuple(map(signed, any_two.tolist())), 0, 0, every, [0, 0])
     else:
         across = 2.0**38 / q[0] - 2.0**38 / q[1]  # of C r, where C is 1: see far.h
         c = tuple(int(-d * length / across * 65536) for d in (1, 0.7))
-        made = far.Constants(tuple(any_two.tolist()), c, (0, 0), q[0], step, 0, 0, 0, longest, 0, [0, 0],
-                             longest * even)
+        made = far.Constants(tuple(any_two.tolist()), c, (0, 0), q[0], step, 0, 0, 0, every, 0, [0, 0],
+                             even)
     ground = framed(memory, map_at, picture, count, length)
     lines = [(k % 4, length) for k in range(count)]
     return span_trial(Arena(), ground, made, lines, length + GAP).row(count * length)

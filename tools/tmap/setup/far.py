@@ -20,9 +20,9 @@ LOWEST = 8192
 COUNT = 40962
 ORIGIN = 32768
 MOST = 1 << 30
-#: The greatest steps of q a pixel, q being 2^29 to 2^31, by a piece's pixels; by a setting's longest pieces.
+#: The greatest steps of q a pixel, q being 2^29 to 2^31, by a piece's pixels; by what a setting is called after.
 LENGTHS = {16: {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOST},
-           8: {16: 0, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
+           8: {16: 1 << 22, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
 DEEP = 8
 COARSE = 4
 EVEN = 1 << 28
@@ -47,16 +47,20 @@ class Constants:
     dqdy: int
     left: int
     top: int
-    longest: int  # pixels of a piece
+    every: int  # 16 or 8, the setting
     coarse: int  # 0 or COARSE
     raised: list[int]  # units by which u and v are raised, included in k
-    even: int = 0  # pixels of all pieces, if q differs four times at most; q and C are shifted by one bit then
+    even: bool = False  # q differs four times at most; q and C are shifted by one bit then
     down: int = 0  # lines from the top vertex to the first
 
     @cached_property
     def words(self) -> list[list[int]]:
         """Even spans: C of each line, once asked for, half a word more, with its halves exchanged."""
         return []
+
+    def first_index(self, pixels: int) -> int:
+        """Even spans: the index from which pieces have so many pixels."""
+        return -(-2 * abs(self.dqdx) // (LENGTHS[self.every][pixels] >> 13))
 
     def words_at(self, n: int) -> tuple[int, int]:
         """Returns C of an even span's line, as words: the chain of both halves."""
@@ -105,18 +109,24 @@ class Line:
     @cached_property
     def pieces(self) -> list[Piece]:
         """The line's pieces in drawing order."""
-        found, at, dq, even = [], 0, abs(self.constants.dqdx), self.constants.even
-        if even:
-            step, x = swap(dq * even << 1), swap(self.q << 1 & M32 ^ 1 << 31)
+        found, at, dq = [], 0, abs(self.constants.dqdx)
+        if self.constants.even:
+            first = {m: self.constants.first_index(m) for m in (8, 16)}
+            x, pixels = swap(self.q << 1 & M32 ^ 1 << 31), 4
             while at <= self.n:
-                begin, x = x, step_swapped(x, step)
-                found.append(Piece(at, even, 1, *(signed(n, 16) + ORIGIN for n in (begin, x)), not at))
-                at += even
+                for m in (8, 16):
+                    if pixels == m // 2 and signed(x, 16) + ORIGIN >= first[m]:
+                        pixels = m
+                        if at:
+                            break
+                begin, x = x, step_swapped(x, swap(dq * pixels << 1))
+                found.append(Piece(at, pixels, 1, *(signed(n, 16) + ORIGIN for n in (begin, x)), not at))
+                at += pixels
             return found
         shift = 31 - self.q.bit_length() & ~1
         q = self.q << shift
         while True:
-            pixels = next(m for m, most in LENGTHS[self.constants.longest].items() if dq << shift <= most)
+            pixels = next(m for m, most in LENGTHS[self.constants.every].items() if dq << shift <= most)
             step, x, is_first = swap(dq * pixels << shift), swap(q ^ 1 << 31), True
             while is_first or x & 0x8000:
                 begin, x = x, step_swapped(x, step)
@@ -132,10 +142,9 @@ def least_of(p, way: int, exact: bool) -> int:
     return p.least - way - (0 if exact else steepness(p.q.dx) + 1)
 
 
-def even_of(dq: int, least: int, longest: int) -> int:
-    """Returns the pixels of all pieces; 0 if they are not all alike."""
-    fits = (m for m in (16, 8, 4) if dq << 1 <= LENGTHS[longest][m])
-    return next(fits, 0) if least >= EVEN else 0
+def is_even(dq: int, least: int, every: int) -> bool:
+    """Returns true if even spans draw the polygon."""
+    return least >= EVEN and dq << 1 <= LENGTHS[every][4]
 
 
 def shift_of(p, way: int, exact: bool) -> int | None:
@@ -167,6 +176,11 @@ def asymptotes(p) -> list[int] | None:
     return found
 
 
+def to_farthest(p, ks: list[int]) -> list[int]:
+    """Returns the whole texels from K of u and v to their farthest, rounded up."""
+    return [(max(high - (k >> K_BITS), (k >> K_BITS) - low) >> 16) + 1 for k, low, high in zip(ks, p.low, p.high)]
+
+
 def starts(p, ks: list[int], bits: int) -> tuple[list[int], list[int]] | None:
     """Returns C of u and v on the first line and their growth a line, 16.16; None if that does not fit."""
     top, bottom, _ = p.corners.three
@@ -183,9 +197,9 @@ def starts(p, ks: list[int], bits: int) -> tuple[list[int], list[int]] | None:
     return cs, dcs
 
 
-def find(p, longest: int, box, exact: bool) -> Constants | None:
+def find(p, every: int, box, exact: bool) -> Constants | None:
     """Returns the constants of a tmap.setup.perspective.Perspective, whose lines begin at the box's first;
-    None if the polygon is drawn another way. ``longest``: the most pixels of a piece;
+    None if the polygon is drawn another way. ``every``: 16 or 8, the setting;
     ``exact``: edges are not rounded."""
     lines = box[3] - box[1]
     way = lines + box[2] - box[0]
@@ -195,20 +209,20 @@ def find(p, longest: int, box, exact: bool) -> Constants | None:
     ks = asymptotes(p)
     if ks is None:
         return None
-    farthest = [(max(high - (n >> K_BITS), (n >> K_BITS) - low) >> 16) + 1 for n, low, high in zip(ks, p.low, p.high)]
+    farthest = to_farthest(p, ks)
     coarse = COARSE if max(farthest) > REACH else 0
     found = max(farthest) <= REACH << coarse and starts(p, ks, BITS_COARSE if coarse else BITS)
     if not found:
         return None
     q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
-    even = even_of(abs(q[1]), least_of(p, way, exact), longest)
+    even = is_even(abs(q[1]), least_of(p, way, exact), every)
     shift = 1 if even else shift
     part = OFF_PART + (way + p.corners.off + OFF_CORNERS << shift >> 11)
     down = p.corners.down + OFF_LINES << shift
     off = OFF + (1 << shift >> 1) + (down >> 1 if coarse else OFF_WORD + (down >> 5))
     raised = [off + (n * part >> 2) for n in farthest]
     return Constants(tuple((k << 8 - K_BITS) + (b + m << 8) for b, k, m in zip(p.base, ks, raised)),
-                     *map(tuple, found), *q, p.i, p.j, longest, coarse, raised, even, p.corners.down - lines)
+                     *map(tuple, found), *q, p.i, p.j, every, coarse, raised, even, p.corners.down - lines)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Line:

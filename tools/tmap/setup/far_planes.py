@@ -26,7 +26,7 @@ class Constants:
     base: tuple[int, int]  # 16.16
     left: int
     top: int
-    longest: int  # pixels of a piece
+    every: int  # 16 or 8, the setting
     raised: list[int]  # units by which u and v are raised, included in the base
     even: int = 0  # pieces may differ in length
 
@@ -41,7 +41,7 @@ class Line(far.Line):
     """A line's pixels left to left + n; c: S and T at its far end."""
 
 
-def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
+def find(p, every: int, lines, box, exact: bool) -> Constants | None:
     """Returns the planes of a tmap.setup.perspective.Perspective; None if the polygon is drawn another way."""
     way = len(lines) + box[2] - box[0]
     shift = far.shift_of(p, way, exact)
@@ -56,7 +56,7 @@ def find(p, longest: int, lines, box, exact: bool) -> Constants | None:
               for plane, bits in ((p.q, 32), (p.s, SCALE), (p.t, SCALE)))
     if max(abs(dx) for _, dx, _ in st) > STEP >> shift:
         return None
-    return Constants(*q, tuple(st), tuple(b + n for b, n in zip(p.base, raised)), p.i, p.j, longest, raised)
+    return Constants(*q, tuple(st), tuple(b + n for b, n in zip(p.base, raised)), p.i, p.j, every, raised)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Line:
