@@ -278,14 +278,6 @@ static int32 make_lines_read(struct setup *s, int32 from_afar)
     return 1;
 }
 
-/* Counts a polygon whose planes are too inexact; returns 0. */
-static int32 unsure(struct setup *s)
-{
-    if (s->counts)
-        s->counts->unsure++;
-    return 0;
-}
-
 /* Draws with perspective. Returns 0 without drawing if the planes are too inexact, too steep or too
    wide: affine spans then draw the polygon. */
 static int32 draw_perspective(struct setup *s)
@@ -304,18 +296,18 @@ static int32 draw_perspective(struct setup *s)
         depth.has_texels = 1;
     } else if (!perspective_depth(&plan, &depth, s->vertices, s->count, &s->sides, &s->box)
                || (s->material->tolerance && !perspective_texels(&plan, &depth))) {
-        return unsure(s);
+        return count_unsure(s);
     }
     lower_by_planes(s);
     perspective_find_level(s);
     if (s->level && !perspective_texels(&plan, &depth))
-        return unsure(s);
+        return count_unsure(s);
     by_columns = s->level == LEVEL_COLUMNS && columns_draw(s);
     if (by_columns && !light_kind(s))
         return 1;
     from_afar = !by_columns && s->level != LEVEL_LINES && perspective_from_afar(s, &depth, &way);
     if (!from_afar && !perspective_texels(&plan, &depth))
-        return unsure(s);
+        return count_unsure(s);
     has_lines = make_lines_read(s, from_afar);
     if (from_afar)
         perspective_draw_from_afar(s, &depth, &way, has_lines);

@@ -212,15 +212,10 @@ static int32 has_pieces(const struct setup *s)
     return ways[s->setting].bend == 0;
 }
 
-static int32 every(const struct setup *s)
-{
-    return 1 << ways[s->setting].piece;
-}
-
 int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way)
 {
     way->shift = -1;
-    return has_pieces(s) && s->renderer->reciprocals && far_find(way, s, depth, every(s));
+    return has_pieces(s) && s->renderer->reciprocals && far_find(way, s, depth);
 }
 
 void perspective_draw_from_afar(const struct setup *s, const struct depth *depth,
@@ -229,7 +224,7 @@ void perspective_draw_from_afar(const struct setup *s, const struct depth *depth
     if (s->counts)
         count_lines(s, SPAN_RECIPROCAL);
     if (!s->renderer->only_counts)
-        far_draw(s, depth, way, every(s), has_lines);
+        far_draw(s, depth, way, has_lines);
 }
 
 void perspective_draw(struct setup *s, int32 shift)
@@ -245,7 +240,7 @@ void perspective_draw(struct setup *s, int32 shift)
     if (s->counts)              /* before lines that are drawn become empty */
         count_lines(s, has_pieces(s) ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
     if (shift >= 0)
-        left = far_draw_planes(s, shift, every(s)) ? 0 : left;
+        left = far_draw_planes(s, shift) ? 0 : left;
     else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
         left = draw_logarithms(s, made);
     if (s->counts)

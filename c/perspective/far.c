@@ -29,7 +29,7 @@ static int16 first_index(uint32 step, int32 bits)
 {
     const uint32 index = (step + (1u << bits) - 1) >> bits;
 
-    return (int16)(index < 65536 ? (int32)index - FAR_ORIGIN : 32767);
+    return (int16)(index < 65536 ? (int32)index - FAR_ORIGIN : FAR_NEVER);
 }
 
 /* Returns the bits by which q may have to be shifted left; below 0 if the polygon is not drawn this way.
@@ -60,12 +60,15 @@ static int32 farthest(int32 k, fix16 low, fix16 high)
     return ((above > below ? above : below) >> 16) + 1;
 }
 
-static const struct far_lengths *lengths_of(int32 every)
+/* Sets the lengths of pieces. Where a tolerance has chosen every8, it allows no more than 8 pixels. */
+static void set_lengths(struct far_lengths *lengths, const struct setup *s)
 {
-    return every == 16 ? &every16 : &every8;
+    *lengths = s->setting == PERSPECTIVE_EVERY16 ? every16 : every8;
+    if (s->setting == PERSPECTIVE_EVERY8 && s->material->perspective != PERSPECTIVE_EVERY8)
+        lengths->most_16 = 0;
 }
 
-int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth, int32 every)
+int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth)
 {
     const struct perspective_plan *planes = s->perspective;
     const struct sides *sides = &s->sides;
@@ -91,8 +94,9 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
     plan->bottom_v = sides->bottom->t - planes->v + 1;
     if (!far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS))
         return 0;
+    set_lengths(&way->lengths, s);
     way->even = least >= 1 << FAR_EVEN
-             && 2 * fix_magnitude((int32)planes->q.dx.hi) <= lengths_of(every)->most_4;
+             && 2 * fix_magnitude((int32)planes->q.dx.hi) <= way->lengths.most_4;
     if (way->even)
         way->shift = 1;
     return 1;
@@ -134,7 +138,7 @@ static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
 }
 
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
-              int32 every, int32 has_lines)
+              int32 has_lines)
 {
     const struct perspective_plan *planes = s->perspective;
     const struct far_plan *plan = &way->plan;
@@ -145,7 +149,7 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
                      + (((across + lines + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
     const int32 off = FAR_OFF + (1 << way->shift >> 1)
                     + (way->coarse ? down >> 1 : FAR_OFF_WORD + (down >> 5));
-    const int32 bits = every == 16 ? FAR_EVERY16 : FAR_EVERY8;
+    const int32 bits = s->setting == PERSPECTIVE_EVERY16 ? FAR_EVERY16 : FAR_EVERY8;
     struct far_span span;
 
     make_lines(s, way->even, has_lines);
@@ -154,9 +158,9 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
     span.map = s->span.map;
     span.table = s->renderer->reciprocals;
     span.dq = (uint32)fix_magnitude((int32)planes->q.dx.hi);
-    span.lengths = *lengths_of(every);
+    span.lengths = way->lengths;
     span.from_8 = first_index(2 * span.dq, bits - 19);
-    span.from_16 = first_index(2 * span.dq, bits - 21);
+    span.from_16 = way->lengths.most_16 ? first_index(2 * span.dq, bits - 21) : FAR_NEVER;
     span.ku = ((uint32)plan->ku << (8 - FAR_K_BITS))
             + ((uint32)(planes->u + off + (way->to_u * part >> 2)) << 8);
     span.kv = ((uint32)plan->kv << (8 - FAR_K_BITS))
@@ -174,7 +178,7 @@ static int32 range(fix16 low, fix16 high)
     return ((-low > high ? -low : high) >> 16) + 1;
 }
 
-int32 far_draw_planes(const struct setup *s, int32 shift, int32 every)
+int32 far_draw_planes(const struct setup *s, int32 shift)
 {
     const struct perspective_plan *planes = s->perspective;
     const int32 to_u = range(planes->u_low, planes->u_high);
@@ -207,7 +211,7 @@ int32 far_draw_planes(const struct setup *s, int32 shift, int32 every)
     span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
     span.u = planes->u + off + (to_u * part >> 2);
     span.v = planes->v + off + (to_v * part >> 2);
-    span.lengths = *lengths_of(every);
+    set_lengths(&span.lengths, s);
     if (span.dqdx < 0)
         span_far_planes_left(&span);
     else

@@ -3,6 +3,7 @@
 #define PERSPECTIVE_FAR_H
 
 #include "perspective/perspective.h"
+#include "span/far.h"
 
 /* K and C of a polygon: see span/far.h. */
 struct far_plan {
@@ -20,6 +21,7 @@ struct far_way {
     int32 shift;                /* bits by which q may have to be shifted left, 1 by even spans */
     int32 even, coarse;
     int32 to_u, to_v;           /* whole texels from K to the farthest, rounded up */
+    struct far_lengths lengths;
 };
 
 /* src68k/polygon: contracts there. */
@@ -27,15 +29,15 @@ int32 far_asymptotes(struct far_plan *plan);
 int32 far_constants(struct far_plan *plan, int32 bits);
 
 /* Finds K and C. Returns 0 if the polygon is not drawn with them; then way->shift is below 0 if not from afar at
-   all. every: 16 or 8, as the setting. */
-int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth, int32 every);
+   all. */
+int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth);
 
 /* Draws it. has_lines: its lines are in the scanline table; else edges are inside the frame. */
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
-              int32 every, int32 has_lines);
+              int32 has_lines);
 
 /* Draws the lines of the setup's plan by the planes of u and v, where K is too far away. Returns 0 if their
    range is too wide, or they are too steep. */
-int32 far_draw_planes(const struct setup *s, int32 shift, int32 every);
+int32 far_draw_planes(const struct setup *s, int32 shift);
 
 #endif

@@ -6,6 +6,13 @@ void count_lines(const struct setup *s, enum span_kind kind)
     s->counts->pixels[kind] += lines_pixels(s->edges.lines, s->box.bottom - s->box.top);
 }
 
+int32 count_unsure(const struct setup *s)
+{
+    if (s->counts)
+        s->counts->unsure++;
+    return 0;
+}
+
 uint32 counts_drawn(const struct draw_counts *counts)
 {
     uint32 pixels = 0;

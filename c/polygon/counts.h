@@ -27,4 +27,7 @@ static inline enum polygon_result count_rules(const struct setup *s, enum polygo
     return result;
 }
 
+/* Counts a polygon that is drawn affine as its planes are too inexact, if counts are kept; returns 0. */
+int32 count_unsure(const struct setup *s);
+
 #endif

@@ -20,6 +20,7 @@ enum far_constants {
     FAR_MOST = 1 << 30,
     FAR_DEEP = 8,               /* q is shifted left by at most this, an even number: w varies by up to 512 */
     FAR_EVEN = 28,              /* log2: no q of a polygon that even spans draw is lower */
+    FAR_NEVER = 32767,          /* above all indices less ORIGIN */
     FAR_K_BITS = 3,             /* K is known to 1/8 unit */
     FAR_K_SCALE = 29,           /* where s and t have this scale, K is 2^32 times their growth over q's */
     FAR_BITS = 5,               /* C is (u - K) q in 1/8 units of 2.30, times 2^(this - 32); */

@@ -33,9 +33,9 @@ def any_q(leftwards: bool, rng) -> tuple[int, int, int]:
     return (low + ACROSS * step, -step, down) if leftwards else (low, step, down)
 
 
-def even_q(leftwards: bool, pixels: int, every: int, rng) -> tuple[int, int, int]:
+def even_q(leftwards: bool, pixels: int, every: str, rng) -> tuple[int, int, int]:
     """The same between 2^28 and 2^30, for pieces of so many pixels everywhere."""
-    most = min(model.LENGTHS[every][pixels] // 2, (3 << 28) // ACROSS - MARGIN // ACROSS * 2 - 1)
+    most = min((model.LENGTHS[every][pixels] or 1 << 23) // 2, (3 << 28) // ACROSS - MARGIN // ACROSS * 2 - 1)
     step = int(2.0 ** rng.uniform(0, np.log2(most))) + 1
     low = int(rng.integers((1 << 28) + MARGIN, (1 << 30) - ACROSS * step - MARGIN))
     down = int(rng.integers(-4000, 4000))
@@ -46,7 +46,7 @@ def anything_of(made, rng) -> Trial:
     return bench.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), made, LINES, PITCH, f"{made}")
 
 
-def span_trial(every: int, leftwards: bool, coarse: int, rng, even: int = 0) -> Trial:
+def span_trial(every: str, leftwards: bool, coarse: int, rng, even: int = 0) -> Trial:
     """Any constants. ``even``: the pixels of pieces wherever they begin; 0: not even."""
     c, dc = ([int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(*reach, 2)]
              for reach in ((9, 31), (2, 23)))
@@ -56,7 +56,7 @@ def span_trial(every: int, leftwards: bool, coarse: int, rng, even: int = 0) -> 
         every, coarse, [0, 0], even > 0), rng)
 
 
-def planes_trial(every: int, leftwards: bool, rng) -> Trial:
+def planes_trial(every: str, leftwards: bool, rng) -> Trial:
     """Any planes of u and v; their base is the same."""
     st = tuple(tuple(int(rng.integers(-1 << bits, 1 << bits)) for bits in (30, 22, 22)) for _ in "uv")
     return anything_of(far_planes.Constants(
@@ -118,7 +118,7 @@ def constants_trials(deep) -> Iterator[Trial]:
 
 def trials() -> list[Trial]:
     rng = np.random.default_rng(24)
-    ways = [(every, leftwards) for every in (8, 16) for leftwards in (False, True)]
+    ways = [(every, leftwards) for every in model.LENGTHS for leftwards in (False, True)]
     return [*(span_trial(*way, coarse, rng) for way in ways for coarse in (0, model.COARSE) for _ in range(16)),
             *(span_trial(every, leftwards, coarse, rng, even) for every, leftwards in ways
               for coarse in (0, model.COARSE) for even in (4, 8, 16) for _ in range(6)),

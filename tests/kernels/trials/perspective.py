@@ -14,6 +14,7 @@ from tmap.bench.trial import Trial, Write, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup import perspective as model
+from tmap.setup.level import bends
 from tmap.setup.texturing import Line
 
 M64 = (1 << 64) - 1
@@ -147,7 +148,7 @@ def bend_trial(rng) -> Trial:
     memory = Memory()
     plan = perspective.plan_of(memory, deep, "every16", len(lines), dict(lines=perspective.scanlines(memory, lines),
                                                                          to=0))
-    found = model.bends(deep, [Line(left, right) for left, right, _ in lines], width)
+    found = bends(deep, [Line(left, right) for left, right, _ in lines], width)
     return Trial(Case("lines_bend", memory, {"d0": width}, {"a0": plan}), f"{lines}, {width}, {deep}",
                  outputs={"d0": int(found)})
 
@@ -169,7 +170,8 @@ def trials() -> list[Trial]:
     rng = np.random.default_rng(5)
     every = ("every16", "every8", "pixel", "fine")
     return [*(planes_trial(rng, "depth_plane_find", "screen_plane", range(2, 3)) for _ in range(60)),
-            *(planes_trial(rng, "texel_planes_find", "texel_planes", range(3, 5)) for _ in range(60)), *(corners_trial(rng) for _ in range(60)),
+            *(planes_trial(rng, "texel_planes_find", "texel_planes", range(3, 5)) for _ in range(60)),
+            *(corners_trial(rng) for _ in range(60)),
             *(level_trial(rng) for _ in range(60)),
             *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),

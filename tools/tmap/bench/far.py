@@ -11,11 +11,12 @@ from tmap.bench.trial import Trial, Write, fields
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup import far, far_planes
+from tmap.setup.perspective import PIECES
 
 #: Row: the setting, whether by planes of u and v, whether by even spans.
-SPANS = {"persp_far_16": (16, False, False), "persp_far_8": (8, False, False),
-         "persp_planes_16": (16, True, False), "persp_even_16": (16, False, True),
-         "persp_even_8": (8, False, True)}
+SPANS = {"persp_far_16": ("every16", False, False), "persp_far_8": ("every8", False, False),
+         "persp_planes_16": ("every16", True, False), "persp_even_16": ("every16", False, True),
+         "persp_even_8": ("every8", False, True)}
 
 
 def table(arena: Arena) -> int:
@@ -142,12 +143,12 @@ def lines_case():
     return lines_trial(Arena(), [(k, 10) for k in range(LINES)], True, (0, 320, 1 << 28, 1 << 20, -1 << 18)).row(LINES)
 
 
-def span_case(every: int, planes: bool, even: bool, length: int):
+def span_case(every: str, planes: bool, even: bool, length: int):
     """A bench row: lines of one length that begin 0 to 3 pixels on."""
     rng, count, memory = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
     map_at = memory.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
-    step = min(3 * (1 << 28) // length, far.LENGTHS[every][every] // 2)
+    step = min(3 * (1 << 28) // length, far.LENGTHS[every][PIECES[every]] // 2)
     q = 1 << 28, (1 << 28) + length * step
     any_two = rng.integers(0, 1 << 32, 2)
     if planes:  # from 0 on

@@ -14,7 +14,8 @@ from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup.edges import measure
-from tmap.setup.perspective import (CURVES, Ends, Perspective, coordinates, ends, enough, level_line,
+from tmap.setup.level import level_line
+from tmap.setup.perspective import (CURVES, Ends, Perspective, coordinates, ends, enough,
                                     perspective, steepness, way, weights)
 from tmap.setup.scanline import pack
 

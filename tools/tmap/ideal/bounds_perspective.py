@@ -80,7 +80,7 @@ from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves, curves_through
-from tmap.setup import far, far_planes, spans
+from tmap.setup import far, far_planes, spans, tables
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
@@ -264,7 +264,9 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
         record = polygon.record(line, y)
-        more = (polygon.tables.bound(record) + max(polygon.constants.raised)) * UNIT if record else 0
+        more = 0
+        if record:
+            more = (tables.model_of(polygon.constants).bound(record) + max(polygon.constants.raised)) * UNIT
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:

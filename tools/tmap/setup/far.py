@@ -20,9 +20,12 @@ LOWEST = 8192
 COUNT = 40962
 ORIGIN = 32768
 MOST = 1 << 30
-#: The greatest steps of q a pixel, q being 2^29 to 2^31, by a piece's pixels; by what a setting is called after.
-LENGTHS = {16: {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOST},
-           8: {16: 1 << 22, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
+#: The greatest steps of q a pixel, q being 2^29 to 2^31, by a piece's pixels; by settings, and every8 if a tolerance
+#: has chosen it.
+LENGTHS = {"every16": {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOST},
+           "every8": {16: 1 << 22, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST},
+           "tolerance": {16: 0, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
+NEVER = 65535  # an index
 DEEP = 8
 COARSE = 4
 EVEN = 1 << 28
@@ -47,7 +50,7 @@ class Constants:
     dqdy: int
     left: int
     top: int
-    every: int  # 16 or 8, the setting
+    every: str  # of LENGTHS
     coarse: int  # 0 or COARSE
     raised: list[int]  # units by which u and v are raised, included in k
     even: bool = False  # q differs four times at most; q and C are shifted by one bit then
@@ -60,7 +63,8 @@ class Constants:
 
     def first_index(self, pixels: int) -> int:
         """Even spans: the index from which pieces have so many pixels."""
-        return -(-2 * abs(self.dqdx) // (LENGTHS[self.every][pixels] >> 13))
+        most = LENGTHS[self.every][pixels] >> 13
+        return -(-2 * abs(self.dqdx) // most) if most else NEVER
 
     def words_at(self, n: int) -> tuple[int, int]:
         """Returns C of an even span's line, as words: the chain of both halves."""
@@ -142,7 +146,7 @@ def least_of(p, way: int, exact: bool) -> int:
     return p.least - way - (0 if exact else steepness(p.q.dx) + 1)
 
 
-def is_even(dq: int, least: int, every: int) -> bool:
+def is_even(dq: int, least: int, every: str) -> bool:
     """Returns true if even spans draw the polygon."""
     return least >= EVEN and dq << 1 <= LENGTHS[every][4]
 
@@ -197,9 +201,9 @@ def starts(p, ks: list[int], bits: int) -> tuple[list[int], list[int]] | None:
     return cs, dcs
 
 
-def find(p, every: int, box, exact: bool) -> Constants | None:
+def find(p, every: str, box, exact: bool) -> Constants | None:
     """Returns the constants of a tmap.setup.perspective.Perspective, whose lines begin at the box's first;
-    None if the polygon is drawn another way. ``every``: 16 or 8, the setting;
+    None if the polygon is drawn another way. ``every``: of LENGTHS;
     ``exact``: edges are not rounded."""
     lines = box[3] - box[1]
     way = lines + box[2] - box[0]

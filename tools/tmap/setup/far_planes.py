@@ -26,7 +26,7 @@ class Constants:
     base: tuple[int, int]  # 16.16
     left: int
     top: int
-    every: int  # 16 or 8, the setting
+    every: str  # of far.LENGTHS
     raised: list[int]  # units by which u and v are raised, included in the base
     even: int = 0  # pieces may differ in length
 
@@ -41,7 +41,7 @@ class Line(far.Line):
     """A line's pixels left to left + n; c: S and T at its far end."""
 
 
-def find(p, every: int, lines, box, exact: bool) -> Constants | None:
+def find(p, every: str, lines, box, exact: bool) -> Constants | None:
     """Returns the planes of a tmap.setup.perspective.Perspective; None if the polygon is drawn another way."""
     way = len(lines) + box[2] - box[0]
     shift = far.shift_of(p, way, exact)

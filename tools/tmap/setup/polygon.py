@@ -6,17 +6,16 @@ they are rounded to steps.
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from types import ModuleType
 
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, mul, signed
-from tmap.setup import far, far_planes, logarithm, reciprocal, snapped
+from tmap.setup import far, far_planes, reciprocal, snapped, tables
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
-from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, bends,
-                                    coordinates as perspective_coordinates, ends, is_level, level,
-                                    perspective, tilt_of, way)
+from tmap.setup.level import bends, is_level, level, tilt_of
+from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, coordinates as perspective_coordinates, ends,
+                                    perspective, way)
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
 from tmap.setup.spans import coordinates, stays_in_row
 from tmap.setup.texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest,
@@ -54,14 +53,9 @@ class Polygon:
     constants: reciprocal.Constants | far.Constants | far_planes.Constants | None = None
     triangle: snapped.Triangle | None = None  # drawn by a routine for triangles
 
-    @property
-    def tables(self) -> ModuleType:
-        """The module that models lines drawn by tables."""
-        return {far.Constants: far, far_planes.Constants: far_planes}.get(type(self.constants), logarithm)
-
     def record(self, line: Line, y: int):
         """Returns the record of the line at y for ``tables``; None if it is drawn another way."""
-        return self.constants and self.tables.line(self.perspective, self.constants, line.left,
+        return self.constants and tables.model_of(self.constants).line(self.perspective, self.constants, line.left,
                                                    line.right, y)
 
     def coordinates(self, line: Line, y: int):
@@ -74,7 +68,7 @@ class Polygon:
             return level(self.perspective, line.left, line.right, y)
         record = self.record(line, y)
         if record:
-            return self.tables.coordinates(record)
+            return tables.model_of(self.constants).coordinates(record)
         return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
                                             way(self.setting).raised), self.setting)
 
@@ -297,7 +291,7 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     turned = None
     if not polygon.is_level and settings.has_exact_edges:
         turned = turned_of(polygon, vertices, outline.box, size, settings)
-    polygon.constants = constants(deep, polygon.lines, outline.box, setting, settings.has_exact_edges)
+    polygon.constants = tables.constants(deep, polygon.lines, outline.box, setting, settings)
     from_afar = isinstance(polygon.constants, far.Constants) and not polygon.is_level and not turned
     if not deep.is_sure and not from_afar:
         polygon.perspective, polygon.setting, polygon.constants = None, "none", None
@@ -373,17 +367,6 @@ def by_triangles(vertices, outline: Outline, width: int, settings: Settings,
     if settings.mapper == "lit":
         polygon.level = vertices[0][-1] >> 16
     return polygon
-
-
-def constants(deep: Perspective, lines: list[Line], box, setting: str, exact: bool):
-    """Returns the constants of lines drawn by tables; None if no line is."""
-    if setting in PIECES:
-        return (far.find(deep, PIECES[setting], box, exact)
-                or far_planes.find(deep, PIECES[setting], lines, box, exact))
-    first = next((k for k, line in enumerate(lines) if line.right > line.left), None)
-    if setting == "fine" or first is None:
-        return None
-    return reciprocal.find(deep, lines[first].left - box[0], first)
 
 
 def adapt(vertices, settings: Settings, longer: int) -> list[tuple]:

@@ -1,7 +1,8 @@
 """The integer model's tolerance: c/perspective/tolerance.c, which derives the errors."""
 
 from tmap.base.fixed import mul_div, signed
-from tmap.setup.perspective import PIECES, Perspective, keeps_level
+from tmap.setup.level import keeps_level
+from tmap.setup.perspective import PIECES, Perspective
 
 STEEP = 8  # q may grow per pixel by at most its least value shifted right by so many bits
 

@@ -1,0 +1,68 @@
+"""The integer model's lines and columns of polygons with perspective that are drawn as if they were affine:
+c/perspective/draw.c, src68k/edge/level_lines and lines_bend."""
+
+import numpy as np
+
+from tmap.base.fixed import M32, cut_quotient, signed
+from tmap.setup.perspective import Perspective, steepness, way
+
+STEEP_2_22 = 1 << 22
+
+
+def is_level(p: Perspective, width: int, setting: str, off: int) -> bool:
+    """Returns true if lines are drawn as if depth did not change along them, off by ``off`` at most."""
+    return width <= way(setting).width and keeps_level(p, width, off)
+
+
+def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
+    """Returns true if level lines are off by at most the tolerance, in 1/65536 texel."""
+    grows = abs(p.q.dx)
+    high, part = p.q.dx >> 32, grows & M32
+    if high not in (0, -1) or part >> 16 == 0xFFFF:
+        return False
+    if not part:
+        return not high
+    off = (((p.farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
+    return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
+
+
+def tilt_of(p: Perspective, width: int, least: int) -> int | None:
+    """Returns q's growth a pixel, 24.8, if a line on which q is ``least`` or more may be straight from its
+    first pixel to its last; else None."""
+    steep = steepness(p.q.dx) + 1
+    if steep >= STEEP_2_22 or steep > least // ((width * width >> 1) + 1):
+        return None
+    return signed(p.q.dx, 64) >> 24
+
+
+def level_step(gradient: int, q: int) -> int:
+    """Returns gradient / q rounded up; 0 if that does not fit 32 bits."""
+    n = gradient + q - 1
+    magnitude = n >> 32 if n >= 0 else ~(n >> 32)
+    if 2 * magnitude >= q or signed(cut_quotient(n, q)) != cut_quotient(n, q):
+        return 0
+    return n // q
+
+
+def bends(p: Perspective, lines, width: int) -> bool:
+    """Returns true if a straight line would be too far off in one of the ``lines``, from row p.j on, of a box as
+    wide as ``width``."""
+    steep = steepness(p.q.dx) + 1
+    q = (p.q.at >> 32) - (width * steep if p.tilt < 0 else 0)
+    return any(line.right > line.left and steep * (line.right - 1 - line.left)**2 >> 1 > q + k * (p.q.dy >> 32)
+               for k, line in enumerate(lines))
+
+
+def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int, int]]:
+    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded."""
+    q, starts = p.divided(left, y)
+    if p.tilt:
+        q = max(q + ((right - 1 - left) * p.tilt >> 8), p.least)
+    return [(start, level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 8), q))
+            for start, base, plane in zip(starts, p.base, (p.s, p.t))]
+
+
+def level(p: Perspective, left: int, right: int, y: int) -> list[np.ndarray]:
+    """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
+    k = np.arange(right - left, dtype=np.int64)
+    return [start + k * step & M32 for start, step in level_line(p, left, right, y)]
