@@ -140,8 +140,11 @@ def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
 
 def test_an_interrupt_ends_all_at_once(tmp_path) -> None:
     """Ctrl-C reaches processes and emulators too, as from a terminal: one line, status 130."""
+    def as_in_a_terminal() -> None:  # what a shell runs in the background ignores it
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
     with subprocess.Popen([paths.ROOT / "scripts/tmap", "fuzz", "--count", "40000"],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=as_in_a_terminal,
                           start_new_session=True, env=os.environ | {"TMPDIR": str(tmp_path)}) as process:
         silence = Silence(process.pid, 120)
         while not list(tmp_path.glob("tmap-*/emulator.log")):  # until one runs
