@@ -126,7 +126,7 @@ def test_asking_costs_little(points):
     than 1 %."""
     case = Case("outside", replace(AFFINE, mapper="generated"), points, TURNED, None, None)
     scene = bench_rules.scene_of([case])
-    scene.textures = [replace(scene.textures[0], layout="margins"), *scene.textures[1:]]  # others share them
+    scene.textures = [replace(scene.textures[0], layout="margins"), *scene.textures[1:]]
     on, off = guest_frames.draw([(scene, "addx"), (scene, "addx OFF all")], MACHINE)
     cycles = [int(each["ticks"][1]) - int(each["ticks"][0]) for each in (on, off)]
     assert cycles[0] < 1.01 * cycles[1], cycles
@@ -145,7 +145,7 @@ def test_wraps_far_from_the_first_pixel_are_seen(mapper, s, layout_, span):
     wrap, wherever the plane's first pixel is."""
     case = Case("no_wrap", replace(AFFINE, mapper=mapper), WIDE, (s, FAR_WRAP), None, None)
     scene = bench_rules.scene_of([case])
-    scene.textures[0].layout = layout_
+    scene.textures = [replace(scene.textures[0], layout=layout_), *scene.textures[1:]]
     drawn = run.render(scene, MACHINE, "addx")
     assert set(drawn.figures[1]["spans"]) == {span}
     assert np.array_equal(drawn.frames[1], model.render(scene, 1))

@@ -34,7 +34,7 @@ IN_DEPTH = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_PERSPE
 UNIT_FORMATS = {"n64": "rgba5551", "glide": "rgb565"}
 
 
-@dataclass(eq=False)
+@dataclass(eq=False, frozen=True)
 class Texture:
     """A map, and the layout its mapper reads."""
 
