@@ -1,12 +1,13 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules UNTIMED
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
    a line a material too: its polygons, those each rule applied to, pixels of each span).
    CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
-   rules of lowering that are not followed, by commas, or all; ACCURACY and PERSPECTIVE
+   rules of lowering that are not followed, by commas, or all; UNTIMED gives no times (0), but
+   comes to an end earlier (scene_time); ACCURACY and PERSPECTIVE
    set all materials to a step (scene/settings.h), numbered from 0. */
 #include "polygon/scratch.h"
 #include "scene/counts.h"
@@ -65,6 +66,7 @@ struct run {
     struct renderer renderer;
     struct scene_counts counts;
     const char *digest;         /* name of the file, or 0: dumps */
+    int32 untimed;
 };
 
 static struct scratch scratch;
@@ -72,7 +74,8 @@ static struct scratch scratch;
 /* Draws a frame and looks at the canaries. */
 static int32 draw(struct scene *scene, int32 number, struct run *run, struct frame_digest *drawn)
 {
-    drawn->result = scene_time(&run->renderer, scene, number, &drawn->ticks);
+    drawn->ticks = 0;
+    drawn->result = scene_time(&run->renderer, scene, number, run->untimed ? 0 : &drawn->ticks);
     if (canaries_broken(run->renderer.frame)) {
         text_add("frame ");
         text_number(number);
@@ -80,33 +83,6 @@ static int32 draw(struct scene *scene, int32 number, struct run *run, struct fra
         text_print();
         return 0;
     }
-    return 1;
-}
-
-/* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
-static int32 dump_frames(struct scene *scene, struct run *run, uint32 *refused)
-{
-    for (int32 number = 0; number < run->frames; number++) {
-        struct frame_digest drawn;
-
-        if (!draw(scene, number, run, &drawn))
-            return 0;
-        if (drawn.result != POLYGON_DRAWN)
-            *refused = drawn.result;
-        if (run->counts.materials)
-            counts_frame(&run->counts, &run->renderer, scene, number);
-        if (!scene_save(run->renderer.frame, number))
-            return 0;
-        text_add("frame ");
-        text_number(number);
-        text_add(" ticks ");
-        text_number((int32)drawn.ticks);
-        counts_add(&run->counts);
-        text_print();
-        if (number + 1 < run->frames && outcome_break())
-            return 0;
-    }
-    counts_print(&run->counts);
     return 1;
 }
 
@@ -128,36 +104,81 @@ static void add_up(const struct frame *frame, struct frame_digest *digest)
     digest->hash = hash;
 }
 
-/* The same, but for the frames' digests in one file, and a line now and then. */
-static int32 digest_frames(struct scene *scene, struct run *run)
+/* Draws a frame once more to count; looks whether it is the same if its digest is given. */
+static int32 count(struct scene *scene, int32 number, struct run *run,
+                   const struct frame_digest *drawn)
 {
-    struct frame_digest *digests;
+    struct frame_digest counted;
 
-    if (!mem_alloc(&digests, run->frames * (int32)sizeof *digests, MEMORY_ANY))
-        return outcome_lack_memory("render", "the digests");
+    counts_frame(&run->counts, &run->renderer, scene, number);
+    if (!drawn)
+        return 1;
+    add_up(run->renderer.frame, &counted);
+    if (counted.sum == drawn->sum && counted.hash == drawn->hash)
+        return 1;
+    text_add("frame ");
+    text_number(number);
+    text_add(": drawn once more to be counted, it differs");
+    text_print();
+    return 0;
+}
+
+/* Prints a line about a frame that was drawn: all, or where only digests are asked for, where it is. */
+static void report(const struct run *run, int32 number, uint32 ticks)
+{
+    if (run->digest && !run->counts.materials) {
+        if (number % 50)
+            return;
+        text_add("until frame ");
+        text_number(number);
+    } else {
+        text_add("frame ");
+        text_number(number);
+        text_add(" ticks ");
+        text_number((int32)ticks);
+        counts_add(&run->counts);
+    }
+    text_print();
+}
+
+/* Draws all frames; *refused: why a polygon was, or POLYGON_DRAWN. */
+static int32 draw_frames(struct scene *scene, struct run *run, struct frame_digest *digests,
+                         uint32 *refused)
+{
     for (int32 number = 0; number < run->frames; number++) {
-        if (number % 50 == 0) {
-            text_add("from frame ");
-            text_number(number);
-            text_print();
-        }
-        if (!draw(scene, number, run, &digests[number]))
+        struct frame_digest one;
+        struct frame_digest *drawn = digests ? &digests[number] : &one;
+
+        if (!draw(scene, number, run, drawn))
             return 0;
-        add_up(run->renderer.frame, &digests[number]);
+        if (drawn->result != POLYGON_DRAWN)
+            *refused = drawn->result;
+        if (digests)
+            add_up(run->renderer.frame, drawn);
+        if (run->counts.materials && !count(scene, number, run, digests ? drawn : 0))
+            return 0;
+        if (!digests && !scene_save(run->renderer.frame, number))
+            return 0;
+        report(run, number, drawn->ticks);
         if (number + 1 < run->frames && outcome_break())
             return 0;
     }
-    return file_save(run->digest, digests, (uint32)run->frames * sizeof *digests);
+    counts_print(&run->counts);
+    return 1;
 }
 
 static int32 render(struct scene *scene, struct run *run)
 {
     uint32 refused = POLYGON_DRAWN;
+    struct frame_digest *digests = 0;
+    int32 bytes = run->frames * (int32)sizeof *digests;
 
-    if (run->digest)
-        return outcome_code(digest_frames(scene, run));
-    if (!dump_frames(scene, run, &refused))
+    if (run->digest && !mem_alloc(&digests, bytes, MEMORY_ANY))
+        return outcome_code(outcome_lack_memory("render", "the digests"));
+    if (!draw_frames(scene, run, digests, &refused))
         return outcome_code(0);
+    if (digests)
+        return outcome_code(file_save(run->digest, digests, (uint32)bytes));
     if (refused != POLYGON_DRAWN) {
         text_refuse("render: not all could be drawn", scene_why(scene, refused));
         return RETURN_WARN;
@@ -175,18 +196,19 @@ static int32 form_named(const char *name)
 
 int main(void)
 {
-    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, ACCURACY, PERSPECTIVE, ITEMS };
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, UNTIMED, ACCURACY, PERSPECTIVE,
+           ITEMS };
     int32 args[ITEMS] = {0};
     struct scene scene;
     struct frame frame;
-    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0};
+    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
     int32 kind, form;
 
     if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K,"
-                   "ACCURACY/K/N,PERSPECTIVE/K/N", args))
+                   "UNTIMED/S,ACCURACY/K/N,PERSPECTIVE/K/N", args))
         return refuse("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
-                      "[DIGEST name] [OFF rules] [ACCURACY n] [PERSPECTIVE n]");
+                      "[DIGEST name] [OFF rules] [UNTIMED] [ACCURACY n] [PERSPECTIVE n]");
     if (args[FORM]) {
         form = form_named((const char *)args[FORM]);
         if (form < 0)
@@ -202,6 +224,7 @@ int main(void)
     if (!scene_load(&scene, (const char *)args[SCENE], kind))
         return outcome_code(0);
     run.digest = (const char *)args[DIGEST];
+    run.untimed = args[UNTIMED];
     run.frames = scene.header->frames;
     if (!number_asked("render", args[FRAMES], 1, run.frames + 1, &run.frames,
                       "FRAMES: not between 1 and the scene's frames")

@@ -124,7 +124,8 @@ enum scene_memory scene_make(struct scene *scene, int32 kind);
 /* Reserves memory for data that texture units make while they draw, if a scene has any. */
 void scene_reserve(const struct scene *scene);
 
-/* Draws a frame between quiet_enter and quiet_leave; sets *ticks to the time it took. */
+/* Draws a frame between quiet_enter and quiet_leave; sets *ticks to the time it took. Without ticks
+   it does not wait for the beam first, which takes longer than a frame of few polygons. */
 enum polygon_result scene_time(struct renderer *renderer, struct scene *scene, int32 number,
                                uint32 *ticks);
 

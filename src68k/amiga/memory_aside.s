@@ -43,7 +43,8 @@ take    macro
         move.l  d1,-(sp)
         move.l  #mem_aside,d0
         jsr     mem_take
-        movea.l (sp)+,a0                ; the flags are still those of d0
+        movea.l (sp)+,a0
+        tst.l   d0
         beq.s   .none
         move.l  a0,mem_aside_bytes
 .none   rts

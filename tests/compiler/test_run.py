@@ -81,7 +81,7 @@ def counted(folder):
     scene, made = compile_scene(folder / "small.toml"), {}
     for machine in emulator.MACHINES:
         asked = [Asked(scene, form=form) for form in FORMS]
-        for each, drawn in zip(asked, guest_runs.draw(asked, machine), strict=True):
+        for each, drawn in zip(asked, guest_runs.draw(asked, machine, timed=True), strict=True):
             made[machine, each.form] = each, drawn
     return made
 

@@ -1,5 +1,5 @@
 """Draws many scenes on the guest in one boot and compares them with the model: digests of all
-frames, and the counts of a second run."""
+frames, and counts."""
 
 from dataclasses import dataclass
 
@@ -50,20 +50,17 @@ def draw(asked: list[Asked], machine: str = "a1200-fast", timed: bool = False) -
     """Draws all of them in one boot; ``timed``: as in guest_frames.draw."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each.scene) for k, each in enumerate(asked)}
-    commands = [f"render {k}.scene {each.way} DIGEST {k}.digest" for k, each in enumerate(asked)]
-    commands += [f"render {k}.scene {each.way} COUNT" for k, each in enumerate(asked)
-                 if each.counted]
+    commands = [f"render {k}.scene {each.way} DIGEST {k}.digest" + " UNTIMED" * (not timed)
+                + " COUNT" * each.counted for k, each in enumerate(asked)]
     with emulator.workspace() as folder:
-        programs = emulator.PROGRAMS if timed else guest_frames.at_once(folder / "programs")
-        done = emulator.run_batch(commands, files, machine, folder, programs=programs,
+        done = emulator.run_batch(commands, files, machine, folder,
                                   patience=emulator.PATIENT_SECONDS)
         for command, result in zip(commands, done):
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
             if fault or result.code:
                 raise UserError(f"{command}: {fault or emulator.last_words(result.output)}")
-        outputs = (result.output for result in done[len(asked):])
-        figures = [run.parse_output(next(outputs), each.scene.frames, len(each.scene.materials))
-                   if each.counted else ([], []) for each in asked]
+        figures = [run.parse_output(result.output, each.scene.frames, len(each.scene.materials))
+                   if each.counted else ([], []) for each, result in zip(asked, done)]
         drawn = [Drawn(np.fromfile(done[0].directory / f"{k}.digest", shape), *found)
                  for k, found in enumerate(figures)]
     for each, found in zip(asked, drawn):

@@ -16,39 +16,19 @@ from tmap.guest import emulator
 from tmap.scene_file.scene_file import Scene, write
 
 
-HUNKS_AT = 8  # of a program: the number of its hunks; then 8 bytes, a longword a hunk, 8 before the code
-RTS = bytes.fromhex("4e75")
-
-
-def at_once(folder: Path) -> Path:
-    """Puts ``render`` into a new folder, but with a clock_wait that returns at once. A frame of few
-    polygons takes much less time than the wait for the beam before it, which its cycles need alone."""
-    program = emulator.PROGRAMS / "render"
-    symbols = program.with_name("render.map").read_text()
-    place = next(int(line.split()[0], 16) for line in symbols.splitlines() if line.endswith(" _clock_wait"))
-    code = bytearray(program.read_bytes())
-    place += HUNKS_AT + 20 + 4 * int.from_bytes(code[HUNKS_AT:HUNKS_AT + 4])
-    code[place:place + 2] = RTS
-    folder.mkdir()
-    (folder / "render").write_bytes(code)
-    (folder / "render.map").write_text(symbols)
-    return folder
-
-
 def draw(scenes: list[tuple[Scene, str]], machine: str,
          on_output: Callable[[str], None] | None = None, patience: float | None = None,
          apart: bool = False, timed: bool = True) -> list[np.ndarray]:
     """Returns the digests of each scene's frames, drawn in one boot. Each scene comes with its form
     and any further arguments of ``render``. ``patience``, ``apart``: as in run_batch; ``timed``:
-    False if no ticks are asked for, which then are some more or less (at_once)."""
+    False if no ticks are asked for, which saves the wait for the beam before each frame."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
-    commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest"
+    commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest" + " UNTIMED" * (not timed)
                 for k, (_, form) in enumerate(scenes)]
     with emulator.workspace() as directory:
-        programs = emulator.PROGRAMS if timed else at_once(directory / "programs")
-        done = emulator.run_batch(commands, files, machine, directory, on_output, programs,
-                                 patience, apart)
+        done = emulator.run_batch(commands, files, machine, directory, on_output,
+                                 patience=patience, apart=apart)
         for result in done:
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
             if fault or result.code:
