@@ -4,10 +4,13 @@
 
 typedef void far_routine(const struct far_span *span);
 
-static far_routine *const spans[2][2][2] = {    /* [even][coarse][q grows to the left] */
-    {{span_far_right, span_far_left}, {span_far_right_coarse, span_far_left_coarse}},
+static far_routine *const spans[2][3][2] = {    /* [even][coarse][q grows to the left] */
+    {{span_far_right, span_far_left},
+     {span_far_right_coarse, span_far_left_coarse},
+     {span_far_right_coarser, span_far_left_coarser}},
     {{span_far_even_right, span_far_even_left},
-     {span_far_even_right_coarse, span_far_even_left_coarse}}
+     {span_far_even_right_coarse, span_far_even_left_coarse},
+     {span_far_even_right_coarser, span_far_even_left_coarser}}
 };
 
 /* By log2 of the greatest step, of q 2^31, in pieces of one pixel. */
@@ -52,12 +55,30 @@ static int32 find_shift(const struct setup *s, const struct depth *depth, int32 
     return steep > FAR_MOST >> shift ? -1 : shift;
 }
 
-/* Returns the whole texels from K to the farther end of a range, rounded up. */
-static int32 farthest(int32 k, fix16 low, fix16 high)
+/* Returns the whole texels from K, without so many bits, to the farther end of a range, rounded up. */
+static int32 farthest(int32 k, int32 less, fix16 low, fix16 high)
 {
-    const fix16 at = k >> FAR_K_BITS, above = high - at, below = at - low;
+    const int32 at = k >> (16 + FAR_K_BITS - less), above = (high >> 16) - at, below = at - (low >> 16);
 
-    return ((above > below ? above : below) >> 16) + 1;
+    return (above > below ? above : below) + 1;
+}
+
+/* Finds K and how far it is. Returns the texels, or 0 if K cannot be told. */
+static int32 find_reach(struct far_way *way, const struct perspective_plan *planes)
+{
+    struct far_plan *plan = &way->plan;
+
+    if (!far_asymptotes(plan))
+        return 0;
+    way->to_u = farthest(plan->ku, plan->less, planes->u_low, planes->u_high);
+    way->to_v = farthest(plan->kv, plan->less, planes->v_low, planes->v_high);
+    return way->to_u > way->to_v ? way->to_u : way->to_v;
+}
+
+/* Converts u or v to the format of K. */
+static int32 as_k(fix16 u, int32 less)
+{
+    return less ? u >> (less - FAR_K_BITS) : u << FAR_K_BITS;
 }
 
 /* Sets the lengths of pieces. Where a tolerance has chosen every8, it allows no more than 8 pixels. */
@@ -72,33 +93,40 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
 {
     const struct perspective_plan *planes = s->perspective;
     const struct sides *sides = &s->sides;
+    const uint32 dq = fix_magnitude((int32)planes->q.dx.hi);
     struct far_plan *plan = &way->plan;
-    int32 least;
+    int32 least, reach, shift;
 
-    way->shift = find_shift(s, depth, &least);
-    if (way->shift < 0 || depth->scale > FAR_K_SCALE - 1 || depth->down > FAR_DOWN)
-        return 0;
-    plan->corners = &depth->corners;
-    plan->scale = depth->scale;
-    if (!far_asymptotes(plan))
-        return 0;
-    way->to_u = farthest(plan->ku, planes->u_low, planes->u_high);
-    way->to_v = farthest(plan->kv, planes->v_low, planes->v_high);
-    way->coarse = way->to_u > FAR_REACH || way->to_v > FAR_REACH;
-    if (way->to_u > FAR_REACH << FAR_COARSE || way->to_v > FAR_REACH << FAR_COARSE)
-        return 0;
-    plan->bottom = sides->middle_right ? &depth->corners.b : &depth->corners.a;
-    plan->top_u = sides->top->s - planes->u + 1;
-    plan->top_v = sides->top->t - planes->v + 1;
-    plan->bottom_u = sides->bottom->s - planes->u + 1;
-    plan->bottom_v = sides->bottom->t - planes->v + 1;
-    if (!far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS))
+    way->shift = shift = find_shift(s, depth, &least);
+    if (shift < 0 || depth->scale > FAR_K_SCALE - 1 || depth->down > FAR_DOWN)
         return 0;
     set_lengths(&way->lengths, s);
-    way->even = least >= 1 << FAR_EVEN
-             && 2 * fix_magnitude((int32)planes->q.dx.hi) <= way->lengths.most_4;
+    way->even = least >= 1 << FAR_EVEN && 2 * dq <= way->lengths.most_4;
     if (way->even)
-        way->shift = 1;
+        shift = 1;
+    way->part = FAR_OFF_PART + (((s->box.right - s->box.left + s->span.count + depth->off
+                                  + FAR_OFF_CORNERS) << shift) >> 11);
+    plan->corners = &depth->corners;
+    plan->scale = depth->scale;
+    plan->less = 0;
+    reach = find_reach(way, planes);
+    if (reach && reach <= FAR_REACH << FAR_COARSE) {
+        way->coarse = reach > FAR_REACH;
+    } else {
+        way->coarse = 2;
+        plan->less = FAR_COARSE;
+        reach = find_reach(way, planes);
+        if (!reach || reach > FAR_REACH << 2 * FAR_COARSE || dq < (uint32)way->part << 14)
+            return 0;
+    }
+    plan->bottom = sides->middle_right ? &depth->corners.b : &depth->corners.a;
+    plan->top_u = as_k(sides->top->s - planes->u + 1, plan->less);
+    plan->top_v = as_k(sides->top->t - planes->v + 1, plan->less);
+    plan->bottom_u = as_k(sides->bottom->s - planes->u + 1, plan->less);
+    plan->bottom_v = as_k(sides->bottom->t - planes->v + 1, plan->less);
+    if (!far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS))
+        return 0;
+    way->shift = shift;
     return 1;
 }
 
@@ -137,34 +165,48 @@ static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
     }
 }
 
+/* Returns the entries by which the table for the ends of pieces is on; see FAR_AHEAD. from_16: as a far_span's; bits:
+   FAR_EVERY16 or so. */
+static uint32 find_ahead(const struct setup *s, uint32 dq, int32 from_16, int32 bits)
+{
+    const uint32 least = (uint32)s->perspective->q_low, part = dq >> 9;
+
+    if (from_16 <= (int32)(least >> 15) - FAR_ORIGIN)   /* all have 16: 16^2 dq / (4 least) pixels */
+        return (FAR_AHEAD * part * part >> 2) / (least >> 8);
+    return FAR_AHEAD * dq >> (FAR_EVERY16 + 18 - bits);
+}
+
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
               int32 has_lines)
 {
     const struct perspective_plan *planes = s->perspective;
     const struct far_plan *plan = &way->plan;
     const int32 leftwards = (int32)planes->q.dx.hi < 0;
-    const int32 across = s->box.right - s->box.left, lines = s->span.count;
     const int32 down = (depth->down + FAR_OFF_LINES) << way->shift;
-    const int32 part = FAR_OFF_PART
-                     + (((across + lines + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
-    const int32 off = FAR_OFF + (1 << way->shift >> 1)
-                    + (way->coarse ? down >> 1 : FAR_OFF_WORD + (down >> 5));
+    const int32 off = FAR_OFF + ((1 << way->shift) << plan->less)
+                    + (way->coarse ? (down >> 1) << plan->less : FAR_OFF_WORD + (down >> 5));
     const int32 bits = s->setting == PERSPECTIVE_EVERY16 ? FAR_EVERY16 : FAR_EVERY8;
     struct far_span span;
 
     make_lines(s, way->even, has_lines);
     span.lines = (const struct far_line *)s->scratch->room;
-    span.count = lines;
+    span.count = s->span.count;
     span.map = s->span.map;
     span.table = s->renderer->reciprocals;
     span.dq = (uint32)fix_magnitude((int32)planes->q.dx.hi);
     span.lengths = way->lengths;
     span.from_8 = first_index(2 * span.dq, bits - 19);
-    span.from_16 = way->lengths.most_16 ? first_index(2 * span.dq, bits - 21) : FAR_NEVER;
-    span.ku = ((uint32)plan->ku << (8 - FAR_K_BITS))
-            + ((uint32)(planes->u + off + (way->to_u * part >> 2)) << 8);
-    span.kv = ((uint32)plan->kv << (8 - FAR_K_BITS))
-            + ((uint32)(planes->v + off + (way->to_v * part >> 2)) << 8);
+    span.from_16 = FAR_NEVER;
+    span.ends = span.table;
+    if (way->lengths.most_16) {         /* not if a tolerance allows 8 pixels */
+        span.from_16 = first_index(2 * span.dq, bits - 21);
+        if (way->even)
+            span.ends += find_ahead(s, span.dq, span.from_16, bits);
+    }
+    span.ku = ((uint32)plan->ku << (8 - FAR_K_BITS + plan->less))
+            + ((uint32)(planes->u + off + (way->to_u * way->part >> 2)) << 8);
+    span.kv = ((uint32)plan->kv << (8 - FAR_K_BITS + plan->less))
+            + ((uint32)(planes->v + off + (way->to_v * way->part >> 2)) << 8);
     span.dcu = plan->dcu;
     span.dcv = plan->dcv;
     span.cu = plan->cu;

@@ -10,8 +10,9 @@ struct far_plan {
     const struct plane_corners *corners;        /* the first is the top */
     const struct plane_corner *bottom;          /* the vector to the bottom */
     int32 scale;                        /* of s and t, 16 to 28 */
-    fix16 top_u, top_v, bottom_u, bottom_v;     /* less their bases */
-    int32 ku, kv;                       /* less the bases, in 2^-FAR_K_BITS units */
+    int32 less;                         /* bits that K lacks, FAR_COARSE if C is coarser, else 0 */
+    int32 top_u, top_v, bottom_u, bottom_v;     /* less their bases, as K */
+    int32 ku, kv;                       /* less the bases, in 2^(less - FAR_K_BITS) units */
     uint32 cu, cv, dcu, dcv;            /* as a far_span's, of the first line */
 };
 
@@ -19,8 +20,10 @@ struct far_plan {
 struct far_way {
     struct far_plan plan;
     int32 shift;                /* bits by which q may have to be shifted left, 1 by even spans */
-    int32 even, coarse;
-    int32 to_u, to_v;           /* whole texels from K to the farthest, rounded up */
+    int32 even;
+    int32 coarse;               /* 0, 1, or 2 if it is coarser */
+    int32 to_u, to_v;           /* whole texels from K to the farthest, rounded up; */
+    int32 part;                 /* for each, quarters of a unit by which lines are raised */
     struct far_lengths lengths;
 };
 

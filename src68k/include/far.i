@@ -8,7 +8,7 @@
 ; is behind it is no nearer to the horizon. u and v are stepped by the chain of two registers of chain.i.
 ;
 ; \1: right if q grows to the right, or left.
-; \2: the bits that C lacks, 0 or 4: if K is far away, C has more bits than a word. Then starts take it whole,
+; \2: the bits that C lacks, 0, 4 or 8: if K is far away, C has more bits than a word. Then starts take it whole,
 ; as rounding it would move the line; steps take the word, as r grows less.
 
         include "chain.i"
@@ -84,12 +84,25 @@ far_word macro
         swap    \1
         endm
 
-; \1 = \2, 16.16, times r in d2, 8.24. Uses d0.
+; \1 = \2, 16.16, which lacks \3 bits, times r in d2, 8.24. Uses d0.
 far_whole macro
         move.l  \2,\1
         muls.l  d2,d0:\1
         move.b  d0,\1
         ror.l   #8,\1
+        far_up  \3-4,\1
+        endm
+
+; \2 = \2 times 2^\1, \1 up to 16.
+far_up  macro
+        ifgt    (\1)-8
+        lsl.l   #8,\2
+        lsl.l   #(\1)-8,\2
+        else
+        ifne    \1
+        lsl.l   #\1,\2
+        endc
+        endc
         endm
 
 ; d2, d3 = u and v, 8.24, where r is d2. d6, d7: Cu, Cv, words; or 16.16 if they are coarse, which become words.
@@ -102,9 +115,9 @@ far_start macro
         lsl.l   #4,d3
         else
         ext.l   d2
-        far_whole d3,d7
+        far_whole d3,d7,\2
         movea.l d3,a2
-        far_whole d3,d6
+        far_whole d3,d6,\2
         move.l  d3,d2
         move.l  a2,d3
         far_word d6
@@ -134,10 +147,8 @@ far_growth macro
         move.w  d2,d3
         muls.w  d6,d2                   ; Uuuu
         muls.w  d7,d3                   ; Vvvv
-        ifne    4-(\1)+\2
-        lsl.l   #4-(\1)+\2,d2
-        lsl.l   #4-(\1)+\2,d3
-        endc
+        far_up  4-(\1)+\2,d2
+        far_up  4-(\1)+\2,d3
         rol.l   #8,d2                   ; uuuU
         swap    d3                      ; vvVv
         endm

@@ -1,6 +1,6 @@
 ; Perspective spans as in far.i for polygons whose q differ at most four times. q and C are shifted by one bit,
 ; so that the index is 2^13 to 2^15 on every line: a line begins once. Its pieces grow with q, from 4 or 8 pixels
-; to 8 and 16.
+; to 8 and 16. They end where q is a little greater, as a chord lags behind its curve.
 ;
 ; \1: right if q grows to the right, or left; \2: as in far.i.
 
@@ -13,13 +13,14 @@ even_step3      equ     8               ; of 8
 even_step4      equ     12              ; of 16
 even_from3      equ     16              ; words: the index less 2^15 from which pieces have 8 pixels
 even_from4      equ     18              ; and 16
+even_table      equ     20              ; for starts
 even_ku         equ     far_ku
 even_dcu        equ     far_ku+8        ; swapped, unless C is coarse
 even_dcv        equ     far_ku+12
 even_cu         equ     far_ku+16       ; of the line, if C is coarse
 even_cv         equ     far_ku+20
 even_bytes      equ     far_ku+24
-        ifgt    even_from4+2-far_ku
+        ifgt    even_table+4-far_ku
         fail    something is where far_start reads K
         endc
 
@@ -106,9 +107,12 @@ even_lines macro
         even_step 4
         move.l  far_span_from_8(a0),even_from3(sp)      ; from_16 too
         move.l  far_span_map(a0),d4     ; mm00
-        movea.l far_span_table(a0),a3
+        move.l  far_span_table(a0),even_table(sp)
+        movea.l far_span_ends(a0),a3
         movea.l far_span_lines(a0),a0
         bra.s   .line
+.done   lea     even_bytes(sp),sp
+        rts
 
         ; a0 line  a1 pixel  a6 the line's end  a4 step of q  a5 r where the piece begins
         ; d4 mm00  d5 q, its index less 2^15  d6 Cu  d7 Cv
@@ -118,7 +122,8 @@ even_lines macro
 .line   movem.l (a0)+,d5/a1/a6
         far_is_empty \1,.below
         swap    d5
-        move.w  (a3,d5.w*2),d2
+        movea.l even_table(sp),a2
+        move.w  (a2,d5.w*2),d2
         movea.w d2,a5
         ifne    \2
         move.l  even_cu(sp),d6
@@ -131,9 +136,6 @@ even_lines macro
         cmp.w   even_from3(sp),d5
         bge     .from3
         bra     .from2
-.done   lea     even_bytes(sp),sp
-        rts
-
         even_loop \1,\2,4
         even_loop \1,\2,3,4
         even_loop \1,\2,2,3

@@ -49,10 +49,11 @@ asymptote macro
 ; far_asymptotes - K of u and v for lines from their far ends
 ;
 ; in:      a0  far_plan*  the corners and their scale; K to fill in
-; out:     d0  int32      1; 0 if K of u or v is 4,096 texels or more from its base, or if q hardly grows
-; reads:   corners, scale
+; out:     d0  int32      1; 0 if K of u or v is 4,096 texels, times 2^less, from its base, or if q hardly grows
+; reads:   corners, scale, less
 ; writes:  ku, kv
-; formats: K = (qa yb - qb ya with s or t for q) / (qa yb - qb ya): what u does for q along a line. 13.19: units / 8
+; formats: K = (qa yb - qb ya with s or t for q) / (qa yb - qb ya): what u does for q along a line. 13.19, units / 8,
+;          if no bits are less
 ; error:   of K |K| / 2^31, and its last bit
 ; cost:    about 600 cycles
         routine far_asymptotes,a0
@@ -73,6 +74,7 @@ asymptote macro
         lsr.l   d5,d1
         or.l    d1,d7                   ; the growth of q, 32 bits
         add.l   far_plan_scale(a0),d4
+        sub.l   far_plan_less(a0),d4
         sub.l   #FAR_K_SCALE,d4
         move.l  d4,d5
         minus   <neg.l d5>

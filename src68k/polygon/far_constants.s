@@ -3,7 +3,6 @@
 ; d1 = C where u less its base is \1 and q is \2; a1: K, a3: bits. Uses d0/d2-d3.
 constant macro
         move.l  \1,d1
-        lsl.l   #FAR_K_BITS,d1
         sub.l   a1,d1
         muls.l  \2,d0:d1
         move.l  a3,d2
@@ -39,8 +38,8 @@ constants macro
 
 ; far_constants - C of the first line and its growth, for lines from their far ends
 ;
-; in:      a0  far_plan*  K, corners, bottom, u and v of the top and the bottom; C to fill in
-;          d0  int32      bits: 5, or 1 if C is coarse
+; in:      a0  far_plan*  K, corners, bottom, u and v of the top and the bottom, as K; C to fill in
+;          d0  int32      bits: 5, or 1 if C is coarse or coarser
 ; out:     d0  int32      1; 0 if C does not fit: the polygon is lower than a line, or K too far away
 ; reads:   the plan
 ; writes:  cu, cv, dcu, dcv

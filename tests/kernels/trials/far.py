@@ -18,6 +18,7 @@ from tmap.setup import far as model, far_planes
 
 ACROSS = max(COUNTS) + 4
 LINES = [(k % 4, count) for k, count in enumerate(COUNTS)]
+COARSE = (0, model.COARSE, 2 * model.COARSE)
 MARGIN = 4000 * len(LINES)  # q grows by up to 4000 a line
 
 
@@ -83,29 +84,30 @@ def lines_trial(leftwards: bool, rng) -> Trial:
     return bench.lines_trial(Memory(int(rng.integers(1 << 30))), lines, leftwards, where, f"{lines}, {where}")
 
 
-def constants_trials(deep) -> Iterator[Trial]:
-    """K of a triangle and, if it is near enough, C."""
+def constants_trials(deep, less: int) -> Iterator[Trial]:
+    """K of a triangle, without so many bits, and, if it is near enough, C."""
     names = ("x", "y", "q", "s", "t")
     top, bottom, middle = (dict(zip(names, three)) for three in deep.corners.three)
     vectors = [{name: n - top[name] for name, n in other.items()} for other in (bottom, middle)]
     swapped = vectors[0]["x"] * vectors[1]["y"] < vectors[1]["x"] * vectors[0]["y"]
     shape, plan_shape = layout.load().struct("plane_corner"), layout.load().struct("far_plan").fields
-    ks = model.asymptotes(deep)
-    farthest = max(model.to_farthest(deep, ks)) if ks else 0
-    bits = model.BITS if farthest <= model.REACH else model.BITS_COARSE
+    ks = model.asymptotes(deep, less)
+    farthest = max(model.to_farthest(deep, ks, less)) if ks else 0
+    bits = model.BITS_COARSE if less or farthest > model.REACH else model.BITS
     for kernel in ("far_asymptotes", "far_constants"):
-        if kernel == "far_constants" and (not ks or farthest > model.REACH << model.COARSE):
+        if kernel == "far_constants" and (not ks or farthest > model.REACH << model.COARSE + less):
             return
         memory = Memory()
         rows = [top, *(vectors[::-1] if swapped else vectors)]
         corners = memory.struct("plane_corners", {}, area=[0] * 8, x=0, y=deep.corners.y,
                                 **{name: list(shape.pack(**row)) for name, row in zip(("first", "a", "b"), rows)})
         at = layout.load().struct("plane_corners").fields["b" if swapped else "a"]["offset"]
-        texels = dict(zip(("top_u", "top_v", "bottom_u", "bottom_v"), sum(deep.corners.texels[:2], ())))
+        texels = dict(zip(("top_u", "top_v", "bottom_u", "bottom_v"),
+                          (n << model.K_BITS >> less for n in sum(deep.corners.texels[:2], ()))))
         given = dict(zip(("ku", "kv"), ks)) if kernel == "far_constants" else {"ku": 0, "kv": 0}
-        plan = memory.struct("far_plan", dict(corners=corners, bottom=corners + at), scale=deep.scale, cu=0, cv=0,
-                             dcu=0, dcv=0, **given, **texels)
-        found = ks if kernel == "far_asymptotes" else model.starts(deep, ks, bits)
+        plan = memory.struct("far_plan", dict(corners=corners, bottom=corners + at), scale=deep.scale, less=less,
+                             cu=0, cv=0, dcu=0, dcv=0, **given, **texels)
+        found = ks if kernel == "far_asymptotes" else model.starts(deep, ks, bits, less)
         made = ("ku", "kv") if kernel == "far_asymptotes" else ("cu", "cv", "dcu", "dcv")
         if found:
             flat = found if kernel == "far_asymptotes" else sum(found, [])
@@ -119,11 +121,11 @@ def constants_trials(deep) -> Iterator[Trial]:
 def trials() -> list[Trial]:
     rng = np.random.default_rng(24)
     ways = [(every, leftwards) for every in model.LENGTHS for leftwards in (False, True)]
-    return [*(span_trial(*way, coarse, rng) for way in ways for coarse in (0, model.COARSE) for _ in range(16)),
+    return [*(span_trial(*way, coarse, rng) for way in ways for coarse in COARSE for _ in range(16)),
             *(span_trial(every, leftwards, coarse, rng, even) for every, leftwards in ways
-              for coarse in (0, model.COARSE) for even in (4, 8, 16) for _ in range(6)),
+              for coarse in COARSE for even in (4, 8, 16) for _ in range(6)),
             *(planes_trial(*way, rng) for way in ways for _ in range(16)),
             *(edges_trial(splits, exact, rng) for splits in SPLITS for exact in (False, True) for _ in range(3)),
             *(lines_trial(leftwards, rng) for leftwards in (False, True) for _ in range(8)),
             *(trial for deep, _, _ in triangles(rng, 60) if deep.scale < model.K_SCALE
-              for trial in constants_trials(deep))]
+              for less in (0, model.COARSE) for trial in constants_trials(deep, less))]

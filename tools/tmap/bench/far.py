@@ -29,7 +29,7 @@ def kernel(k: far.Constants | far_planes.Constants) -> str:
     way = "left" if k.leftwards else "right"
     if isinstance(k, far_planes.Constants):
         return f"span_far_planes_{way}"
-    return f"span_far_{'even_' if k.even else ''}{way}{'_coarse' if k.coarse else ''}"
+    return f"span_far_{'even_' if k.even else ''}{way}{('', '_coarse', '_coarser')[k.coarse // far.COARSE]}"
 
 
 def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
@@ -86,6 +86,7 @@ def span_trial(arena: Arena, ground: Ground, k: far.Constants | far_planes.Const
                             pitch=pitch, **plan_fields(k))
     else:
         near["lines"] = far_lines(arena, k, lines, ground.frame_at, pitch)
+        near["ends"] = near["table"] + 2 * k.ahead
         plan = arena.struct("far_span", near, to, count=len(lines), **plan_fields(k))
     return Trial(Case(kernel(k), arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
 

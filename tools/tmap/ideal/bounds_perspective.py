@@ -53,7 +53,7 @@ the exact value at the far end. By planes b is added; by K and C these, Q the fa
 * q of the corners is rounded, and q's plane off by E, cut included: (sum of |l| R / 2 + E |u - K|) / Q.
 * C = (u - K) q is exact at the top and the bottom but for what ``far.bound`` has. So an error of K counts as far
   as q changes from the line between them to the pixel: at most its error times 2^30 / Q, 1/8 unit and |K| / 2^31
-  for the quotient. What S of the corners is cut by, up to 1 each, moves K by at most 2 2^scale h / N, N the
+  for the quotient, or 2 units, and 1 for u of the vertices, where K lacks bits. What S of the corners is cut by, up to 1 each, moves K by at most 2 2^scale h / N, N the
   quotient's divisor and h the height; q changes by N / h times l of the middle corner: 2 l 2^scale / Q.
 
 Lines by logarithms are off from their planes' quotients by ``logarithm.bound``, which is kept within
@@ -150,7 +150,7 @@ class Bound:
         off_q = plane_error(self.p.q, 32, abs(first - self.corner[0]), abs(y - self.corner[1])) + 1
         share = max(self.shares(x, y) for x in ends)
         return ((share * ((high - low) / 2 + 2 * 2.0**self.p.scale) + off_q * max(high - at, at - low)) / big
-                + (1 / 8 + abs(at - self.base) / 2**31) * 2**30 / big + 1)
+                + (2.0**k.less / 8 + (k.less > 0) + abs(at - self.base) / 2**31) * 2**30 / big + 1)
 
     def line(self, made: Ends, y: int, inside: tuple[bool, bool]) -> float:
         """Returns b of a line's pixels, texels; ``inside``: true for each end in the polygon."""
@@ -180,12 +180,13 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
 
 def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
     """The intended error of a line that is drawn from its far end: its last piece is a whole one's
-    beginning."""
-    way = -1 if record.constants.leftwards else 1
+    beginning, and ends of pieces may be ahead."""
+    way, k = -1 if record.constants.leftwards else 1, record.constants
     first = record.left + (record.n if way < 0 else 0)
     last = record.pieces[-1]
     nodes = np.array([*(piece.at for piece in record.pieces), last.at + last.pixels])
-    values = np.interp(np.arange(record.n + 1), nodes, curve.values(first + way * nodes, y))
+    ahead = getattr(k, "ahead", 0) * 2.0**15 / abs(k.dqdx) * (nodes > 0)  # pixels
+    values = np.interp(np.arange(record.n + 1), nodes, curve.values(first + way * (nodes + ahead), y))
     return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
 
 

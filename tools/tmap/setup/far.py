@@ -17,7 +17,7 @@ from tmap.setup import reciprocal
 from tmap.setup.perspective import steepness
 
 LOWEST = 8192
-COUNT = 40962
+COUNT = 40962 + 768
 ORIGIN = 32768
 MOST = 1 << 30
 #: The greatest steps of q a pixel, q being 2^29 to 2^31, by a piece's pixels; by settings, and every8 if a tolerance
@@ -26,6 +26,7 @@ LENGTHS = {"every16": {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOS
            "every8": {16: 1 << 22, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST},
            "tolerance": {16: 0, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
 NEVER = 65535  # an index
+AHEAD = 3  # eighths of a chord's error, by which the ends of even spans' pieces are ahead
 DEEP = 8
 COARSE = 4
 EVEN = 1 << 28
@@ -51,10 +52,11 @@ class Constants:
     left: int
     top: int
     every: str  # of LENGTHS
-    coarse: int  # 0 or COARSE
+    coarse: int  # 0, COARSE or 2 COARSE
     raised: list[int]  # units by which u and v are raised, included in k
     even: bool = False  # q differs four times at most; q and C are shifted by one bit then
     down: int = 0  # lines from the top vertex to the first
+    ahead: int = 0  # of the index, where even spans' pieces end
 
     @cached_property
     def words(self) -> list[list[int]]:
@@ -77,6 +79,11 @@ class Constants:
     def leftwards(self) -> bool:
         """True if lines are drawn from right to left."""
         return self.dqdx < 0
+
+    @property
+    def less(self) -> int:
+        """The bits that K lacks."""
+        return max(self.coarse - COARSE, 0)
 
 
 @dataclass
@@ -124,7 +131,8 @@ class Line:
                         if at:
                             break
                 begin, x = x, step_swapped(x, swap(dq * pixels << 1))
-                found.append(Piece(at, pixels, 1, *(signed(n, 16) + ORIGIN for n in (begin, x)), not at))
+                begin, end = (signed(n, 16) + ORIGIN + self.constants.ahead for n in (begin, x))
+                found.append(Piece(at, pixels, 1, begin if at else begin - self.constants.ahead, end, not at))
                 at += pixels
             return found
         shift = 31 - self.q.bit_length() & ~1
@@ -161,16 +169,16 @@ def shift_of(p, way: int, exact: bool) -> int | None:
     return shift if steep << shift <= MOST else None
 
 
-def asymptotes(p) -> list[int] | None:
-    """Returns K of u and v, less their bases, in 2^-K_BITS units; None if one is 4,096 texels away or q hardly
-    grows."""
+def asymptotes(p, less: int = 0) -> list[int] | None:
+    """Returns K of u and v, less their bases, in 2^(less - K_BITS) units; None if one is 4,096 texels, times 2^less,
+    away or q hardly grows."""
     top, bottom, middle = p.corners.three
     (_, ay, *a), (_, by, *b) = ([n - m for n, m in zip(each, top)] for each in (bottom, middle))
     q, *st = (m * by - n * ay for m, n in zip(a, b))
     shift = 32 - (abs(q) >> 32).bit_length()
     if shift == 32:
         return None
-    divisor, up = abs(q) << shift >> 32, shift + p.scale - K_SCALE
+    divisor, up = abs(q) << shift >> 32, shift + p.scale - less - K_SCALE
     found = []
     for grows in st:
         k = (abs(grows) << up if up >= 0 else abs(grows) >> -up) // divisor
@@ -180,17 +188,19 @@ def asymptotes(p) -> list[int] | None:
     return found
 
 
-def to_farthest(p, ks: list[int]) -> list[int]:
-    """Returns the whole texels from K of u and v to their farthest, rounded up."""
-    return [(max(high - (k >> K_BITS), (k >> K_BITS) - low) >> 16) + 1 for k, low, high in zip(ks, p.low, p.high)]
+def to_farthest(p, ks: list[int], less: int = 0) -> list[int]:
+    """Returns the whole texels from K of u and v to their farthest, rounded up. ``less``: as in ``asymptotes``."""
+    texels = [k >> 16 + K_BITS - less for k in ks]
+    return [max((high >> 16) - k, k - (low >> 16)) + 1 for k, low, high in zip(texels, p.low, p.high)]
 
 
-def starts(p, ks: list[int], bits: int) -> tuple[list[int], list[int]] | None:
-    """Returns C of u and v on the first line and their growth a line, 16.16; None if that does not fit."""
+def starts(p, ks: list[int], bits: int, less: int = 0) -> tuple[list[int], list[int]] | None:
+    """Returns C of u and v on the first line and their growth a line, 16.16; None if that does not fit.
+    ``less``: as in ``asymptotes``."""
     top, bottom, _ = p.corners.three
     cs, dcs = [], []
     for k, *texels in zip(ks, *p.corners.texels[:2]):
-        at, to = (((n << K_BITS) - k) * corner[2] >> 32 - bits for n, corner in zip(texels, (top, bottom)))
+        at, to = (((n << K_BITS >> less) - k) * corner[2] >> 32 - bits for n, corner in zip(texels, (top, bottom)))
         if signed(to - at) != to - at:
             return None
         dc = cut_quotient(to - at << 16, bottom[1] - top[1])
@@ -199,6 +209,16 @@ def starts(p, ks: list[int], bits: int) -> tuple[list[int], list[int]] | None:
         cs.append(at + (dc * p.corners.y >> 16))
         dcs.append(dc)
     return cs, dcs
+
+
+def ahead(dq: int, least: int, every: str) -> int:
+    """Returns Constants.ahead; ``least``: the least q."""
+    most = LENGTHS[every][16] >> 13
+    if not most:  # a tolerance allows 8 pixels
+        return 0
+    if -(-2 * dq // most) <= least >> 15:  # all have 16: 16^2 dq / (4 least) pixels
+        return (AHEAD * (dq >> 9)**2 >> 2) // (least >> 8)
+    return AHEAD * dq >> (18 if every == "every16" else 19)
 
 
 def find(p, every: str, box, exact: bool) -> Constants | None:
@@ -210,23 +230,26 @@ def find(p, every: str, box, exact: bool) -> Constants | None:
     shift = shift_of(p, way, exact)
     if shift is None or p.scale >= K_SCALE or p.corners.down > DOWN:
         return None
-    ks = asymptotes(p)
-    if ks is None:
-        return None
-    farthest = to_farthest(p, ks)
-    coarse = COARSE if max(farthest) > REACH else 0
-    found = max(farthest) <= REACH << coarse and starts(p, ks, BITS_COARSE if coarse else BITS)
-    if not found:
-        return None
     q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
     even = is_even(abs(q[1]), least_of(p, way, exact), every)
     shift = 1 if even else shift
     part = OFF_PART + (way + p.corners.off + OFF_CORNERS << shift >> 11)
+    less, ks = 0, asymptotes(p)
+    if ks is None or max(to_farthest(p, ks)) > REACH << COARSE:
+        less, ks = COARSE, asymptotes(p, COARSE)
+        if ks is None or max(to_farthest(p, ks, less)) > REACH << 2 * COARSE or abs(q[1]) < part << 14:
+            return None
+    farthest = to_farthest(p, ks, less)
+    coarse = 2 * COARSE if less else COARSE if max(farthest) > REACH else 0
+    found = starts(p, ks, BITS_COARSE if coarse else BITS, less)
+    if not found:
+        return None
     down = p.corners.down + OFF_LINES << shift
-    off = OFF + (1 << shift >> 1) + (down >> 1 if coarse else OFF_WORD + (down >> 5))
+    off = OFF + (1 << shift << less) + (down >> 1 << less if coarse else OFF_WORD + (down >> 5))
     raised = [off + (n * part >> 2) for n in farthest]
-    return Constants(tuple((k << 8 - K_BITS) + (b + m << 8) for b, k, m in zip(p.base, ks, raised)),
-                     *map(tuple, found), *q, p.i, p.j, every, coarse, raised, even, p.corners.down - lines)
+    return Constants(tuple((k << 8 - K_BITS + less) + (b + m << 8) for b, k, m in zip(p.base, ks, raised)),
+                     *map(tuple, found), *q, p.i, p.j, every, coarse, raised, even, p.corners.down - lines,
+                     ahead(abs(q[1]), p.least, every) if even else 0)
 
 
 def line(p, k: Constants, left: int, right: int, y: int) -> Line:
@@ -270,7 +293,7 @@ def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
         old, r = reciprocal_at(piece.begin), reciprocal_at(piece.end)
         if piece.is_first:
             cs, words = [signed(c << piece.shift) for c in each.c], each.words(piece.shift)
-            at = [base + (c * old >> 8 if k.coarse else w * old << 4)
+            at = [base + (c * old >> 8 << k.coarse - COARSE if k.coarse else w * old << 4)
                   for base, c, w in zip(k.k, cs, words)]
             state = reciprocal.begun(*at)
         du, dv = (w * (r - old) * (16 // piece.pixels) << k.coarse for w in words)

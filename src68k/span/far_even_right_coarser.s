@@ -1,0 +1,8 @@
+        include "far_even.i"
+
+; span_far_even_right_coarser - the same with constants that are still farther away
+;
+; like:    span_far_even_right
+; cost:    as persp_even_16; where a line begins, products of 32 bits
+        span span_far_even_right_coarser
+        even_lines right,8
