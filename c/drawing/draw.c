@@ -58,8 +58,7 @@ static enum polygon_result set_map(struct setup *s)
     if (mapper == MAPPER_GOURAUD)
         return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
     if (!map || map->layout != traits->layout || map->texel_bytes != s->frame->pixel_bytes
-        || !(map->texel_bytes & traits->bytes)
-        || (map->texel_bytes > 1 && s->material->perspective))
+        || !(map->texel_bytes & traits->bytes))
         return POLYGON_WRONG_MAP;
     s->span.map = map->texels;
     if (mapper == MAPPER_AFFINE)

@@ -24,6 +24,22 @@ static const struct {
                           PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_COLUMN_FINE}
 };
 
+/* Spans for pixels of 1, 2 and 4 bytes. */
+typedef void line_routine(const struct perspective_span *span);
+
+static line_routine *const pieces[3] = {
+    span_perspective_pieces, span_perspective_pieces_16, span_perspective_pieces_32};
+static line_routine *const curves[3] = {
+    span_perspective_curves, span_perspective_curves_16, span_perspective_curves_32};
+static void (*const scanlines[3])(const struct span_plan *) = {
+    span_affine_scanline, span_affine_16_scanline, span_affine_32_scanline};
+
+/* Tables of lines, and columns, are for texels of one byte. */
+static int32 is_narrow(const struct setup *s)
+{
+    return s->frame->pixel_bytes == 1;
+}
+
 /* All lines in the form that a span reads, prepared before they are drawn; one form at a time. */
 union made {
     struct logarithm_line logarithms[FRAME_SIDE_MAX];
@@ -106,10 +122,7 @@ static void draw_exactly(const struct setup *s, union made *made)
     lines.pitch = span->pitch;
     lines.map = span->map;
     lines.longest = ways[s->setting].piece;
-    if (plan->bend)
-        span_perspective_curves(&lines);
-    else
-        span_perspective_pieces(&lines);
+    (plan->bend ? curves : pieces)[s->frame->pixel_bytes >> 1](&lines);
 }
 
 void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
@@ -132,7 +145,7 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
     lines.map = s->span.map;
     lines.steps = steps;
     if (s->level == LEVEL_LINES)
-        span_affine_scanline(&lines);
+        scanlines[s->frame->pixel_bytes >> 1](&lines);
     else
         span_affine_upright(&lines);
 }
@@ -196,7 +209,8 @@ void perspective_find_level(struct setup *s)
     if (is_level(s, &plan->q.dx, width, ways[s->setting].off)
         || is_straight(s, &plan->q.dx, width, plan->q_low)) {
         s->level = LEVEL_LINES;
-    } else if (EDGES_ARE_EXACT(s->material->edges) && height >= ways[s->setting].column) {
+    } else if (is_narrow(s) && EDGES_ARE_EXACT(s->material->edges)
+               && height >= ways[s->setting].column) {
         if (is_level(s, &plan->q.dy, height, 0)) {
             s->level = LEVEL_COLUMNS;
         } else if (is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE)) {
@@ -215,7 +229,7 @@ static int32 has_pieces(const struct setup *s)
 int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way)
 {
     way->shift = -1;
-    return has_pieces(s) && s->renderer->reciprocals && far_find(way, s, depth);
+    return has_pieces(s) && is_narrow(s) && s->renderer->reciprocals && far_find(way, s, depth);
 }
 
 void perspective_draw_from_afar(const struct setup *s, const struct depth *depth,
@@ -241,7 +255,7 @@ void perspective_draw(struct setup *s, int32 shift)
         count_lines(s, has_pieces(s) ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
     if (shift >= 0)
         left = far_draw_planes(s, shift) ? 0 : left;
-    else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms)
+    else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms && is_narrow(s))
         left = draw_logarithms(s, made);
     if (s->counts)
         count(s, left);

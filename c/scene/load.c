@@ -90,7 +90,6 @@ static int32 unit_usable(const struct scene_header *h, const struct scene_materi
 static const char *wrong_material(const struct scene *scene)
 {
     const struct scene_header *h = scene->header;
-    int32 bytes = scene_pixel_bytes(h->format);
 
     for (uint32 i = 0; i < h->materials; i++) {
         const struct scene_material *m = &scene->materials[i];
@@ -114,7 +113,7 @@ static const char *wrong_material(const struct scene *scene)
         if (m->clip >= CLIP_KINDS)
             return "material.clip";
         if (m->perspective >= PERSPECTIVE_KINDS
-            || (m->perspective && (bytes > 1 || !is(m->mapper, MAPPER_PERSPECTIVE)
+            || (m->perspective && (!is(m->mapper, MAPPER_PERSPECTIVE)
                                    || m->start != START_SUBTEXEL
                                    || m->gradients != GRADIENTS_PLANE)))
             return "material.perspective";

@@ -66,8 +66,9 @@ static void make_logarithms(struct scene *scene)
 
 enum scene_memory scene_make_tables(struct scene *scene)
 {
-    const int32 reciprocals = is_needed(scene, needs_reciprocals);
-    const int32 logarithms = is_needed(scene, needs_logarithms);
+    const int32 narrow = scene_pixel_bytes(scene->header->format) == 1;     /* others have no use for them */
+    const int32 reciprocals = narrow && is_needed(scene, needs_reciprocals);
+    const int32 logarithms = narrow && is_needed(scene, needs_logarithms);
     const int32 snapped = is_needed(scene, needs_snapped);
 
     if (reciprocals && !scene->tried_reciprocals)

@@ -79,7 +79,7 @@ struct perspective_span {
     int32 count;                /* lines, 1 or more */
     uint8 *row;                 /* pixel -EDGE_BIAS of the first line */
     int32 pitch;                /* bytes from line to line */
-    const uint8 *map;           /* MAP_PAGE */
+    const void *map;            /* MAP_PAGE */
     int32 longest;              /* log2 of a piece's pixels; curves: of the longest piece's */
 };
 
@@ -88,7 +88,13 @@ void perspective_lines(const struct perspective_plan *plan);
 int32 lines_bend(const struct perspective_plan *plan, int32 width);
 void level_lines(const struct perspective_plan *plan, struct scanline_step *steps);
 void span_affine_upright(const struct span_plan *plan);
+void span_affine_16_scanline(const struct span_plan *plan);
+void span_affine_32_scanline(const struct span_plan *plan);
 void span_perspective_pieces(const struct perspective_span *span);
+void span_perspective_pieces_16(const struct perspective_span *span);
+void span_perspective_pieces_32(const struct perspective_span *span);
 void span_perspective_curves(const struct perspective_span *span);
+void span_perspective_curves_16(const struct perspective_span *span);
+void span_perspective_curves_32(const struct perspective_span *span);
 
 #endif

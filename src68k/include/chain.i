@@ -215,6 +215,34 @@ wide_apart macro
         span_close (sp)
         endm
 
+; ... these with separate steps for each line, ...
+wide_scanline macro
+        span_open
+        move.l  span_plan_steps(a0),-(sp)
+        movea.l span_plan_map(a0),a3
+        span_table
+        span_line d0,d1,*\1
+        movea.l (sp),a2
+        move.l  (a2)+,d5
+        move.l  (a2),d2
+        apart_steps
+        apart_start
+        span_rounds_out 3
+        span_enter_out 2,4
+.pixels rept    8
+        texel_next_apart d2,d3
+        draw_wide \1
+        endr
+        dbra    d7,.pixels
+.line_next
+        addq.l  #8,(sp)
+        adda.l  4(sp),a6
+        cmpa.l  a5,a0
+        bne     .line
+        addq.l  #8,sp
+        rts
+        endm
+
 ; ... and u alone.
 wide_row macro
         alone_open dudx

@@ -131,7 +131,8 @@ def widened(scene: Scene, pixels: str) -> Scene:
     pages = [Texture(noise.integers(0, 256**pixel.bytes, each.texels.shape, dtype=pixel.dtype))
              for each in scene.textures if each.layout == "page"]
     materials = [m if m.mapper == "flat" else
-                 Material("affine", m.edges, m.gradients, m.start, m.clip, texture=k % len(pages))
+                 Material("affine", m.edges, m.gradients, m.start, m.clip, m.perspective,
+                          texture=k % len(pages), tolerance=m.tolerance)
                  for k, m in enumerate(scene.materials)]
     return replace(scene, format=pixels, textures=pages, materials=materials)
 

@@ -112,8 +112,6 @@ def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
         fail(at + (".shades" if mapper == "gouraud" else ".mapper"),
              f"a scene in {pixel.name} has flat colours and the mapper "
              + " or ".join(f'"{each}"' for each in drawn[1:] if each not in UNITS) + " only")
-    if pixel.bytes > 1 and perspective != "none":
-        fail(f"{at}.perspective", f"a scene in {pixel.name} has none")
     if "n64" in material:
         check_n64(material, pixel, at)
     if "glide" in material:

@@ -66,9 +66,6 @@ def check_pixels(pixel: PixelFormat, material: Material, name: str, where: str) 
     if material.mapper not in MAPPERS[pixel.bytes]:
         raise UserError(f"{name}: {where}.mapper: {material.mapper!r} is not for pixels of "
                         f"{pixel.bytes} bytes")
-    if pixel.bytes > 1 and material.perspective != "none":
-        raise UserError(f"{name}: {where}.perspective: {material.perspective!r} is for pixels of "
-                        "one byte")
     require(name, f"{where}.colour", material.colour, 0, 256**pixel.bytes - 1)
 
 

@@ -278,9 +278,9 @@ def columns_of(polygon: Polygon, found, height: int, size: tuple[int, int]) -> P
 
 
 def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Settings,
-                    size: tuple[int, int]) -> bool:
+                    size: tuple[int, int], narrow: bool) -> bool:
     """Sets the planes of a polygon's perspective; returns False if it is drawn affine. ``size``: the
-    frame's."""
+    frame's; ``narrow``: pixels have one byte, so that tables of lines and columns may draw it."""
     deep = perspective([v[:5] for v in vertices], outline.corners, outline.box)
     if deep is None or settings.tolerance and not deep.is_sure:
         return False
@@ -289,9 +289,10 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
     polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
     turned = None
-    if not polygon.is_level and settings.has_exact_edges:
+    if narrow and not polygon.is_level and settings.has_exact_edges:
         turned = turned_of(polygon, vertices, outline.box, size, settings)
-    polygon.constants = tables.constants(deep, polygon.lines, outline.box, setting, settings)
+    if narrow:
+        polygon.constants = tables.constants(deep, polygon.lines, outline.box, setting, settings)
     from_afar = isinstance(polygon.constants, far.Constants) and not polygon.is_level and not turned
     if not deep.is_sure and not from_afar:
         polygon.perspective, polygon.setting, polygon.constants = None, "none", None
@@ -334,7 +335,7 @@ def set_up(vertices, width: int, height: int, textured: bool, settings: Settings
         return by_triangles(vertices, outline, width, settings, pixel_bytes)
     polygon = outline.polygon(width, settings.has_exact_edges, textured)
     if settings.perspective != "none" and not is_flat(vertices, settings.tolerance) \
-            and set_perspective(polygon, vertices, outline, settings, (width, height)):
+            and set_perspective(polygon, vertices, outline, settings, (width, height), pixel_bytes == 1):
         return set_light(polygon, vertices, outline, settings)
     if textured and not set_texturing(polygon, vertices, outline, settings, size, for_unit):
         return None
