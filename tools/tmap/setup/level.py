@@ -49,8 +49,8 @@ def bends(p: Perspective, lines, width: int) -> bool:
     wide as ``width``."""
     steep = steepness(p.q.dx) + 1
     q = (p.q.at >> 32) - (width * steep if p.tilt < 0 else 0)
-    return any(line.right > line.left and steep * (line.right - 1 - line.left)**2 >> 1 > q + k * (p.q.dy >> 32)
-               for k, line in enumerate(lines))
+    return any(line.right > line.left and steep * n * n >> 1 > q + k * (p.q.dy >> 32)
+               for k, (line, n) in enumerate((line, line.right - 1 - line.left) for line in lines))
 
 
 def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int, int]]:
