@@ -217,7 +217,7 @@ def ahead(dq: int, least: int, every: str) -> int:
     if not most:  # a tolerance allows 8 pixels
         return 0
     if -(-2 * dq // most) <= least >> 15:  # all have 16: 16^2 dq / (4 least) pixels
-        return (AHEAD * (dq >> 9)**2 >> 2) // (least >> 8)
+        return (AHEAD * (dq >> 9) * (dq >> 9) >> 2) // (least >> 8)
     return AHEAD * dq >> (18 if every == "every16" else 19)
 
 
