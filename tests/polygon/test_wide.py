@@ -70,7 +70,8 @@ TURNING = [[10, 0, 20, 30], [90, 20, 99, 80], [70, 60, 80, 160], [-10, 40, 1, 11
 SHAPES = {"_row": list(FLOORS.values()), "_copy": list(COPIES.values()), "_wrap": [WRAPPING],
           "": [TURNING]}
 COLUMNS = [turned(corners) for name, corners in FLOORS.items() if name != "one texel"]
-EXAMPLES = {"wide": {"fill_32", "affine_32", "affine_32_wrap", "affine_32_row"},
+EXAMPLES = {"wide": {"fill_32", "affine_32", "affine_32_wrap", "affine_32_row",
+                     "perspective_pieces"},
             "panel": {"fill_16", "affine_16", "affine_16_row", "affine_16_copy"}}
 
 

@@ -8,6 +8,7 @@ from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
 from tests.kernels.trials.reciprocal import COUNTS, PITCH
 from tests.kernels.trials.span import picture_ground
+from tests.kernels.trials.wide import ground
 from tmap.base.fixed import mul_div, signed
 from tmap.bench import perspective
 from tmap.bench.trial import Trial, Write, values
@@ -17,6 +18,7 @@ from tmap.setup import perspective as model
 from tmap.setup.level import bends
 from tmap.setup.texturing import Line
 
+SOME = [count for count in COUNTS if count < 260]  # that fit in rows of PITCH bytes
 M64 = (1 << 64) - 1
 #: Depths of a line's ends: q in the polygon's scale.
 Q_ENDS = ((1 << 30, 1 << 30), (1 << 30, 1 << 29), (1 << 28, 1 << 30), (1 << 30, (1 << 30) // 100),
@@ -153,16 +155,16 @@ def bend_trial(rng) -> Trial:
                  outputs={"d0": int(found)})
 
 
-def span_trial(setting: str, ends, reach: int, rng) -> Trial:
-    """A table of lines between ends of such depths."""
+def span_trial(setting: str, ends, reach: int, rng, wide: int = 1) -> Trial:
+    """A table of lines between ends of such depths. ``wide``: bytes of a texel."""
     memory, lines = Memory(int(rng.integers(1 << 30))), []
-    for k, pixels in enumerate(COUNTS):
+    for k, pixels in enumerate(COUNTS if wide == 1 else SOME):
         line = model.Ends(k % 4, pixels - 1, any_size(rng, 31) & M32, any_size(rng, 31) & M32)
         if pixels > 1:
             line.du, line.dv = any_size(rng, reach), any_size(rng, reach)
             line.first, line.last = model.weights(*ends, line.n)
         lines.append(line if pixels > 0 else line.n)
-    return perspective.span_trial(setting, memory, picture_ground(), lines, PITCH,
+    return perspective.span_trial(setting, memory, picture_ground() if wide == 1 else ground(wide), lines, PITCH,
                                   f"{setting}, q {ends}, {reach} bits of u and v")
 
 
@@ -176,4 +178,6 @@ def trials() -> list[Trial]:
             *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *(span_trial(setting, ends, reach, rng) for setting in every for ends in Q_ENDS
-              for reach in (31, 24, 20, 12))]
+              for reach in (31, 24, 20, 12)),
+            *(span_trial(setting, ends, reach, rng, wide) for wide in (2, 4) for setting in every
+              for ends in Q_ENDS[1::3] for reach in (24, 20, 12))]

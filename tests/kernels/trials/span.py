@@ -103,8 +103,8 @@ def table_trial(trial_of: Callable[..., Trial], starts: list[tuple[int, int, int
 def form_of(kernel: str) -> str:
     """How the lines of a span routine are packed."""
     packed = {f"span_{name}" for _, name, lines in c_lists.rows("polygon/span_list.h", "SPAN")
-              if lines == "ADDX"} | {"span_affine_scanline"}
-    return "addx" if kernel in packed else "plain"
+              if lines == "ADDX"}
+    return "addx" if kernel in packed or kernel.endswith("_scanline") else "plain"
 
 
 def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
@@ -116,7 +116,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     if kernel in ONCE_WRAPPING:
         starts = [once_wrapping(*start, dudx, dvdx, rng) for start in starts]
     own_steps = None
-    if kernel == "span_affine_scanline":
+    if kernel.endswith("_scanline"):
         own_steps = [(dudx, dvdx) if k % 3 else tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2)))
                      for k in range(len(starts))]
     title = values(colour=colour) if kernel.startswith("span_fill") else steps_text(dudx, dvdx)

@@ -44,7 +44,8 @@ def trials() -> list[Trial]:
     made = []
     for wide in (2, 4):
         on, rng, name = ground(wide), np.random.default_rng([7, wide]), f"span_affine_{8 * wide}"
-        made += span_trials(name, on, rng) + span_trials(f"{name}_wrap", on, rng)
+        for kind in ("", "_wrap", "_scanline"):
+            made += span_trials(name + kind, on, rng)
         made += alone_trials(f"{name}_row", rng, on, (SHORT, LONG_WIDE))
     return [*made, *copy_trials("span_affine_16_copy", ground(2), rng),
             *fill_trials("span_fill_32", ground(4), LONG_WIDE, rng)]

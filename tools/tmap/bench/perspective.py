@@ -9,6 +9,7 @@ from functools import partial
 
 import numpy as np
 
+from tmap.base import maps
 from tmap.bench.spans import BIAS, GAP, Ground, framed, line_count, table_of
 from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
@@ -23,10 +24,11 @@ RATIO = 4
 NEAR = 1 << 30  # q of the nearer end
 LINES = 64
 ENOUGH = ("enough4", "enough8", "enough16", "enough32")
-#: Row: setting, ratio of w.
+#: Row: setting, ratio of w; bytes of a texel, if not one.
 SPANS = {"persp_every16_exact": ("every16", RATIO), "persp_every8_exact": ("every8", RATIO),
          "persp_pixel_exact": ("pixel", RATIO), "persp_pixel_fine": ("fine", RATIO),
-         "persp_pixel_deep": ("pixel", 100), "persp_pixel_fine_deep": ("fine", 100)}
+         "persp_pixel_deep": ("pixel", 100), "persp_pixel_fine_deep": ("fine", 100),
+         "persp_every16_wide": ("every16", RATIO, 2), "persp_pixel_wide": ("pixel", RATIO, 2)}
 
 
 def line(k: int, length: int, ratio: int, rng) -> Ends:
@@ -62,44 +64,46 @@ def record_table(arena: Arena, struct: str, lines: list, entry) -> int:
 
 def records_trial(kernel: str, plan: str, arena: Arena, ground: Ground, lines: list, pitch: int,
                   coordinates, near: dict[str, int], title: str = "", **fields: int) -> Trial:
-    """A span over a table of records. ``coordinates``: u and v of a line's pixels; ``near``: the plan's
-    pointers to the table and others, which are in the arena; ``fields``: more of the plan."""
-    writes = []
+    """A span over a table of records. ``pitch``: in bytes; ``coordinates``: u and v of a line's pixels; ``near``:
+    the plan's pointers to the table and others, which are in the arena; ``fields``: more of the plan."""
+    writes, wide = [], ground.picture.itemsize
     for k, each in enumerate(lines):
         if not isinstance(each, int):
             u, v = coordinates(each)
-            writes.append(Write(ground.frame_at + k * pitch + each.left,
+            writes.append(Write(ground.frame_at + k * pitch + each.left * wide,
                                 ground.picture[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
-    plan_at = arena.struct(plan, near, dict(row=ground.frame_at - BIAS, map=ground.map_at),
+    plan_at = arena.struct(plan, near, dict(row=ground.frame_at - BIAS * wide, map=ground.map_at),
                            count=len(lines), pitch=pitch, **fields)
     return Trial(Case(kernel, arena, pointers={"a0": plan_at}, far=ground.arena), title, writes=writes)
 
 
-def row_of_records(length: int, line, trial):
+def row_of_records(length: int, line, trial, wide: int = 1):
     """The bench row of a table of lines of one length. ``line`` makes the k-th of k and random numbers,
-    ``trial`` the call of an arena, a ground, lines and their pitch."""
+    ``trial`` the call of an arena, a ground, lines and their pitch; ``wide``: bytes of a texel."""
     rng, count, far = np.random.default_rng(length), line_count(length), Arena()
-    picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
-    map_at = far.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
+    picture = rng.integers(0, 256**wide, (256, 256), dtype=f"u{wide}").astype(f">u{wide}")
+    map_at = far.add(maps.to_page(picture).tobytes(), layout.load().constants["ARENA_ALIGN"])
     lines = [line(k, rng) for k in range(count)]
-    ground = framed(far, map_at, picture, count, length)
-    return trial(Arena(), ground, lines, length + GAP).row(count * length)
+    ground = framed(far, map_at + (picture.nbytes // 2 if wide > 1 else 0), picture, count, length)
+    return trial(Arena(), ground, lines, (length + GAP) * wide).row(count * length)
 
 
 def span_trial(setting: str, arena: Arena, ground: Ground, lines: list, pitch: int,
                title: str = "") -> Trial:
     """One table of Ends."""
     kernel = "span_perspective_curves" if setting in CURVES else "span_perspective_pieces"
+    kernel += {1: "", 2: "_16", 4: "_32"}[ground.picture.itemsize]
     table = record_table(arena, "perspective_line", lines, lambda each: entry(each, setting))
     return records_trial(kernel, "perspective_span", arena, ground, lines, pitch,
                          lambda each: coordinates(each, setting), dict(lines=table), title,
                          longest=way(setting).piece)
 
 
-def span_case(setting: str, ratio: int, length: int):
-    """A table of lines of one length."""
+def span_case(setting: str, ratio: int, *wide_and_length: int):
+    """A table of lines of one length, the last argument; before it may be the bytes of a texel."""
+    *wide, length = wide_and_length
     return row_of_records(length, lambda k, rng: line(k, length, ratio, rng),
-                          partial(span_trial, setting))
+                          partial(span_trial, setting), *wide)
 
 
 def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
