@@ -49,6 +49,8 @@ union made {
 
 SCRATCH_FITS(union made);
 
+#define STEEP_2_22 (1 << 22)
+
 /* K, u and v are nearer than this to their bases, so that C fits 64 bits. */
 #define FAR_512 (512 << 16)
 
@@ -183,16 +185,21 @@ static void restore_lines(const struct perspective_plan *plan)
    are off by `off` at most. */
 static int32 is_level(const struct setup *s, const struct number64 *grows, int32 width, int32 off)
 {
-    return width <= ways[s->setting].width
+    return grows->hi + 1 <= 1 && width <= ways[s->setting].width
         && perspective_is_level(s->perspective, grows, width, off);
 }
 
-/* Returns 1 if they may be straight, and sets the plan's tilt; least: q of the longest. */
+/* Returns 1 if lines of so many pixels, on which q grows so, may be straight from their first pixels to their
+   last, and sets the plan's tilt; least: q of the longest. Its chord is off by at most half a pixel's texels,
+   width^2 / (4 L) with L = q / |dq/dx|. */
 static int32 is_straight(const struct setup *s, const struct number64 *grows, int32 width, int32 least)
 {
+    const int32 steep = perspective_steepness(grows) + 1;
+
     /* what a tolerance allows is less than what a setting allows */
-    if (ways[s->setting].bend || s->setting != (enum perspective)s->material->perspective
-        || !perspective_is_straight(grows, width, least))
+    if (steep >= STEEP_2_22 || ways[s->setting].bend
+        || s->setting != (enum perspective)s->material->perspective
+        || steep > least / ((width * width >> 1) + 1))
         return 0;
     s->perspective->tilt = (int32)(grows->hi << 8 | grows->lo >> 24);
     return 1;

@@ -19,6 +19,9 @@ static far_routine *const spans[2][3][2] = {    /* [even][coarse][q grows to the
 
 static const struct far_lengths every16 = LENGTHS(FAR_EVERY16);
 static const struct far_lengths every8 = LENGTHS(FAR_EVERY8);
+/* Where a tolerance has chosen every8, it allows no more than 8 pixels. */
+static const struct far_lengths at_most_8 = {
+    0, 1 << (FAR_EVERY8 - 6), 1 << (FAR_EVERY8 - 4), 1 << (FAR_EVERY8 - 2)};
 
 /* The upper half of a number times 2^bits; bits: 1 to 31. */
 static int32 upper(const struct number64 *from, int32 bits)
@@ -35,21 +38,11 @@ static int16 first_index(uint32 step, int32 bits)
     return (int16)(index < 65536 ? (int32)index - FAR_ORIGIN : FAR_NEVER);
 }
 
-/* Returns the bits by which q may have to be shifted left; below 0 if the polygon is not drawn this way.
-   Sets *lowest to the least q. */
-static int32 find_shift(const struct setup *s, const struct depth *depth, int32 *lowest)
+/* Returns the bits by which q, at least `least`, has to be shifted left; -1 if its steps are too great for that. */
+static int32 find_shift(int32 least, int32 steep)
 {
-    const struct perspective_plan *planes = s->perspective;
-    const int32 steep = perspective_steepness(&planes->q.dx) + 1;
-    /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
-    const int32 least = planes->q_low
-                      - (s->box.bottom - s->box.top + s->box.right - s->box.left)
-                      - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
     int32 shift = 0;
 
-    *lowest = least;
-    if (!depth->gentle || least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
-        return -1;
     while (!(least >> (29 - shift)))
         shift += 2;
     return steep > FAR_MOST >> shift ? -1 : shift;
@@ -81,31 +74,24 @@ static int32 as_k(fix16 u, int32 less)
     return less ? u >> (less - FAR_K_BITS) : u << FAR_K_BITS;
 }
 
-/* Sets the lengths of pieces. Where a tolerance has chosen every8, it allows no more than 8 pixels. */
-static void set_lengths(struct far_lengths *lengths, const struct setup *s)
+/* Returns the lengths of pieces. */
+static const struct far_lengths *lengths_of(const struct setup *s)
 {
-    *lengths = s->setting == PERSPECTIVE_EVERY16 ? every16 : every8;
-    if (s->setting == PERSPECTIVE_EVERY8 && s->material->perspective != PERSPECTIVE_EVERY8)
-        lengths->most_16 = 0;
+    return s->setting == PERSPECTIVE_EVERY16 ? &every16
+         : s->material->perspective == PERSPECTIVE_EVERY8 ? &every8 : &at_most_8;
 }
 
-int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth)
+/* Finds K and C. pixels: the box's, across and down. Returns 0 if they do not fit. */
+static int32 find_constants(struct far_way *way, const struct setup *s, const struct depth *depth,
+                            int32 pixels)
 {
     const struct perspective_plan *planes = s->perspective;
     const struct sides *sides = &s->sides;
     const uint32 dq = fix_magnitude((int32)planes->q.dx.hi);
     struct far_plan *plan = &way->plan;
-    int32 least, reach, shift;
+    int32 reach;
 
-    way->shift = shift = find_shift(s, depth, &least);
-    if (shift < 0 || depth->scale > FAR_K_SCALE - 1 || depth->down > FAR_DOWN)
-        return 0;
-    set_lengths(&way->lengths, s);
-    way->even = least >= 1 << FAR_EVEN && 2 * dq <= way->lengths.most_4;
-    if (way->even)
-        shift = 1;
-    way->part = FAR_OFF_PART + (((s->box.right - s->box.left + s->span.count + depth->off
-                                  + FAR_OFF_CORNERS) << shift) >> 11);
+    way->part = FAR_OFF_PART + (((pixels + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
     plan->corners = &depth->corners;
     plan->scale = depth->scale;
     plan->less = 0;
@@ -124,10 +110,29 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
     plan->top_v = as_k(sides->top->t - planes->v + 1, plan->less);
     plan->bottom_u = as_k(sides->bottom->s - planes->u + 1, plan->less);
     plan->bottom_v = as_k(sides->bottom->t - planes->v + 1, plan->less);
-    if (!far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS))
+    return far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS);
+}
+
+int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const uint32 dq = fix_magnitude((int32)planes->q.dx.hi);
+    const int32 steep = perspective_steepness(&planes->q.dx) + 1;
+    const int32 pixels = s->box.right - s->box.left + s->span.count;
+    /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
+    const int32 least = planes->q_low - pixels - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
+
+    if (!depth->gentle || least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
         return 0;
-    way->shift = shift;
-    return 1;
+    way->lengths = lengths_of(s);
+    way->even = least >= 1 << FAR_EVEN && 2 * dq <= way->lengths->most_4;
+    way->shift = way->even ? 1 : find_shift(least, steep);
+    if (way->shift >= 0 && depth->scale < FAR_K_SCALE && depth->down <= FAR_DOWN
+        && find_constants(way, s, depth, pixels))
+        return 1;
+    if (way->even)
+        way->shift = find_shift(least, steep);
+    return 0;
 }
 
 /* Makes the span's table of lines in the scratch room. */
@@ -137,31 +142,35 @@ static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
     const int32 leftwards = (int32)planes->q.dx.hi < 0;
     const uint32 dqdx = planes->q.dx.hi, dqdy = planes->q.dy.hi;
     uint32 q = planes->q.at.hi - dqdx * (uint32)(planes->left + EDGE_BIAS + leftwards);
-    struct far_place place;
-
-    place.lines = (struct far_line *)s->scratch->room;
-    place.row = s->span.row;
-    place.pitch = s->span.pitch;
-    place.q = shift ? q + q + (1u << 31) : q;
-    place.dqdx = (int32)(dqdx << shift);
-    place.dqdy = (int32)(dqdy << shift);
-    if (has_lines) {
+    union {
+        struct far_place place;     /* both begin with it */
         struct far_lines lines;
-
-        lines.place = place;
-        lines.from = s->edges.lines;
-        lines.count = s->span.count;
-        lines.leftwards = leftwards;
-        lines_far(&lines);
-    } else {
         struct far_edges edges;
+    } to;
 
-        edges.place = place;
-        edges.far = leftwards ? s->edges.right : s->edges.left;
-        edges.near = leftwards ? s->edges.left : s->edges.right;
-        edges.fars = leftwards ? s->edges.rights : s->edges.lefts;
-        edges.nears = leftwards ? s->edges.lefts : s->edges.rights;
-        edges_far(&edges);
+    to.place.lines = (struct far_line *)s->scratch->room;
+    to.place.row = s->span.row;
+    to.place.pitch = s->span.pitch;
+    to.place.q = shift ? q + q + (1u << 31) : q;
+    to.place.dqdx = (int32)(dqdx << shift);
+    to.place.dqdy = (int32)(dqdy << shift);
+    if (has_lines) {
+        to.lines.from = s->edges.lines;
+        to.lines.count = s->span.count;
+        to.lines.leftwards = leftwards;
+        lines_far(&to.lines);
+    } else if (leftwards) {
+        to.edges.far = s->edges.right;
+        to.edges.near = s->edges.left;
+        to.edges.fars = s->edges.rights;
+        to.edges.nears = s->edges.lefts;
+        edges_far(&to.edges);
+    } else {
+        to.edges.far = s->edges.left;
+        to.edges.near = s->edges.right;
+        to.edges.fars = s->edges.lefts;
+        to.edges.nears = s->edges.rights;
+        edges_far(&to.edges);
     }
 }
 
@@ -198,7 +207,7 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
     span.from_8 = first_index(2 * span.dq, bits - 19);
     span.from_16 = FAR_NEVER;
     span.ends = span.table;
-    if (way->lengths.most_16) {         /* not if a tolerance allows 8 pixels */
+    if (way->lengths->most_16) {         /* not if a tolerance allows 8 pixels */
         span.from_16 = first_index(2 * span.dq, bits - 21);
         if (way->even)
             span.ends += find_ahead(s, span.dq, span.from_16, bits);
@@ -253,7 +262,7 @@ int32 far_draw_planes(const struct setup *s, int32 shift)
     span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
     span.u = planes->u + off + (to_u * part >> 2);
     span.v = planes->v + off + (to_v * part >> 2);
-    set_lengths(&span.lengths, s);
+    span.lengths = lengths_of(s);
     if (span.dqdx < 0)
         span_far_planes_left(&span);
     else

@@ -24,7 +24,7 @@ struct far_way {
     int32 coarse;               /* 0, 1, or 2 if it is coarser */
     int32 to_u, to_v;           /* whole texels from K to the farthest, rounded up; */
     int32 part;                 /* for each, quarters of a unit by which lines are raised */
-    struct far_lengths lengths;
+    const struct far_lengths *lengths;
 };
 
 /* src68k/polygon: contracts there. */

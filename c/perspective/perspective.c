@@ -5,20 +5,9 @@
 /* q must be at least this times its error, so that it cannot become 0 nor a quotient overflow. */
 #define SURE 4
 #define STEEP_2_14 (1 << 14)                /* in 2^16 units a pixel */
-#define STEEP_2_22 (1 << 22)
 #define FLAT (8 << 16)                 /* texels a pixel: from the box's middle to a vertex u
                                           moves less than 8,192, and stays inside 16.16 */
 #define TOO_STEEP (1 << 28)            /* SURE times this is above every q but the nearest's */
-
-int32 perspective_steepness(const struct number64 *gradient)
-{
-    int32 steep = (int32)gradient->hi;
-
-    if (steep < 0)
-        steep = gradient->lo ? ~steep : -steep;
-    return steep;
-}
-
 
 static int32 is_gentle(const struct number64 *gradient)
 {
@@ -43,7 +32,7 @@ static void shift_left(struct number64 *to, const struct number64 *from, int32 b
     to->lo = from->lo << bits;
 }
 
-/* Converts a plane in 48.16 to value * 2^scale; scale: 16 to 32. */
+/* Converts a plane in 48.16 to value * 2^scale; scale: 16 to 31. */
 static void scale_plane(struct screen_plane *to, const struct screen_plane *from, int32 scale)
 {
     shift_left(&to->at, &from->at, scale - 16);
@@ -51,21 +40,16 @@ static void scale_plane(struct screen_plane *to, const struct screen_plane *from
     shift_left(&to->dy, &from->dy, scale - 16);
 }
 
-/* Returns the middle of the range of s or t, rounded down to a whole texel. Sets *from and *to to
-   the range's ends less the middle, and raises *farthest to their distance if that is more. */
-static fix16 middle(const fix16 *value, int32 count, fix16 *from, fix16 *to, int32 *farthest)
+/* The same to value * 2^32. */
+static void scale_to_32(struct screen_plane *to, const struct screen_plane *from)
 {
-    fix16 low, base, high = vertex_range(value, count, &low);
+    const struct number64 *number = &from->at;
+    struct number64 *scaled = &to->at;
 
-    high += low;
-    base = ((low + high) >> 1) & ~0xffff;
-    *from = low - base;
-    *to = high - base;
-    if (*to > *farthest)
-        *farthest = *to;
-    if (-*from > *farthest)
-        *farthest = -*from;
-    return base;
+    for (int32 i = 3; i > 0; i--, number++, scaled++) {     /* at, dx, dy */
+        scaled->hi = number->hi << 16 | number->lo >> 16;
+        scaled->lo = number->lo << 16;
+    }
 }
 
 /* Finds the least and the greatest q that the plane has at a vertex of a polygon that is not a triangle. */
@@ -123,25 +107,17 @@ int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
     struct plane_corners *corners = &depth->corners;
     struct corner_source source;
     struct screen_plane q;
-    int32 farthest = 0, scale = 16, least;
+    int32 least;
 
-    vertex_range(&vertices->w, count, &source.nearest);
-    plan->u = middle(&vertices->s, count, &plan->u_low, &plan->u_high, &farthest);
-    plan->v = middle(&vertices->t, count, &plan->v_low, &plan->v_high, &farthest);
-    while (farthest >> scale)
-        scale++;
+    ranges_find(&source, plan, vertices, count);    /* u and v: quotients are truncated */
     source.first = sides->top;
     source.a = sides->middle_right ? sides->middle : sides->bottom;
     source.b = sides->middle_right ? sides->bottom : sides->middle;
-    source.u = plan->u;
-    source.v = plan->v;
-    source.scale = depth->scale = scale;
+    depth->scale = source.scale;
     corners_find(corners, &source);
     corners->x = (box->left << 16) - corners->first.x;
     corners->y = (box->top << 16) - corners->first.y;
     corners->area = sides->area;
-    plan->u += 1;               /* quotients are truncated */
-    plan->v += 1;
     depth_plane_find(&q, corners);
     depth->is_triangle = count == 3;
     depth->has_texels = 0;
@@ -160,7 +136,7 @@ int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
     depth->least = least;
     depth->gentle = is_gentle(&q.dx) && is_gentle(&q.dy);
     plan->q_low = count == 3 ? least - depth->off : least;
-    scale_plane(&plan->q, &q, 32);
+    scale_to_32(&plan->q, &q);
     plan->left = box->left;
     return 1;
 }
@@ -252,13 +228,6 @@ int32 perspective_is_level(const struct perspective_plan *plan, const struct num
     off = mul_shift(((perspective_reach(plan) >> 16) + 1) * width, (int32)(part >> 16) + 1, 16)
         + 1;
     return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
-}
-
-int32 perspective_is_straight(const struct number64 *grows, int32 width, int32 least)
-{
-    const int32 steep = perspective_steepness(grows) + 1;
-
-    return steep < STEEP_2_22 && steep <= least / ((width * width >> 1) + 1);
 }
 
 static void add(struct number64 *to, const struct number64 *what)

@@ -26,7 +26,7 @@ struct corner_source {
     const struct vertex *first, *a, *b;
     fix16 u, v;                         /* the bases of s and t */
     fix16 nearest;                      /* w */
-    int32 scale;                        /* 16 to 31 */
+    int32 scale;                        /* of s and t, 16 to 31 */
 };
 
 /* Output of texel_planes_find. */
@@ -48,6 +48,8 @@ struct depth {
 
 /* src68k/polygon: contracts there. depth_plane_find and texel_planes_find: values at the pixel, and their
    steps to the next pixel and line; 48.16. */
+void ranges_find(struct corner_source *source, struct perspective_plan *plan,
+                 const struct vertex *vertices, int32 count);
 void corners_find(struct plane_corners *corners, const struct corner_source *source);
 void depth_plane_find(struct screen_plane *q, const struct plane_corners *corners);
 void texel_planes_find(struct texel_planes *planes, const struct plane_corners *corners);
@@ -67,20 +69,21 @@ int32 perspective_texels(struct perspective_plan *plan, struct depth *depth);
 int32 perspective_of_texturing(struct perspective_plan *plan, const struct texturing *t,
                                const struct rectangle *box);
 
-/* Return the upper half of a gradient's magnitude, and the largest distance of u and v from their
-   bases. */
-int32 perspective_steepness(const struct number64 *gradient);
+/* Returns the upper half of a gradient's magnitude. */
+static inline int32 perspective_steepness(const struct number64 *gradient)
+{
+    const int32 steep = (int32)gradient->hi;
+
+    return steep >= 0 ? steep : gradient->lo ? ~steep : -steep;
+}
+
+/* Returns the largest distance of u and v from their bases. */
 fix16 perspective_reach(const struct perspective_plan *plan);
 
 /* Returns 1 if lines of at most `width` pixels, drawn as if their depth were constant, are off by
    at most `tolerance`, in 1/65536 texel (0 to TOLERANCE_MAX). */
 int32 perspective_is_level(const struct perspective_plan *plan, const struct number64 *gradient,
                            int32 width, int32 tolerance);
-
-/* Returns 1 if a line of at most `width` pixels, on which q is `least` or more, may be straight from its first
-   pixel to its last: its chord is off by at most half a pixel's texels, width^2 / (4 L) with
-   L = q / |dq/dx|. */
-int32 perspective_is_straight(const struct number64 *gradient, int32 width, int32 least);
 
 /* Exchanges lines and columns of the planes. left: the new one; next: 1: before that, they go on to the next
    column; -1: behind that, back to the one before. */

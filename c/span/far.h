@@ -104,7 +104,7 @@ struct far_span {
     const uint16 *table;        /* at index 0 */
     const uint16 *ends;         /* even spans: that of the ends of pieces, some entries on */
     uint32 dq;                  /* step of q in the way that lines are drawn, 2.30, above 0 */
-    struct far_lengths lengths; /* of pieces, by this */
+    const struct far_lengths *lengths;  /* of pieces, by this */
     int16 from_8, from_16;      /* even spans: the index less FAR_ORIGIN from which pieces have so many pixels */
     uint32 ku, kv;              /* K, 8.24 */
     uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
@@ -123,7 +123,7 @@ struct far_planes_span {
     int32 s, dsdx, dsdy;        /* S and T, there too */
     int32 t, dtdx, dtdy;
     fix16 u, v;                 /* the bases */
-    struct far_lengths lengths;
+    const struct far_lengths *lengths;
 };
 
 /* src68k/edge: contracts there. */

@@ -27,16 +27,10 @@
         add.l   a5,d2
         add.l   a3,d1
         move.l  edge_whole(a6),d5
+        adda.l  d5,a4
         muls.l  d6,d5
-        move.l  far_edges_place+far_place_dqdy(a2),d0
-        add.l   d0,d5
+        add.l   far_edges_place+far_place_dqdy(a2),d5
         add.l   d5,d6
-        muls.l  d3,d0
-        adda.l  d0,a5
-        move.l  a4,d0
-        muls.l  d3,d0
-        adda.l  d0,a3
-        adda.l  edge_whole(a6),a4
         move.l  edge_error(a6),d0
         movea.l edge_part(a6),a1
         move.l  edge_height(a6),d4
@@ -56,10 +50,17 @@
         dbcs    d3,.line
         bcc.s   .done
         dbra    d3,.more
-.done   lea     edge_sizeof(a6),a6
-        subq.l  #1,(sp)
-        bne.s   .far
-
+.done   subq.l  #1,(sp)
+        beq.s   .fars
+        move.l  edge_lines(a6),d0       ; on to the next edge's first line
+        move.l  far_edges_place+far_place_dqdy(a2),d1
+        muls.l  d0,d1
+        adda.l  d1,a5
+        muls.l  far_edges_place+far_place_pitch(a2),d0
+        adda.l  d0,a3
+        lea     edge_sizeof(a6),a6
+        bra.s   .far
+.fars
         movea.l far_edges_place+far_place_lines(a2),a0
         addq.l  #far_line_end,a0
         movea.l far_edges_near(a2),a6
@@ -70,9 +71,6 @@
         move.l  edge_lines(a6),d3
         move.l  edge_x(a6),d1
         add.l   a3,d1
-        move.l  d2,d0
-        muls.l  d3,d0
-        adda.l  d0,a3
         add.l   edge_whole(a6),d2
         move.l  edge_error(a6),d0
         movea.l edge_part(a6),a1
@@ -86,8 +84,12 @@
         and.l   d4,d5
         sub.l   d5,d0
         dbra    d3,.step
-        lea     edge_sizeof(a6),a6
         subq.l  #1,(sp)
-        bne.s   .near
-        addq.l  #4,sp
+        beq.s   .nears
+        move.l  edge_lines(a6),d0
+        muls.l  far_edges_place+far_place_pitch(a2),d0
+        adda.l  d0,a3
+        lea     edge_sizeof(a6),a6
+        bra.s   .near
+.nears  addq.l  #4,sp
         return_all

@@ -202,7 +202,9 @@ far_pieces macro
 far_lines macro
         lea     -far_bytes(sp),sp
         far_table
-        movem.l far_span_dq(a0),d0-d4   ; most_16, 8, 4, 2
+        move.l  far_span_dq(a0),d0
+        movea.l far_span_lengths(a0),a1
+        movem.l (a1),d1-d4              ; most_16, 8, 4, 2
         movem.l d0-d4,far_dq(sp)
         movem.l far_span_ku(a0),d0-d5   ; kv, dcu, dcv, cu, cv
         movem.l d0-d5,far_ku(sp)

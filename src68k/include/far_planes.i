@@ -7,7 +7,7 @@
 
         include "far.i"
 
-; On the stack; the fields up to by_most_2 as in a far_planes_span.
+; On the stack; the fields up to by_v as in a far_planes_span.
 by_q            equ     0               ; at pixel -EDGE_BIAS of the line
 by_dqdx         equ     4
 by_dqdy         equ     8
@@ -144,10 +144,11 @@ by_lines macro
         move.l  a2,by_end(sp)
         move.l  far_planes_span_row(a0),by_row(sp)
         move.l  far_planes_span_pitch(a0),by_pitch(sp)
-        movem.l far_planes_span_q(a0),d0-d7/a1-a4
-        movem.l d0-d7/a1-a4,by_q(sp)
-        movem.l far_planes_span_lengths+far_lengths_most_8(a0),d0-d2        ; 4, 2
-        movem.l d0-d2,by_most_8(sp)
+        movem.l far_planes_span_q(a0),d0-d7/a1-a3
+        movem.l d0-d7/a1-a3,by_q(sp)
+        movea.l far_planes_span_lengths(a0),a1
+        movem.l (a1),d0-d3
+        movem.l d0-d3,by_most_16(sp)
         move.l  far_planes_span_map(a0),d4      ; mm00
         movea.l far_planes_span_table(a0),a3
         movea.l far_planes_span_lines(a0),a0

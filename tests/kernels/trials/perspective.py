@@ -11,7 +11,7 @@ from tests.kernels.trials.span import picture_ground
 from tests.kernels.trials.wide import ground
 from tmap.base.fixed import mul_div, signed
 from tmap.bench import perspective
-from tmap.bench.trial import Trial, Write, values
+from tmap.bench.trial import Trial, Write, fields, values
 from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup import perspective as model
@@ -74,6 +74,28 @@ def planes_trial(rng, kernel: str, out: str, keys: range) -> Trial:
     return Trial(Case(kernel, memory, pointers={"a0": out, "a1": at}),
                  values(x=x, y=y) + f", a {a}, b {b}", writes=[Write(out, expected)],
                  also=lambda _: worst)
+
+
+def ranges_trial(rng) -> Trial:
+    """Vertices of any number, whose u and v are near each other or far apart."""
+    memory, count = Memory(), int(rng.integers(3, 9))
+    reach = int(rng.integers(5, 30))
+    base = [any_size(rng, 29) for _ in "uv"]
+    rows = [[*(b + any_size(rng, reach) for b in base), int(2.0 ** rng.uniform(0, 31))] for _ in range(count)]
+    shape = layout.load().struct("vertex")
+    vertices = memory.add(b"".join(shape.pack(x=0, y=0, s=u, t=v, shade=0, w=w) for u, v, w in rows),
+                          name="vertices", shape=shape)
+    source, plan = memory.room("corner_source"), memory.room("perspective_plan")
+    low, high = ([way(row[k] for row in rows) for k in range(2)] for way in (min, max))
+    middles = [(a + b >> 1) & ~0xFFFF for a, b in zip(low, high)]
+    low, high = ([n - b for n, b in zip(ends, middles)] for ends in (low, high))
+    farthest = max(0, *high, *(-n for n in low))
+    limits = {f"{c}_{end}": n for end, ends in (("low", low), ("high", high)) for c, n in zip("uv", ends)}
+    writes = fields(source, "corner_source", dict(zip("uv", middles)) | {
+        "nearest": min(row[2] for row in rows), "scale": max(16, farthest.bit_length())})
+    writes += fields(plan, "perspective_plan", limits | {c: b + 1 for c, b in zip("uv", middles)})
+    return Trial(Case("ranges_find", memory, {"d1": count}, {"a0": source, "a1": plan, "d0": vertices}),
+                 f"{rows}", writes=writes)
 
 
 def corners_trial(rng) -> Trial:
@@ -173,6 +195,7 @@ def trials() -> list[Trial]:
     every = ("every16", "every8", "pixel", "fine")
     return [*(planes_trial(rng, "depth_plane_find", "screen_plane", range(2, 3)) for _ in range(60)),
             *(planes_trial(rng, "texel_planes_find", "texel_planes", range(3, 5)) for _ in range(60)),
+            *(ranges_trial(rng) for _ in range(60)),
             *(corners_trial(rng) for _ in range(60)),
             *(level_trial(rng) for _ in range(60)),
             *(bend_trial(rng) for _ in range(80)),

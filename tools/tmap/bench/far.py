@@ -34,11 +34,8 @@ def kernel(k: far.Constants | far_planes.Constants) -> str:
 
 def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
     """What a span's structure has of them."""
-    most = {f"most_{pixels}": far.LENGTHS[k.every][pixels] for pixels in (16, 8, 4, 2)}
-    lengths = layout.load().struct("far_lengths").pack(**most)
-    found = {"lengths": list(lengths)}
     if isinstance(k, far_planes.Constants):
-        bias = k.left + BIAS
+        bias, found = k.left + BIAS, {}
         for name, (at, dx, dy) in zip("qst", ((k.q, k.dqdx, k.dqdy), *k.st)):
             found |= {name: signed(at - bias * dx), f"d{name}dx": dx, f"d{name}dy": dy}
         return found | {"q": found["q"] & M32} | dict(zip("uv", k.base))
@@ -46,7 +43,14 @@ def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
               "dcv": k.dc[1]}
     starts = {f"from_{pixels}": min(k.first_index(pixels) - far.ORIGIN, 32767) if k.even else 0
               for pixels in (8, 16)}
-    return found | starts | {name: n & M32 for name, n in values.items()}
+    return starts | {name: n & M32 for name, n in values.items()}
+
+
+def lengths(arena: Arena, every: str) -> int:
+    """Adds the lengths of a setting's pieces; where they are."""
+    most = {f"most_{pixels}": far.LENGTHS[every][pixels] for pixels in (16, 8, 4, 2)}
+    shape = layout.load().struct("far_lengths")
+    return arena.add(shape.pack(**most), name="lengths", shape=shape)
 
 
 def far_lines(arena: Arena, k: far.Constants, lines: list[tuple[int, int]], frame_at: int, pitch: int) -> int:
@@ -79,7 +83,7 @@ def span_trial(arena: Arena, ground: Ground, k: far.Constants | far_planes.Const
             u, v = model.coordinates(model.line(None, k, left, left + count, k.top + y))
             writes.append(Write(ground.frame_at + y * pitch + left,
                                 ground.picture[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
-    near, to = {"table": table(arena)}, {"map": ground.map_at}
+    near, to = {"table": table(arena), "lengths": lengths(arena, k.every)}, {"map": ground.map_at}
     if planes:
         near["lines"] = scanlines(arena, lines)
         plan = arena.struct("far_planes_span", near, to | {"row": ground.frame_at - BIAS}, count=len(lines),
