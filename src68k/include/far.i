@@ -49,10 +49,10 @@ far_is_empty macro
         endc
         endm
 
-; Steps \1 on the stack by d\1 to the next line; \2: far or even. Uses d0.
+; Steps \1 on the stack by d\1 to the next line. Uses d0.
 far_next macro
-        move.l  \2_d\1(sp),d0
-        add.l   d0,\2_\1(sp)
+        move.l  far_d\1(sp),d0
+        add.l   d0,far_\1(sp)
         endm
 
 ; \1: l, or w at a piece's last pixel; \2: left or right, the way that lines are drawn.
@@ -115,11 +115,9 @@ far_start macro
         lsl.l   #4,d3
         else
         ext.l   d2
+        far_whole d1,d6,\2
         far_whole d3,d7,\2
-        movea.l d3,a2
-        far_whole d3,d6,\2
-        move.l  d3,d2
-        move.l  a2,d3
+        move.l  d1,d2
         far_word d6
         far_word d7
         endc
@@ -217,8 +215,8 @@ far_lines macro
         ; d4 mm00  d5 q, its index less 2^15  d6 Cu  d7 Cv
 .below  cmpa.l  far_end(sp),a0
         beq     .done
-        far_next cu,far
-        far_next cv,far
+        far_next cu
+        far_next cv
 .line   movem.l (a0)+,d5/a1/a6
         far_is_empty \1,.below
         bfffo   d5{1:31},d2

@@ -24,7 +24,7 @@ even_bytes      equ     far_ku+24
         fail    something is where far_start reads K
         endc
 
-; Steps C to the next line. Uses d0/d2.
+; Steps C to the next line. Uses d2.
 even_next macro
         ifeq    \1
         moveq   #0,d2
@@ -33,9 +33,16 @@ even_next macro
         add.l   even_dcv(sp),d7
         addx.w  d2,d7
         else
-        far_next cu,even
-        far_next cv,even
+        even_on cu,d6
+        even_on cv,d7
         endc
+        endm
+
+; Steps \1, if C is coarse, which is \2 then.
+even_on macro
+        move.l  even_\1(sp),\2
+        add.l   even_d\1(sp),\2
+        move.l  \2,even_\1(sp)
         endm
 
 ; Stores d3, the step of q in pieces of 2^\1 pixels, and doubles it. Uses d0.
@@ -125,10 +132,6 @@ even_lines macro
         movea.l even_table(sp),a2
         move.w  (a2,d5.w*2),d2
         movea.w d2,a5
-        ifne    \2
-        move.l  even_cu(sp),d6
-        move.l  even_cv(sp),d7
-        endc
         far_start \1,\2
         far_chain
         cmp.w   even_from4(sp),d5

@@ -47,14 +47,16 @@ quarter of its tolerance), and a unit per step, as steps are rounded up. If q do
 are never below the exact value.
 
 **From the far end** (tmap.setup.far, far_planes): pieces are measured from the chords that begin at the line's
-far end, the last one beyond its near end; ``bound`` is added, and what lines are raised by: they are never below
-the exact value at the far end. By planes b is added; by K and C these, Q the far end's q, l its coordinates:
+far end, the last one beyond its near end, and in even spans go through points that are a part of a pixel ahead.
+``bound`` is added, and what lines are raised by: they are never below the exact value at the far end. By planes b
+is added; by K and C these, Q the far end's q, l its coordinates:
 
 * q of the corners is rounded, and q's plane off by E, cut included: (sum of |l| R / 2 + E |u - K|) / Q.
 * C = (u - K) q is exact at the top and the bottom but for what ``far.bound`` has. So an error of K counts as far
   as q changes from the line between them to the pixel: at most its error times 2^30 / Q, 1/8 unit and |K| / 2^31
-  for the quotient, or 2 units, and 1 for u of the vertices, where K lacks bits. What S of the corners is cut by, up to 1 each, moves K by at most 2 2^scale h / N, N the
-  quotient's divisor and h the height; q changes by N / h times l of the middle corner: 2 l 2^scale / Q.
+  for the quotient. Where K lacks bits it is 2 units, and u of the vertices is cut by 1. What S of the corners is
+  cut by, up to 1 each, moves K by at most 2 2^scale h / N, N the quotient's divisor and h the height; q changes by
+  N / h times l of the middle corner: 2 l 2^scale / Q.
 
 Lines by logarithms are off from their planes' quotients by ``logarithm.bound``, which is kept within
 1/32 texel, all of the setting's tolerance. It is added, and so are the units by which these lines are
