@@ -11,17 +11,18 @@ static const struct {
     int32 raise;                /* units, of u and v */
     int32 off, width;           /* level lines: error allowed, widest polygon */
     int32 column;               /* level columns: lowest polygon */
+    int32 chain;                /* level lines: widest polygon with a chain of u and v */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
-                             FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY16},
+                             FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY16, FRAME_SIDE_MAX},
     [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, PERSPECTIVE_RAISE_EVERY8, 0,
-                            FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY8},
+                            FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY8, FRAME_SIDE_MAX},
     [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
                            PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX,
-                           PERSPECTIVE_COLUMN_PIXEL},
+                           PERSPECTIVE_COLUMN_PIXEL, PERSPECTIVE_CHAIN_PIXEL},
     [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
                           PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
-                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_COLUMN_FINE}
+                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_COLUMN_FINE, 0}
 };
 
 /* Spans for pixels of 1, 2 and 4 bytes. */
@@ -31,8 +32,9 @@ static line_routine *const pieces[3] = {
     span_perspective_pieces, span_perspective_pieces_16, span_perspective_pieces_32};
 static line_routine *const curves[3] = {
     span_perspective_curves, span_perspective_curves_16, span_perspective_curves_32};
-static void (*const scanlines[3])(const struct span_plan *) = {
-    span_affine_scanline, span_affine_16_scanline, span_affine_32_scanline};
+static void (*const scanlines[2][3])(const struct span_plan *) = {     /* [chained] */
+    {span_affine_scanline, span_affine_16_scanline, span_affine_32_scanline},
+    {span_affine_level, span_affine_16_level, span_affine_32_level}};
 
 /* Tables of lines, and columns, are for texels of one byte. */
 static int32 is_narrow(const struct setup *s)
@@ -127,8 +129,15 @@ static void draw_exactly(const struct setup *s, union made *made)
     (plan->bend ? curves : pieces)[s->frame->pixel_bytes >> 1](&lines);
 }
 
+/* Returns 1 unless q is the same everywhere: the picture is the affine one then. */
+static int32 changes(const struct perspective_plan *plan)
+{
+    return (plan->q.dx.hi | plan->q.dx.lo | plan->q.dy.hi | plan->q.dy.lo) != 0;
+}
+
 void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
 {
+    struct perspective_plan *plan = s->perspective;
     struct span_plan lines;
 
     if (s->counts)
@@ -136,18 +145,21 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
     if (s->renderer->only_counts)
         return;
     if (s->level == LEVEL_COLUMNS) {    /* as lines would be: for vertices whose depth is rounded */
-        s->perspective->u += ways[s->setting].raise;
-        s->perspective->v += ways[s->setting].raise;
+        plan->u += ways[s->setting].raise;
+        plan->v += ways[s->setting].raise;
     }
-    level_lines(s->perspective, steps);
-    lines.lines = s->perspective->lines;
-    lines.count = s->perspective->count;
+    plan->chained = changes(plan) && s->box.right - s->box.left <= ways[s->setting].chain;
+    level_lines(plan, steps);
+    lines.lines = plan->lines;
+    lines.count = plan->count;
     lines.row = s->span.row;
     lines.pitch = s->span.pitch;
     lines.map = s->span.map;
     lines.steps = steps;
     if (s->level == LEVEL_LINES)
-        scanlines[s->frame->pixel_bytes >> 1](&lines);
+        scanlines[plan->chained][s->frame->pixel_bytes >> 1](&lines);
+    else if (plan->chained)
+        span_affine_level_upright(&lines);
     else
         span_affine_upright(&lines);
 }

@@ -16,8 +16,10 @@ enum perspective_constants {
     PERSPECTIVE_BEND_PIXEL = -785,
     PERSPECTIVE_BEND_FINE = -656,
     /* The error allowed for drawing a line as if its depth were constant, in 1/65536 texel, and the
-       widest polygon with such lines. Their steps add a unit a pixel; both together stay inside
-       1/32 or 1/128 texel. With straight pieces the depth must not change at all. */
+       widest polygon with such lines. Their steps add a unit a pixel, two where u and v are chained, as they are in
+       lines up to CHAIN wide; both together stay inside 1/32 or 1/128 texel. With straight pieces the depth must
+       not change at all. */
+    PERSPECTIVE_CHAIN_PIXEL = 510,
     PERSPECTIVE_LEVEL_PIXEL = 1020,
     PERSPECTIVE_LEVEL_FINE = 128,
     PERSPECTIVE_LEVEL_WIDTH = 380,          /* of FINE; of the others any frame's width */
@@ -54,6 +56,7 @@ struct perspective_plan {
     fix16 u, u_low, u_high;             /* the base, a unit above a texel; range of u - base */
     fix16 v, v_low, v_high;
     int32 tilt;                         /* level_lines: q.hi's growth a pixel, 24.8; 0: none */
+    int32 chained;                      /* level_lines: 1 if spans chain u and v, whose wraps change u */
     int32 steep;                        /* lines_bend: the magnitude of q.hi's growth a pixel, rounded up */
     int32 bend;                         /* curves: PERSPECTIVE_BEND_...; else 0 */
     struct perspective_line *to;
@@ -88,8 +91,12 @@ void perspective_lines(const struct perspective_plan *plan);
 int32 lines_bend(const struct perspective_plan *plan, int32 width);
 void level_lines(const struct perspective_plan *plan, struct scanline_step *steps);
 void span_affine_upright(const struct span_plan *plan);
+void span_affine_level(const struct span_plan *plan);
+void span_affine_level_upright(const struct span_plan *plan);
 void span_affine_16_scanline(const struct span_plan *plan);
+void span_affine_16_level(const struct span_plan *plan);
 void span_affine_32_scanline(const struct span_plan *plan);
+void span_affine_32_level(const struct span_plan *plan);
 void span_perspective_pieces(const struct perspective_span *span);
 void span_perspective_pieces_16(const struct perspective_span *span);
 void span_perspective_pieces_32(const struct perspective_span *span);

@@ -46,7 +46,8 @@ step    macro
 ;          those of empty lines
 ; formats: with q of the line's first pixel: u = base + s / q.hi, cut towards zero and
 ;          clamped to the plan's limits; with q of its last one, tilt a pixel further and not below
-;          q_low: its step (ds - u tilt) / q.hi, u less its base, rounded up; 16.16
+;          q_low: its step (ds - u tilt) / q.hi, u less its base, rounded up; 16.16. If the plan is chained and v
+;          goes down, u goes a unit up, as much as each wrap of v takes
 ; error:   if q is the same all along the line: u a unit too low at the first pixel, a
 ;          unit higher at each other one. Otherwise it is so at both ends, with the errors of the planes,
 ;          and between them off by about n^2 / (4 L) pixels, L = q / |tilt|
@@ -99,7 +100,12 @@ step    macro
         move.l  perspective_plan_q_low(a6),d7
 .level  step    scanline_step_dudx(a5),s,u,d3
         step    scanline_step_dvdx(a5),t,v,d4
-        pack_start d3,d4,d5,a0
+        tst.l   perspective_plan_chained(a6)
+        beq.s   .pack
+        btst    #7,scanline_step_dvdx+1(a5)     ; the sign of v's step modulo 256
+        beq.s   .pack
+        addq.l  #1,scanline_step_dudx(a5)
+.pack   pack_start d3,d4,d5,a0
 
 .next   lea     scanline_sizeof(a0),a0
         addq.l  #scanline_step_sizeof,a5

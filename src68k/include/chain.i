@@ -215,7 +215,7 @@ wide_apart macro
         span_close (sp)
         endm
 
-; ... these with separate steps for each line, ...
+; ... these and the chain with separate steps for each line, ...
 wide_scanline macro
         span_open
         move.l  span_plan_steps(a0),-(sp)
@@ -233,6 +233,36 @@ wide_scanline macro
         texel_next_apart d2,d3
         draw_wide \1
         endr
+        level_next
+        endm
+
+wide_level macro
+        span_open
+        move.l  span_plan_steps(a0),-(sp)
+        movea.l span_plan_map(a0),a3
+        span_table
+        span_line d0,d1,*\1
+        level_steps
+        span_rounds_out 4
+        add.l   a4,d1
+        span_enter_out 4
+.pixels rept    16
+        texel_next d2,d3
+        draw_wide \1
+        endr
+        level_next
+        endm
+
+; The steps of a line for the chain: the address of them is at (sp). Uses d5/a2.
+level_steps macro
+        movea.l (sp),a2
+        move.l  (a2)+,d2
+        move.l  (a2),d5
+        chain_steps
+        endm
+
+; Ends the pixels and the table's loop; on the stack the address of steps, and the pitch.
+level_next macro
         dbra    d7,.pixels
 .line_next
         addq.l  #8,(sp)

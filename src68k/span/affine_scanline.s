@@ -25,11 +25,4 @@
         pixel_apart
         endr
 .pixels_end
-        dbra    d7,.pixels
-.line_next
-        addq.l  #8,(sp)
-        adda.l  4(sp),a6
-        cmpa.l  a5,a0
-        bne     .line
-        addq.l  #8,sp
-        rts
+        level_next

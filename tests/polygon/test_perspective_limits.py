@@ -38,7 +38,9 @@ def test_level_lines_keep_the_tolerance(setting: str) -> None:
     assert way.off * UNIT == bounds_perspective.LEVEL.get(setting, 0)
     assert way.width <= layout.load().constants["FRAME_SIDE_MAX"]
     if setting in CURVES:
-        assert bounds_perspective.level_bound(0, setting, way.width - 1) < bounds_perspective.TOLERANCE[setting]
+        for chained, width in ((False, way.width), (True, way.chain)):
+            bound = bounds_perspective.level_bound(0, setting, max(width - 1, 0), chained)
+            assert bound < bounds_perspective.TOLERANCE[setting]
 
 
 def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:

@@ -156,6 +156,7 @@ def level_trial(rng) -> Trial:
     """Lines of which only the first pixel's q counts, and its growth there in every other table."""
     lines, deep = lines_and_planes((0, -5, 1, 2, 300), rng)
     deep.tilt = int(rng.integers(0, 2)) * any_size(rng, 30)
+    deep.chained = bool(rng.integers(2))
     return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
 
 

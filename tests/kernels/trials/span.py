@@ -35,6 +35,7 @@ MOST = {f"span_{name}": layout.load().constants[f"SHORT_{constant}"] for name, c
     ("lit_short_wrap", "LIT_WRAP"))}
 #: The chain of two registers: v wraps at most once in a line.
 ONCE_WRAPPING = ("span_affine_addx", "span_affine_short", "span_affine_16", "span_affine_32")
+OWN_STEPS = ("_scanline", "_level")  # endings of kernels' names whose lines have steps of their own
 COLOURS = (0, 0xFF, 0x5C, 0x12345601, 0xFFFFFF00)
 TURN = 1 << 24  # u and v repeat after 256 texels
 
@@ -104,7 +105,7 @@ def form_of(kernel: str) -> str:
     """How the lines of a span routine are packed."""
     packed = {f"span_{name}" for _, name, lines in c_lists.rows("polygon/span_list.h", "SPAN")
               if lines == "ADDX"}
-    return "addx" if kernel in packed or kernel.endswith("_scanline") else "plain"
+    return "addx" if kernel in packed or kernel.endswith(OWN_STEPS) else "plain"
 
 
 def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upwards: bool,
@@ -116,7 +117,7 @@ def span_trial(kernel: str, dudx: int, dvdx: int, colour: int, size, rng, upward
     if kernel in ONCE_WRAPPING:
         starts = [once_wrapping(*start, dudx, dvdx, rng) for start in starts]
     own_steps = None
-    if kernel.endswith("_scanline"):
+    if kernel.endswith(OWN_STEPS):
         own_steps = [(dudx, dvdx) if k % 3 else tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2)))
                      for k in range(len(starts))]
     title = values(colour=colour) if kernel.startswith("span_fill") else steps_text(dudx, dvdx)
@@ -169,20 +170,20 @@ def copy_trials(rng) -> list[Trial]:
             for counts, pitch in tables for near in (False, True) for source in range(4)]
 
 
-def upright_trial(counts, pitch: int, rng) -> Trial:
+def upright_trial(kernel: str, counts, pitch: int, rng) -> Trial:
     """One table of columns side by side, each with steps of its own."""
     starts = [(int(rng.integers(0, 4)), count, *start) for count, start in zip(
         counts, rng.integers(0, 1 << 32, (len(counts), 2)).tolist())]
     steps = [tuple(map(int, rng.integers(-1 << 31, 1 << 31, 2) >> int(rng.integers(0, 16)))) for _ in starts]
-    return spans.upright_trial(starts, pitch, Memory(int(rng.integers(1 << 30))), picture_ground(), steps,
+    return spans.upright_trial(kernel, starts, pitch, Memory(int(rng.integers(1 << 30))), picture_ground(), steps,
                                f"{len(starts)} columns, {pitch} bytes from pixel to pixel")
 
 
 def upright_trials(rng) -> list[Trial]:
     """Columns of all lengths, whole frames of them, in frames of different pitches."""
     few = (0, -1, -2, -16, -BIAS, -2 * BIAS + 1, *range(1, 41))
-    return [upright_trial(rng.permutation(counts).tolist(), pitch, rng)
-            for counts, pitch in ((few, 64), (few, 96), ((0, 48, 63, 64, 65, 127, 128, 255, 256, 257), 200),
+    return [upright_trial(kernel, rng.permutation(counts).tolist(), pitch, rng)
+            for kernel in ("span_affine_upright", "span_affine_level_upright") for counts, pitch in ((few, 64), (few, 96), ((0, 48, 63, 64, 65, 127, 128, 255, 256, 257), 200),
                                   ((1000, 1, 1019), 61), ((7,) * 60, 64)) for _ in range(6)]
 
 
@@ -219,7 +220,7 @@ def span_trials(kernel: str, rng) -> list[Trial]:
 
 def trials() -> list[Trial]:
     names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
-             "span_affine_c", "span_affine_scanline", "span_fill_16", "span_affine_short",
+             "span_affine_c", "span_affine_scanline", "span_affine_level", "span_fill_16", "span_affine_short",
              "span_affine_short_wrap")
     made = [trial for seed, name in enumerate(names)
             for trial in span_trials(name, np.random.default_rng([3, seed]))]

@@ -44,7 +44,7 @@ def trials() -> list[Trial]:
     made = []
     for wide in (2, 4):
         on, rng, name = ground(wide), np.random.default_rng([7, wide]), f"span_affine_{8 * wide}"
-        for kind in ("", "_wrap", "_scanline"):
+        for kind in ("", "_wrap", "_scanline", "_level"):
             made += span_trials(name + kind, on, rng)
         made += alone_trials(f"{name}_row", rng, on, (SHORT, LONG_WIDE))
     return [*made, *copy_trials("span_affine_16_copy", ground(2), rng),

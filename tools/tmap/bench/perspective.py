@@ -115,7 +115,8 @@ def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[s
     limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
               for c, value in zip("uv", pair)}
     return arena.struct("perspective_plan", pointers, count=count, left=deep.i, q_low=deep.least, q_high=deep.most,
-                        gentle=deep.gentle, tilt=deep.tilt, steep=steepness(deep.q.dx) + 1, u=deep.base[0], v=deep.base[1], bend=way(setting).bend,
+                        gentle=deep.gentle, tilt=deep.tilt, chained=int(deep.chained),
+                        steep=steepness(deep.q.dx) + 1, u=deep.base[0], v=deep.base[1], bend=way(setting).bend,
                         **fields, **limits)
 
 

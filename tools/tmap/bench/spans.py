@@ -12,6 +12,7 @@ from tmap.bench.trial import Trial, Write, both
 from tmap.build import layout
 from tmap.corpus import random_maps
 from tmap.guest.kernels import Arena, Case
+from tmap.setup.level import wraps
 from tmap.setup.scanline import add_span_plan, pack
 from tmap.setup.texturing import CUT
 
@@ -20,6 +21,7 @@ LENGTHS = (256, 64, 16, 4)  # pixels
 #: Rows at each of LENGTHS: a span's name, and how its lines are packed.
 SPANS = (("affine_addx", "addx"), ("affine_addx_wrap", "addx"), ("affine_scanline", "addx"),
          ("affine_16_scanline", "addx"), ("affine_32_scanline", "addx"), ("affine_upright", "addx"),
+         ("affine_level", "addx"), ("affine_16_level", "addx"), ("affine_level_upright", "addx"),
          ("affine_swap", "plain"), ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
          ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat"))
 #: Of the spans for short lines and of the copying one: kernel, steps, lengths.
@@ -62,9 +64,13 @@ def table_of(lines: list[dict[str, int]]) -> bytes:
     return np.array(rows, dtype).tobytes()
 
 
-def texels(picture: np.ndarray, u, v, dudx: int, dvdx: int, count: int, cut=(0, 0)) -> np.ndarray:
-    """What a line shows of a map that repeats; ``cut``: how many bits of u and v are dropped."""
+def texels(picture: np.ndarray, u, v, dudx: int, dvdx: int, count: int, cut=(0, 0),
+           chained: bool = False) -> np.ndarray:
+    """What a line shows of a map that repeats; ``cut``: how many bits of u and v are dropped; ``chained``: v's wraps
+    change u."""
     n = np.arange(count, dtype=np.int64)
+    if chained:
+        u = u + wraps(v, dvdx, n)
     x, y = (((c >> bits) + n * (step >> bits) << bits) >> 16
             for c, step, bits in zip((u, v), (dudx, dvdx), cut))
     return picture[y % len(picture), x % picture.shape[1]]
@@ -143,20 +149,21 @@ def span_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Are
     def drawn(k: int, at: int, _: int, count: int, u: int, v: int) -> np.ndarray:
         if kernel.startswith("span_fill"):
             return np.full(count, colour & (1 << 8 * picture.itemsize) - 1, picture.dtype)
-        return texels(picture, u, v, *(own_steps[k] if own_steps else (dudx, dvdx)), count, cut)
+        steps = own_steps[k] if own_steps else (dudx, dvdx)
+        return texels(picture, u, v, *steps, count, cut, kernel.endswith("_level"))
 
     return table_trial(kernel, form, lines, pitch, arena, ground, drawn, title, blocks=blocks,
                        dudx=dudx, dvdx=dvdx, colour=colour, **more)
 
 
-def upright_trial(lines: list[Line], pitch: int, arena: Arena, ground: Ground,
+def upright_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, ground: Ground,
                   steps: list[tuple[int, int]], title: str = "") -> Trial:
     """One table of columns, one beside the other, each with its ``steps``. A line's first column is the row of
     the frame where it begins; ``pitch``: in bytes."""
     shapes, entries, writes = layout.load(), [], []
     for k, ((row, count, u, v), step) in enumerate(zip(lines, steps)):
         entries.append(pack("addx", u, v) | {"left": BIAS + row, "last": BIAS + row + count - 1})
-        seen = texels(ground.picture, u, v, *step, max(count, 0))
+        seen = texels(ground.picture, u, v, *step, max(count, 0), chained="level" in kernel)
         writes += [Write(ground.frame_at + k + (row + j) * pitch, seen[j:j + 1].tobytes(), far=True)
                    for j in range(max(count, 0))]
     shape = shapes.struct("scanline_step")
@@ -165,7 +172,7 @@ def upright_trial(lines: list[Line], pitch: int, arena: Arena, ground: Ground,
                                shape=shape)}
     plan = add_span_plan(arena, near, {"row": ground.frame_at - BIAS * pitch, "map": ground.map_at},
                          count=len(lines), pitch=pitch)
-    return Trial(Case("span_affine_upright", arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
+    return Trial(Case(kernel, arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
 
 
 def wide_texture(kernel: str) -> np.ndarray:
@@ -194,8 +201,8 @@ def span_case(kernel: str, form: str, length: int, du: int = DU, dv: int = DV, l
     ground = framed(far, add_map(far, kernel, picture), picture, lines, length)
     starts = [(k % 4, length, int(rng.integers(0, 1 << 24)) & ~1, int(rng.integers(0, 190 << 16)))
               for k in range(lines)]
-    steps = [(du, dv)] * lines if kernel.endswith(("scanline", "upright")) else None
-    if kernel == "span_affine_upright":
-        return upright_trial(starts, lines, Arena(), ground, steps).row(lines * length)
+    steps = [(du, dv)] * lines if kernel.endswith(("scanline", "level", "upright")) else None
+    if kernel.endswith("upright"):
+        return upright_trial(kernel, starts, lines, Arena(), ground, steps).row(lines * length)
     return span_trial(kernel, form, starts, length + GAP, Arena(), ground, dudx=du, dvdx=dv,
                       colour=COLOUR, own_steps=steps).row(lines * length)

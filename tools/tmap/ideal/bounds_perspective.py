@@ -43,8 +43,9 @@ one's cut steps, measured from the chords of the exact curve.
 borders on which the exact values lie.
 
 **Level lines**: b, the error that the setting allows them for their change of q (almost half or a
-quarter of its tolerance), and a unit per step, as steps are rounded up. If q does not change, they
-are never below the exact value.
+quarter of its tolerance), and a unit per step, as steps are rounded up. In a chain u is also off by the times that
+v wraps, half a unit per step at most, and its steps are a unit more where v goes down: another unit per step. If q
+does not change along lines, they are never below the exact value.
 
 **From the far end** (tmap.setup.far, far_planes): pieces are measured from the chords that begin at the line's
 far end, the last one beyond its near end, and in even spans go through points that are a part of a pixel ahead.
@@ -212,9 +213,9 @@ def tilted_bound(bound: "Bound", b: float, made: Ends, y: int, inside: bool) -> 
     return b + (2 + (made.n * largest / 256 / q + way * off) / (1 - off)) * UNIT
 
 
-def level_bound(b: float, setting: str, n: int) -> float:
+def level_bound(b: float, setting: str, n: int, chained: bool) -> float:
     """Returns the bound of a level line of n steps against the exact value, in texels."""
-    return b + LEVEL.get(setting, 0) + (n + 1) * UNIT + FLOAT
+    return b + LEVEL.get(setting, 0) + ((1 + chained) * n + 1) * UNIT + FLOAT
 
 
 def bend(setting: str, piece: int) -> float:
@@ -279,7 +280,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                     b = tilted_bound(bound, b, made, y, inside[1])
                     wanted = chord(bound.curve, drawn, y)[seen]
                 yield (key, y, columns, found[seen], error, wanted,
-                       level_bound(b, polygon.setting if p.q.dx else "", made.n)
+                       level_bound(b, polygon.setting if p.q.dx else "", made.n, p.chained)
                        + tolerance * polygon.straight + raised * UNIT)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):

@@ -7,6 +7,7 @@ from tmap.base.fixed import M32, cut_quotient, signed
 from tmap.setup.perspective import Perspective, steepness, way
 
 STEEP_2_22 = 1 << 22
+MAP = 0xFFFFFF  # 256 texels
 
 
 def is_level(p: Perspective, width: int, setting: str, off: int) -> bool:
@@ -35,6 +36,11 @@ def tilt_of(p: Perspective, width: int, least: int) -> int | None:
     return signed(p.q.dx, 64) >> 24
 
 
+def is_chained(p: Perspective, width: int, setting: str) -> bool:
+    """Returns true if u and v of level lines are stepped by a chain: unless the picture is the affine one."""
+    return bool(p.q.dx or p.q.dy) and width <= way(setting).chain
+
+
 def level_step(gradient: int, q: int) -> int:
     """Returns gradient / q rounded up; 0 if that does not fit 32 bits."""
     n = gradient + q - 1
@@ -54,15 +60,24 @@ def bends(p: Perspective, lines, width: int) -> bool:
 
 
 def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int, int]]:
-    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded."""
+    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded. In a chain u goes
+    a unit up where v goes down."""
     q, starts = p.divided(left, y)
     if p.tilt:
         q = max(q + ((right - 1 - left) * p.tilt >> 8), p.least)
-    return [(start, level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 8), q))
-            for start, base, plane in zip(starts, p.base, (p.s, p.t))]
+    du, dv = (level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 8), q)
+              for start, base, plane in zip(starts, p.base, (p.s, p.t)))
+    return [(starts[0], du + (p.chained and dv >> 23 & 1)), (starts[1], dv)]
 
 
 def level(p: Perspective, left: int, right: int, y: int) -> list[np.ndarray]:
     """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
     k = np.arange(right - left, dtype=np.int64)
-    return [start + k * step & M32 for start, step in level_line(p, left, right, y)]
+    (u, du), (v, dv) = level_line(p, left, right, y)
+    return [u + k * du + (wraps(v, dv, k) if p.chained else 0) & M32, v + k * dv & M32]
+
+
+def wraps(v: int, dv: int, k: np.ndarray) -> np.ndarray:
+    """Returns the units that the chain's u has gone up after k steps: one for each time that v has wrapped at
+    256, or less if it has done so downwards. v, dv: 16.16."""
+    return (v & MAP) + k * signed(dv & MAP, 24) >> 24

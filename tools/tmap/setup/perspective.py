@@ -52,6 +52,7 @@ class Way:
     width: int  # the largest width of a polygon with level lines
     raised: int  # units by which lines are raised
     column: int  # the lowest polygon with level columns
+    chain: int  # the longest line of level lines by a chain of u and v
 
 
 @cache
@@ -63,8 +64,9 @@ def way(setting: str) -> Way:
         return found.get(f"PERSPECTIVE_{what}_{setting.upper()}", otherwise)
 
     widest = found["FRAME_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
+    chain = {"pixel": found["PERSPECTIVE_CHAIN_PIXEL"], "fine": 0}.get(setting, widest)
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
-               widest, number("RAISE"), number("COLUMN"))
+               widest, number("RAISE"), number("COLUMN"), chain)
 
 
 @dataclass
@@ -115,6 +117,7 @@ class Perspective:
     gentle: bool = True  # no gradient is too steep for 32 integer bits
     raised: tuple[int, int] = (0, 0)  # units by which S and T are raised
     tilt: int = 0  # of level lines: q's growth a pixel, 24.8
+    chained: bool = False  # level lines: u and v are stepped by a chain; v's wraps change u
     corners: Corners | None = None
     is_sure: bool = True  # S and T are accurate enough
 
@@ -127,7 +130,7 @@ class Perspective:
         """Returns the planes with lines and columns exchanged, at pixel (x, y) of the frame."""
         q, s, t = (Plane(plane.value(x - self.i, y - self.j), plane.dy, plane.dx)
                    for plane in (self.q, self.s, self.t))
-        return replace(self, q=q, s=s, t=t, i=y, j=x, tilt=0)
+        return replace(self, q=q, s=s, t=t, i=y, j=x, tilt=0, chained=False)
 
     def divided(self, x: int, y: int) -> tuple[int, list[int]]:
         """Returns q at a pixel, at least ``least``, and u and v divided by it, within their

@@ -13,7 +13,7 @@ from tmap.base.fixed import M32, ONE, mul, signed
 from tmap.setup import far, far_planes, reciprocal, snapped, tables
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
-from tmap.setup.level import bends, is_level, level, tilt_of
+from tmap.setup.level import bends, is_chained, is_level, level, tilt_of
 from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, coordinates as perspective_coordinates, ends,
                                     perspective, way)
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
@@ -264,6 +264,7 @@ def turned_of(polygon: Polygon, vertices, box, size: tuple[int, int],
     deep = polygon.perspective.turned(sides.box[1], box[1])
     deep.base = tuple(b + way(polygon.setting).raised for b in deep.base)
     height = box[3] - box[1]
+    deep.chained = is_chained(deep, height, polygon.setting)
     if height < way(polygon.setting).column or not set_level(polygon, deep, height, 0, Q_ONE, settings):
         return None
     return deep, turned, sides
@@ -287,6 +288,7 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     width = outline.box[2] - outline.box[0]
     setting, straight = coarser(deep, width, settings.perspective, settings.tolerance)
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
+    deep.chained = is_chained(deep, width, setting)
     polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
     turned = None
     if narrow and not polygon.is_level and settings.has_exact_edges:
