@@ -5,28 +5,27 @@
 #include "system/system.h"
 #include "triangle/triangles.h"
 
-static int32 needs_reciprocals(const struct material *material)
-{
-    return material->perspective == PERSPECTIVE_EVERY16
-        || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance;
-}
+/* Tables that a scene may need. */
+enum { RECIPROCALS = 1, LOGARITHMS = 2, SNAPPED = 4 };
 
-static int32 needs_logarithms(const struct material *material)
+/* Polygons in perspective of wider texels are drawn without tables. */
+static uint32 tables_needed(const struct scene *scene)
 {
-    return material->perspective == PERSPECTIVE_PIXEL;
-}
+    const struct material *material = scene->drawn;
+    uint32 needed = 0;
 
-static int32 is_needed(const struct scene *scene, int32 (*needs)(const struct material *))
-{
-    for (uint32 i = 0; i < scene->header->materials; i++)
-        if (needs(&scene->drawn[i]))
-            return 1;
-    return 0;
-}
-
-static int32 needs_snapped(const struct material *material)
-{
-    return material->edges == EDGES_SNAPPED;
+    for (uint32 i = scene->header->materials; i > 0; i--, material++) {
+        if (material->edges == EDGES_SNAPPED)
+            needed |= SNAPPED;
+        if (!material->perspective || material->map->texel_bytes > 1)
+            continue;
+        if (material->perspective == PERSPECTIVE_PIXEL)
+            needed |= LOGARITHMS;
+        if (material->perspective == PERSPECTIVE_EVERY16
+            || material->perspective == PERSPECTIVE_EVERY8 || material->tolerance)
+            needed |= RECIPROCALS;
+    }
+    return needed;
 }
 
 static void make_triangles(struct scene *scene)
@@ -66,18 +65,15 @@ static void make_logarithms(struct scene *scene)
 
 enum scene_memory scene_make_tables(struct scene *scene)
 {
-    const int32 narrow = scene_pixel_bytes(scene->header->format) == 1;     /* others have no use for them */
-    const int32 reciprocals = narrow && is_needed(scene, needs_reciprocals);
-    const int32 logarithms = narrow && is_needed(scene, needs_logarithms);
-    const int32 snapped = is_needed(scene, needs_snapped);
+    const uint32 needed = tables_needed(scene);
 
-    if (reciprocals && !scene->tried_reciprocals)
+    if (needed & RECIPROCALS && !scene->tried_reciprocals)
         make_reciprocals(scene);
-    if (snapped && !scene->tried_triangles)
+    if (needed & SNAPPED && !scene->tried_triangles)
         make_triangles(scene);
-    if (logarithms && !scene->tried_logarithms)
+    if (needed & LOGARITHMS && !scene->tried_logarithms)
         make_logarithms(scene);
-    return (reciprocals && !scene->reciprocals) || (snapped && !scene->triangles)
+    return (needed & RECIPROCALS && !scene->reciprocals) || (needed & SNAPPED && !scene->triangles)
          ? SCENE_RECIPROCALS
-         : logarithms && !scene->logarithms ? SCENE_LOGARITHMS : SCENE_MADE;
+         : needed & LOGARITHMS && !scene->logarithms ? SCENE_LOGARITHMS : SCENE_MADE;
 }

@@ -108,6 +108,26 @@ span_next macro
         rts
         endm
 
+; The steps of a line for the chain: the address of them is at (sp). Uses d5/a2.
+level_steps macro
+        movea.l (sp),a2
+        move.l  (a2)+,d2
+        move.l  (a2),d5
+        chain_steps
+        endm
+
+; Ends the pixels and the table's loop; on the stack the address of steps, and the pitch.
+level_next macro
+        dbra    d7,.pixels
+.line_next
+        addq.l  #8,(sp)
+        adda.l  4(sp),a6
+        cmpa.l  a5,a0
+        bne     .line
+        addq.l  #8,sp
+        rts
+        endm
+
 ; Opens a span of one colour: a1 = table, d7 = lines, a6 = row, a5 = pitch.
 fill_open macro
         movea.l span_plan_lines(a0),a1

@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_16 - span_affine_addx with 16-bit texels and pixels
 ;

@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_16_row - span_affine_row with 16-bit texels and pixels
 ;

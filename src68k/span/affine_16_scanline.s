@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_16_scanline - span_affine_16_wrap with separate steps for each line
 ;

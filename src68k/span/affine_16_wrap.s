@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_16_wrap - span_affine_addx_wrap with 16-bit texels and pixels
 ;

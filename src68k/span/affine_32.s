@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_32 - span_affine_addx with 32-bit texels and pixels
 ;

@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_32_level - span_affine_32_scanline by the chain of two registers
 ;

@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_32_row - span_affine_row with 32-bit texels and pixels
 ;

@@ -1,4 +1,4 @@
-        include "span.i"
+        include "wide.i"
 
 ; span_affine_32_wrap - span_affine_addx_wrap with 32-bit texels and pixels
 ;

@@ -96,7 +96,7 @@ def wrong_mappers() -> list[Row]:
     deep.entry("vertices", 1, "w", W_MIN - 1, W_MAX + 1, 0, M32, 2**31)
     widest.entry("materials", 1, "mapper", *(mappers[name] for name in (
         "gouraud", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud")))
-    widest.entry("materials", 1, "perspective", 1, 4)
+    wide.entry("materials", 1, "perspective", 1, 4)
     every.entry("materials", flat, "mapper", mappers["n64"], mappers["glide"], M32)
     every.entry("materials", flat, "texture", 0)
     every.entry("materials", gouraud, "texture", 0)

@@ -21,7 +21,8 @@ LENGTHS = (256, 64, 16, 4)  # pixels
 #: Rows at each of LENGTHS: a span's name, and how its lines are packed.
 SPANS = (("affine_addx", "addx"), ("affine_addx_wrap", "addx"), ("affine_scanline", "addx"),
          ("affine_16_scanline", "addx"), ("affine_32_scanline", "addx"), ("affine_upright", "addx"),
-         ("affine_level", "addx"), ("affine_16_level", "addx"), ("affine_level_upright", "addx"),
+         ("affine_level", "addx"), ("affine_16_level", "addx"),
+         ("affine_32_level", "addx"), ("affine_level_upright", "addx"),
          ("affine_swap", "plain"), ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
          ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat"))
 #: Of the spans for short lines and of the copying one: kernel, steps, lengths.
