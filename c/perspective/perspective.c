@@ -32,6 +32,12 @@ static void shift_left(struct number64 *to, const struct number64 *from, int32 b
     to->lo = from->lo << bits;
 }
 
+static void shift_left_16(struct number64 *to, const struct number64 *from)
+{
+    to->hi = from->hi << 16 | from->lo >> 16;
+    to->lo = from->lo << 16;
+}
+
 /* Converts a plane in 48.16 to value * 2^scale; scale: 16 to 31. */
 static void scale_plane(struct screen_plane *to, const struct screen_plane *from, int32 scale)
 {
@@ -43,13 +49,9 @@ static void scale_plane(struct screen_plane *to, const struct screen_plane *from
 /* The same to value * 2^32. */
 static void scale_to_32(struct screen_plane *to, const struct screen_plane *from)
 {
-    const struct number64 *number = &from->at;
-    struct number64 *scaled = &to->at;
-
-    for (int32 i = 3; i > 0; i--, number++, scaled++) {     /* at, dx, dy */
-        scaled->hi = number->hi << 16 | number->lo >> 16;
-        scaled->lo = number->lo << 16;
-    }
+    shift_left_16(&to->at, &from->at);
+    shift_left_16(&to->dx, &from->dx);
+    shift_left_16(&to->dy, &from->dy);
 }
 
 /* Finds the least and the greatest q that the plane has at a vertex of a polygon that is not a triangle. */
