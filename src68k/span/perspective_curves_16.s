@@ -5,5 +5,6 @@
 ; like:    span_perspective_curves
 ; formats: as span_perspective_curves, with 16-bit texels and pixels; the map is a MAP_PAGE of such texels, at any
 ;          multiple of 2; plan->row is 2 EDGE_BIAS bytes before its first pixel
+; cost:    bench row persp_pixel_wide
         routine span_perspective_curves_16,a0
         perspective_lines_by_curves 2
