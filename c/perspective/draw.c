@@ -201,9 +201,9 @@ static int32 is_level(const struct setup *s, const struct number64 *grows, int32
         && perspective_is_level(s->perspective, grows, width, off);
 }
 
-/* Returns 1 if lines of so many pixels, on which q grows so, may be straight from their first pixels to their
-   last, and sets the plan's tilt; least: q of the longest. Its chord is off by at most half a pixel's texels,
-   width^2 / (4 L) with L = q / |dq/dx|. */
+/* Returns 1 if lines of `width` pixels, on which q grows by `grows` a pixel, may be straight from their first
+   pixels to their last, and sets the plan's tilt. least: q of the longest, whose chord is off by at most half a
+   pixel's texels: width^2 / (4 L), L = q / |dq/dx|. */
 static int32 is_straight(const struct setup *s, const struct number64 *grows, int32 width, int32 least)
 {
     const int32 steep = perspective_steepness(grows) + 1;

@@ -48,7 +48,7 @@ static int32 find_shift(int32 least, int32 steep)
     return steep > FAR_MOST >> shift ? -1 : shift;
 }
 
-/* Returns the whole texels from K, without so many bits, to the farther end of a range, rounded up. */
+/* Returns the whole texels from K to the farther end of a range, rounded up. less: the bits that K lacks. */
 static int32 farthest(int32 k, int32 less, fix16 low, fix16 high)
 {
     const int32 at = k >> (16 + FAR_K_BITS - less), above = (high >> 16) - at, below = at - (low >> 16);

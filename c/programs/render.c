@@ -6,8 +6,8 @@
    a line a material too: its polygons, those each rule applied to, pixels of each span).
    CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
-   rules of lowering that are not followed, by commas, or all; UNTIMED gives no times (0), but
-   comes to an end earlier (scene_time); ACCURACY and PERSPECTIVE
+   rules of lowering that are not followed, by commas, or all; UNTIMED prints 0
+   as ticks and ends earlier, as it does not wait for the beam; ACCURACY and PERSPECTIVE
    set all materials to a step (scene/settings.h), numbered from 0. */
 #include "polygon/scratch.h"
 #include "scene/counts.h"

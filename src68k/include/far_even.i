@@ -139,6 +139,7 @@ even_lines macro
         cmp.w   even_from3(sp),d5
         bge     .from3
         bra     .from2
+
         even_loop \1,\2,4
         even_loop \1,\2,3,4
         even_loop \1,\2,2,3

@@ -108,7 +108,15 @@ span_next macro
         rts
         endm
 
-; The steps of a line for the chain: the address of them is at (sp). Uses d5/a2.
+; Opens a span whose lines have steps of their own: their address is pushed on the pitch. \1 = the map.
+level_open macro
+        span_open
+        move.l  span_plan_steps(a0),-(sp)
+        move.l  span_plan_map(a0),\1
+        span_table
+        endm
+
+; The steps of a line for the chain. Uses d5/a2.
 level_steps macro
         movea.l (sp),a2
         move.l  (a2)+,d2
@@ -116,7 +124,7 @@ level_steps macro
         chain_steps
         endm
 
-; Ends the pixels and the table's loop; on the stack the address of steps, and the pitch.
+; Ends the pixels and the table's loop after level_open.
 level_next macro
         dbra    d7,.pixels
 .line_next

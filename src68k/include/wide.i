@@ -34,10 +34,7 @@ wide_apart macro
 
 ; ... these and the chain with separate steps for each line, ...
 wide_scanline macro
-        span_open
-        move.l  span_plan_steps(a0),-(sp)
-        movea.l span_plan_map(a0),a3
-        span_table
+        level_open a3
         span_line d0,d1,*\1
         movea.l (sp),a2
         move.l  (a2)+,d5
@@ -54,10 +51,7 @@ wide_scanline macro
         endm
 
 wide_level macro
-        span_open
-        move.l  span_plan_steps(a0),-(sp)
-        movea.l span_plan_map(a0),a3
-        span_table
+        level_open a3
         span_line d0,d1,*\1
         level_steps
         span_rounds_out 4

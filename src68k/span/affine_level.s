@@ -6,10 +6,7 @@
 ; error:   u is a unit more where v has wrapped upwards, and less where downwards, for each time
 
         span span_affine_level
-        span_open
-        move.l  span_plan_steps(a0),-(sp)
-        move.l  span_plan_map(a0),d4    ; mm00
-        span_table
+        level_open d4
         lea     .pixels_end-12(pc),a3
         span_line d0,d1
         level_steps

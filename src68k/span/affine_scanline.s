@@ -8,10 +8,7 @@
 ;          steps, the map
 
         span span_affine_scanline
-        span_open
-        move.l  span_plan_steps(a0),-(sp)
-        move.l  span_plan_map(a0),d4    ; mm00
-        span_table
+        level_open d4
         lea     .pixels_end-14(pc),a3
         span_line d0,d1
         movea.l (sp),a2

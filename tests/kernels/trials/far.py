@@ -85,7 +85,7 @@ def lines_trial(leftwards: bool, rng) -> Trial:
 
 
 def constants_trials(deep, less: int) -> Iterator[Trial]:
-    """K of a triangle, without so many bits, and, if it is near enough, C."""
+    """K of a triangle and, if it is near enough, C. ``less``: the bits that K lacks."""
     names = ("x", "y", "q", "s", "t")
     top, bottom, middle = (dict(zip(names, three)) for three in deep.corners.three)
     vectors = [{name: n - top[name] for name, n in other.items()} for other in (bottom, middle)]
