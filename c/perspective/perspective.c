@@ -111,7 +111,7 @@ int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
     struct screen_plane q;
     int32 least;
 
-    ranges_find(&source, plan, vertices, count);    /* u and v: quotients are truncated */
+    ranges_find(&source, plan, vertices, count);    /* bases a unit up: quotients are truncated */
     source.first = sides->top;
     source.a = sides->middle_right ? sides->middle : sides->bottom;
     source.b = sides->middle_right ? sides->bottom : sides->middle;

@@ -107,7 +107,7 @@ struct far_span {
     const struct far_lengths *lengths;  /* of pieces, by this */
     int16 from_8, from_16;      /* even spans: the index less FAR_ORIGIN from which pieces have so many pixels */
     uint32 ku, kv;              /* K, 8.24 */
-    uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 or, if coarse, 2^24, over r */
+    uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 over r; 2^24 if coarse, 2^20 if coarser */
 };
 
 /* The same for a far planes span. */
