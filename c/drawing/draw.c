@@ -287,7 +287,6 @@ static int32 draw_perspective(struct setup *s)
     int32 by_columns, from_afar, has_lines;
 
     s->perspective = &plan;
-    way.shift = -1;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off: all lines are level */
         set_plane(s);
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
@@ -311,7 +310,7 @@ static int32 draw_perspective(struct setup *s)
     if (from_afar)
         perspective_draw_from_afar(s, &depth, &way, has_lines);
     else if (!by_columns)
-        perspective_draw(s, way.shift);
+        perspective_draw(s);
     if (light_kind(s))
         light_draw(s, made_of(s)->shades);
     return 1;

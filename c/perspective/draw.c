@@ -42,6 +42,11 @@ static int32 is_narrow(const struct setup *s)
     return s->frame->pixel_bytes == 1;
 }
 
+static int32 has_pieces(const struct setup *s)
+{
+    return ways[s->setting].bend == 0;
+}
+
 /* All lines in the form that a span reads, prepared before they are drawn; one form at a time. */
 union made {
     struct logarithm_line logarithms[FRAME_SIDE_MAX];
@@ -164,17 +169,6 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
         span_affine_upright(&lines);
 }
 
-/* Counts the lines that tables drew, and those `left`. */
-static void count(const struct setup *s, int32 left)
-{
-    const int32 pieces = ways[s->setting].bend == 0;
-    const struct perspective_plan *plan = s->perspective;
-    const uint32 others = left ? lines_pixels(plan->lines, plan->count) : 0;
-
-    s->counts->pixels[pieces ? SPAN_RECIPROCAL : SPAN_LOGARITHM] -= others;
-    s->counts->pixels[pieces ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES] += others;
-}
-
 /* Keeps the last pixels of lines, which logarithm_lines has emptied as it made `taken`, in start1, which
    flat lines do not use. */
 static void keep_lines(const struct perspective_plan *plan, const struct logarithm_line *taken)
@@ -191,6 +185,32 @@ static void restore_lines(const struct perspective_plan *plan)
 
     for (int32 i = plan->count; i > 0; i--, line++)
         line->last = (int16)line->start1;
+}
+
+/* Draws the lines it can by logarithms, the others exactly. */
+static void draw_by_logarithms(const struct setup *s, union made *made)
+{
+    struct perspective_plan *plan = s->perspective;
+    int32 left, are_kept;
+
+    if (s->counts)              /* before lines that are drawn become empty */
+        count_lines(s, SPAN_LOGARITHM);
+    left = draw_logarithms(s, made);
+    if (!left)
+        return;
+    if (s->counts) {
+        const uint32 others = lines_pixels(plan->lines, plan->count);
+
+        s->counts->pixels[SPAN_LOGARITHM] -= others;
+        s->counts->pixels[SPAN_PERSPECTIVE_CURVES] += others;
+    }
+    are_kept = left < plan->count && light_kind(s);
+    if (are_kept)
+        keep_lines(plan, made->logarithms);
+    if (!s->renderer->only_counts)
+        draw_exactly(s, made);
+    if (are_kept)
+        restore_lines(plan);
 }
 
 /* Returns 1 if lines of so many pixels, on which q grows so, may be drawn as if their depth were constant: they
@@ -240,14 +260,8 @@ void perspective_find_level(struct setup *s)
     }
 }
 
-static int32 has_pieces(const struct setup *s)
-{
-    return ways[s->setting].bend == 0;
-}
-
 int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way)
 {
-    way->shift = -1;
     return has_pieces(s) && is_narrow(s) && s->renderer->reciprocals && far_find(way, s, depth);
 }
 
@@ -260,29 +274,18 @@ void perspective_draw_from_afar(const struct setup *s, const struct depth *depth
         far_draw(s, depth, way, has_lines);
 }
 
-void perspective_draw(struct setup *s, int32 shift)
+void perspective_draw(struct setup *s)
 {
     union made *made = (union made *)s->scratch->room;
-    struct perspective_plan *plan = s->perspective;
-    int32 left = plan->count, are_kept;
 
     if (s->level == LEVEL_LINES) {
         perspective_draw_level(s, made->steps);
-        return;
+    } else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms && is_narrow(s)) {
+        draw_by_logarithms(s, made);
+    } else {
+        if (s->counts)
+            count_lines(s, has_pieces(s) ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES);
+        if (!s->renderer->only_counts)
+            draw_exactly(s, made);
     }
-    if (s->counts)              /* before lines that are drawn become empty */
-        count_lines(s, has_pieces(s) ? SPAN_RECIPROCAL : SPAN_LOGARITHM);
-    if (shift >= 0)
-        left = far_draw_planes(s, shift) ? 0 : left;
-    else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms && is_narrow(s))
-        left = draw_logarithms(s, made);
-    if (s->counts)
-        count(s, left);
-    are_kept = left && left < plan->count && light_kind(s);
-    if (are_kept)
-        keep_lines(plan, made->logarithms);
-    if (left && !s->renderer->only_counts)
-        draw_exactly(s, made);
-    if (are_kept)
-        restore_lines(plan);
 }

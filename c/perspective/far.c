@@ -23,12 +23,6 @@ static const struct far_lengths every8 = LENGTHS(FAR_EVERY8);
 static const struct far_lengths at_most_8 = {
     0, 1 << (FAR_EVERY8 - 6), 1 << (FAR_EVERY8 - 4), 1 << (FAR_EVERY8 - 2)};
 
-/* The upper half of a number times 2^bits; bits: 1 to 31. */
-static int32 upper(const struct number64 *from, int32 bits)
-{
-    return (int32)(from->hi << bits | from->lo >> (32 - bits));
-}
-
 /* Returns the index of q, less FAR_ORIGIN, from which on q / step is 2^bits / 8 or more, so that pieces of
    16 pixels may be drawn if bits is FAR_EVERY16 - 21, and so on. */
 static int16 first_index(uint32 step, int32 bits)
@@ -122,17 +116,13 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
     /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
     const int32 least = planes->q_low - pixels - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
 
-    if (!depth->gentle || least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep)
+    if (!depth->gentle || least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep
+        || depth->scale >= FAR_K_SCALE || depth->down > FAR_DOWN)
         return 0;
     way->lengths = lengths_of(s);
     way->even = least >= 1 << FAR_EVEN && 2 * dq <= way->lengths->most_4;
     way->shift = way->even ? 1 : find_shift(least, steep);
-    if (way->shift >= 0 && depth->scale < FAR_K_SCALE && depth->down <= FAR_DOWN
-        && find_constants(way, s, depth, pixels))
-        return 1;
-    if (way->even)
-        way->shift = find_shift(least, steep);
-    return 0;
+    return way->shift >= 0 && find_constants(way, s, depth, pixels);
 }
 
 /* Makes the span's table of lines in the scratch room. */
@@ -221,51 +211,4 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
     span.cu = plan->cu;
     span.cv = plan->cv;
     spans[way->even][way->coarse][leftwards](&span);
-}
-
-/* Returns the most texels of u or v from its base, rounded up. */
-static int32 range(fix16 low, fix16 high)
-{
-    return ((-low > high ? -low : high) >> 16) + 1;
-}
-
-int32 far_draw_planes(const struct setup *s, int32 shift)
-{
-    const struct perspective_plan *planes = s->perspective;
-    const int32 to_u = range(planes->u_low, planes->u_high);
-    const int32 to_v = range(planes->v_low, planes->v_high);
-    const int32 way = (planes->count + s->box.right - s->box.left) << shift;
-    const int32 part = FAR_OFF_PART + (way >> 11), off = FAR_OFF_PLANES + (way >> 1);
-    const uint32 bias = (uint32)(planes->left + EDGE_BIAS);
-    struct far_planes_span span;
-
-    span.dsdx = upper(&planes->s.dx, 32 - FAR_SCALE);
-    span.dtdx = upper(&planes->t.dx, 32 - FAR_SCALE);
-    if (to_u > FAR_RANGE || to_v > FAR_RANGE || way > FAR_WAY
-        || fix_magnitude(span.dsdx) > (uint32)FAR_STEP >> shift
-        || fix_magnitude(span.dtdx) > (uint32)FAR_STEP >> shift)
-        return 0;
-    if (s->renderer->only_counts)
-        return 1;
-    span.lines = planes->lines;
-    span.count = planes->count;
-    span.row = s->span.row;
-    span.pitch = s->span.pitch;
-    span.map = s->span.map;
-    span.table = s->renderer->reciprocals;
-    span.dqdx = (int32)planes->q.dx.hi;
-    span.dqdy = (int32)planes->q.dy.hi;
-    span.q = planes->q.at.hi - (uint32)span.dqdx * bias;
-    span.dsdy = upper(&planes->s.dy, 32 - FAR_SCALE);
-    span.s = (int32)((uint32)upper(&planes->s.at, 32 - FAR_SCALE) - (uint32)span.dsdx * bias);
-    span.dtdy = upper(&planes->t.dy, 32 - FAR_SCALE);
-    span.t = (int32)((uint32)upper(&planes->t.at, 32 - FAR_SCALE) - (uint32)span.dtdx * bias);
-    span.u = planes->u + off + (to_u * part >> 2);
-    span.v = planes->v + off + (to_v * part >> 2);
-    span.lengths = lengths_of(s);
-    if (span.dqdx < 0)
-        span_far_planes_left(&span);
-    else
-        span_far_planes_right(&span);
-    return 1;
 }

@@ -31,16 +31,11 @@ struct far_way {
 int32 far_asymptotes(struct far_plan *plan);
 int32 far_constants(struct far_plan *plan, int32 bits);
 
-/* Finds K and C. Returns 0 if the polygon is not drawn with them; then way->shift is below 0 if not from afar at
-   all. */
+/* Finds K and C. Returns 0 if the polygon is not drawn with them. */
 int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth);
 
 /* Draws it. has_lines: its lines are in the scanline table; else edges are inside the frame. */
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
               int32 has_lines);
-
-/* Draws the lines of the setup's plan by the planes of u and v, where K is too far away. Returns 0 if their
-   range is too wide, or they are too steep. */
-int32 far_draw_planes(const struct setup *s, int32 shift);
 
 #endif

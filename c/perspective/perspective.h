@@ -92,15 +92,14 @@ void perspective_turn(struct perspective_plan *plan, int32 left, int32 next);
 /* Finds s->level, unless a tolerance has, and tilt and steep of the plan. */
 void perspective_find_level(struct setup *s);
 
-/* Returns 1 if the polygon's lines are drawn from their far ends with K and C: no planes of s and t are needed.
-   Otherwise way->shift is 0 or more if planes may do so. */
+/* Returns 1 if the polygon's lines are drawn from their far ends: no planes of s and t are needed. */
 struct far_way;
 int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way);
 void perspective_draw_from_afar(const struct setup *s, const struct depth *depth,
                                 const struct far_way *way, int32 has_lines);
 
-/* Draws the lines of the plan with s->setting and s->level. shift: of a far_way, or -1. */
-void perspective_draw(struct setup *s, int32 shift);
+/* Draws the lines of the plan with s->setting and s->level. */
+void perspective_draw(struct setup *s);
 
 /* Draws the lines of the plan by s->level. steps: room for their number. */
 void perspective_draw_level(const struct setup *s, struct scanline_step *steps);

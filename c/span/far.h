@@ -45,16 +45,7 @@ enum far_constants {
     FAR_OFF_CORNERS = 32,
     FAR_OFF_WORD = 1024,
     FAR_OFF_LINES = 4,
-    FAR_OFF = 8,
-    /* Planes instead of K and C: u less its base is S r / 2^16 units, S below 2^31 where q is 2^31, and with
-       room for pieces that end beyond the polygon. Their steps' cuts, one a pixel and line, are 2^b / 2 units
-       each, with 2^b times the pixels and lines so limited 1/16 texel. */
-    FAR_SCALE = 28,             /* S is units times q / 2^this */
-    FAR_RANGE = 1536,           /* texels from the base */
-    FAR_WAY = 8192,
-    FAR_STEP = 1 << 26,         /* of S a pixel, times 2^b: a piece's 16 steps, beyond the polygon too, and S,
-                                   3/8 of 2^31, fit 32 bits; where q is 2^31, 128 texels a pixel */
-    FAR_OFF_PLANES = 32         /* units by which lines are raised, 16 of them for a piece's steps */
+    FAR_OFF = 8
 };
 
 /* Fills FAR_COUNT words; returns the address of index 0, for spans. */
@@ -110,29 +101,11 @@ struct far_span {
     uint32 dcu, dcv, cu, cv;    /* C, 16.16: 256 texels are 2^28 over r; 2^24 if coarse, 2^20 if coarser */
 };
 
-/* The same for a far planes span. */
-struct far_planes_span {
-    const struct scanline *lines;
-    int32 count;
-    uint8 *row;
-    int32 pitch;
-    const uint8 *map;
-    const uint16 *table;
-    uint32 q;                   /* 2.30, at pixel -EDGE_BIAS of the first line; */
-    int32 dqdx, dqdy;           /* its steps */
-    int32 s, dsdx, dsdy;        /* S and T, there too */
-    int32 t, dtdx, dtdy;
-    fix16 u, v;                 /* the bases */
-    const struct far_lengths *lengths;
-};
-
 /* src68k/edge: contracts there. */
 void edges_far(const struct far_edges *edges);
 void lines_far(const struct far_lines *lines);
 
 /* src68k/span: contracts there. */
-void span_far_planes_right(const struct far_planes_span *span);
-void span_far_planes_left(const struct far_planes_span *span);
 void span_far_right(const struct far_span *span);
 void span_far_left(const struct far_span *span);
 void span_far_right_coarse(const struct far_span *span);

@@ -13,7 +13,7 @@ from tmap.bench import far as bench
 from tmap.bench.trial import Trial, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Case
-from tmap.setup import far as model, far_planes
+from tmap.setup import far as model
 
 
 ACROSS = max(COUNTS) + 4
@@ -43,26 +43,15 @@ def even_q(leftwards: bool, pixels: int, every: str, rng) -> tuple[int, int, int
     return (low + ACROSS * step, -step, down) if leftwards else (low, step, down)
 
 
-def anything_of(made, rng) -> Trial:
-    return bench.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), made, LINES, PITCH, f"{made}")
-
-
 def span_trial(every: str, leftwards: bool, coarse: int, rng, even: int = 0) -> Trial:
     """Any constants. ``even``: the pixels of pieces wherever they begin; 0: not even."""
     c, dc = ([int(rng.integers(-1 << bits, 1 << bits)) for bits in rng.integers(*reach, 2)]
              for reach in ((9, 31), (2, 23)))
-    return anything_of(model.Constants(
+    made = model.Constants(
         tuple(int(n) for n in rng.integers(0, 1 << 32, 2)), tuple(c), tuple(dc),
         *(even_q(leftwards, even, every, rng) if even else any_q(leftwards, rng)), 0, 0,
-        every, coarse, [0, 0], even > 0), rng)
-
-
-def planes_trial(every: str, leftwards: bool, rng) -> Trial:
-    """Any planes of u and v; their base is the same."""
-    st = tuple(tuple(int(rng.integers(-1 << bits, 1 << bits)) for bits in (30, 22, 22)) for _ in "uv")
-    return anything_of(far_planes.Constants(
-        *any_q(leftwards, rng), st, tuple(int(n) for n in rng.integers(-1 << 31, 1 << 31, 2)), 0, 0, every,
-        [0, 0]), rng)
+        every, coarse, [0, 0], even > 0)
+    return bench.span_trial(Memory(int(rng.integers(1 << 30))), picture_ground(), made, LINES, PITCH, f"{made}")
 
 
 def any_place(rng) -> tuple[int, ...]:
@@ -124,7 +113,6 @@ def trials() -> list[Trial]:
     return [*(span_trial(*way, coarse, rng) for way in ways for coarse in COARSE for _ in range(16)),
             *(span_trial(every, leftwards, coarse, rng, even) for every, leftwards in ways
               for coarse in COARSE for even in (4, 8, 16) for _ in range(6)),
-            *(planes_trial(*way, rng) for way in ways for _ in range(16)),
             *(edges_trial(splits, exact, rng) for splits in SPLITS for exact in (False, True) for _ in range(3)),
             *(lines_trial(leftwards, rng) for leftwards in (False, True) for _ in range(8)),
             *(trial for deep, _, _ in triangles(rng, 60) if deep.scale < model.K_SCALE

@@ -4,19 +4,18 @@ in short lines; a line grows by a texel a pixel in u and 0.7 in v on the whole.
 
 import numpy as np
 
-from tmap.base.fixed import M32, signed
+from tmap.base.fixed import M32
 from tmap.bench.edges import LINES, edge_columns, edge_sides
 from tmap.bench.spans import BIAS, GAP, Ground, framed, line_count, table_of
 from tmap.bench.trial import Trial, Write, fields
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
-from tmap.setup import far, far_planes
+from tmap.setup import far
 from tmap.setup.perspective import PIECES
 
-#: Row: the setting, whether by planes of u and v, whether by even spans.
-SPANS = {"persp_far_16": ("every16", False, False), "persp_far_8": ("every8", False, False),
-         "persp_planes_16": ("every16", True, False), "persp_even_16": ("every16", False, True),
-         "persp_even_8": ("every8", False, True)}
+#: Row: the setting, whether by even spans.
+SPANS = {"persp_far_16": ("every16", False), "persp_far_8": ("every8", False),
+         "persp_even_16": ("every16", True), "persp_even_8": ("every8", True)}
 
 
 def table(arena: Arena) -> int:
@@ -24,21 +23,14 @@ def table(arena: Arena) -> int:
     return arena.add(np.array(far.TABLE, ">u2").tobytes()) + (far.ORIGIN - far.LOWEST) * 2
 
 
-def kernel(k: far.Constants | far_planes.Constants) -> str:
+def kernel(k: far.Constants) -> str:
     """The span that draws a polygon with these constants."""
     way = "left" if k.leftwards else "right"
-    if isinstance(k, far_planes.Constants):
-        return f"span_far_planes_{way}"
     return f"span_far_{'even_' if k.even else ''}{way}{('', '_coarse', '_coarser')[k.coarse // far.COARSE]}"
 
 
-def plan_fields(k: far.Constants | far_planes.Constants) -> dict:
+def plan_fields(k: far.Constants) -> dict:
     """What a span's structure has of them."""
-    if isinstance(k, far_planes.Constants):
-        bias, found = k.left + BIAS, {}
-        for name, (at, dx, dy) in zip("qst", ((k.q, k.dqdx, k.dqdy), *k.st)):
-            found |= {name: signed(at - bias * dx), f"d{name}dx": dx, f"d{name}dy": dy}
-        return found | {"q": found["q"] & M32} | dict(zip("uv", k.base))
     values = {"dq": abs(k.dqdx), "ku": k.k[0], "kv": k.k[1], "cu": k.c[0], "cv": k.c[1], "dcu": k.dc[0],
               "dcv": k.dc[1]}
     starts = {f"from_{pixels}": min(k.first_index(pixels) - far.ORIGIN, 32767) if k.even else 0
@@ -73,25 +65,19 @@ def scanlines(arena: Arena, lines: list[tuple[int, int]]) -> int:
     return arena.add(entries, name="lines", shape=layout.load().struct("scanline"))
 
 
-def span_trial(arena: Arena, ground: Ground, k: far.Constants | far_planes.Constants, lines: list[tuple[int, int]],
-               pitch: int, title: str = "") -> Trial:
+def span_trial(arena: Arena, ground: Ground, k: far.Constants, lines: list[tuple[int, int]], pitch: int,
+               title: str = "") -> Trial:
     """One table of lines (first column, pixels); the first is at the constants' ``top``."""
-    writes, planes = [], isinstance(k, far_planes.Constants)
-    model = far_planes if planes else far
+    writes = []
     for y, (left, count) in enumerate(lines):
         if count > 0:
-            u, v = model.coordinates(model.line(None, k, left, left + count, k.top + y))
+            u, v = far.coordinates(far.line(None, k, left, left + count, k.top + y))
             writes.append(Write(ground.frame_at + y * pitch + left,
                                 ground.picture[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
-    near, to = {"table": table(arena), "lengths": lengths(arena, k.every)}, {"map": ground.map_at}
-    if planes:
-        near["lines"] = scanlines(arena, lines)
-        plan = arena.struct("far_planes_span", near, to | {"row": ground.frame_at - BIAS}, count=len(lines),
-                            pitch=pitch, **plan_fields(k))
-    else:
-        near["lines"] = far_lines(arena, k, lines, ground.frame_at, pitch)
-        near["ends"] = near["table"] + 2 * k.ahead
-        plan = arena.struct("far_span", near, to, count=len(lines), **plan_fields(k))
+    near = {"table": table(arena), "lengths": lengths(arena, k.every),
+            "lines": far_lines(arena, k, lines, ground.frame_at, pitch)}
+    near["ends"] = near["table"] + 2 * k.ahead
+    plan = arena.struct("far_span", near, {"map": ground.map_at}, count=len(lines), **plan_fields(k))
     return Trial(Case(kernel(k), arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
 
 
@@ -148,22 +134,17 @@ def lines_case():
     return lines_trial(Arena(), [(k, 10) for k in range(LINES)], True, (0, 320, 1 << 28, 1 << 20, -1 << 18)).row(LINES)
 
 
-def span_case(every: str, planes: bool, even: bool, length: int):
+def span_case(every: str, even: bool, length: int):
     """A bench row: lines of one length that begin 0 to 3 pixels on."""
     rng, count, memory = np.random.default_rng(length), line_count(length), Arena()
     picture = rng.integers(0, 256, (256, 256), dtype=np.uint8)
     map_at = memory.add(picture.tobytes(), layout.load().constants["ARENA_ALIGN"])
     step = min(3 * (1 << 28) // length, far.LENGTHS[every][PIECES[every]] // 2)
     q = 1 << 28, (1 << 28) + length * step
-    any_two = rng.integers(0, 1 << 32, 2)
-    if planes:  # from 0 on
-        st = tuple((0, int(d * q[1] / 4096), 0) for d in (1, 0.7))
-        made = far_planes.Constants(q[0], step, 0, st, tuple(map(signed, any_two.tolist())), 0, 0, every, [0, 0])
-    else:
-        across = 2.0**38 / q[0] - 2.0**38 / q[1]  # of C r, where C is 1: see far.h
-        c = tuple(int(-d * length / across * 65536) for d in (1, 0.7))
-        made = far.Constants(tuple(any_two.tolist()), c, (0, 0), q[0], step, 0, 0, 0, every, 0, [0, 0],
-                             even)
+    k = tuple(rng.integers(0, 1 << 32, 2).tolist())
+    across = 2.0**38 / q[0] - 2.0**38 / q[1]  # of C r, where C is 1: see far.h
+    c = tuple(int(-d * length / across * 65536) for d in (1, 0.7))
+    made = far.Constants(k, c, (0, 0), q[0], step, 0, 0, 0, every, 0, [0, 0], even)
     ground = framed(memory, map_at, picture, count, length)
     lines = [(k % 4, length) for k in range(count)]
     return span_trial(Arena(), ground, made, lines, length + GAP).row(count * length)

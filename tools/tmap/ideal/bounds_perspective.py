@@ -47,10 +47,10 @@ quarter of its tolerance), and a unit per step, as steps are rounded up. In a ch
 v wraps, half a unit per step at most, and its steps are a unit more where v goes down: another unit per step. If q
 does not change along lines, they are never below the exact value.
 
-**From the far end** (tmap.setup.far, far_planes): pieces are measured from the chords that begin at the line's
+**From the far end** (tmap.setup.far): pieces are measured from the chords that begin at the line's
 far end, the last one beyond its near end, and in even spans go through points that are a part of a pixel ahead.
-``bound`` is added, and what lines are raised by: they are never below the exact value at the far end. By planes b
-is added; by K and C these, Q the far end's q, l its coordinates:
+``bound`` is added, and what lines are raised by: they are never below the exact value at the far end. These are
+added too, Q the far end's q, l its coordinates:
 
 * q of the corners is rounded, and q's plane off by E, cut included: (sum of |l| R / 2 + E |u - K|) / Q.
 * C = (u - K) q is exact at the top and the bottom but for what ``far.bound`` has. So an error of K counts as far
@@ -83,7 +83,7 @@ from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves, curves_through
-from tmap.setup import far, far_planes, spans, tables
+from tmap.setup import far, spans, tables
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
@@ -188,7 +188,7 @@ def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
     first = record.left + (record.n if way < 0 else 0)
     last = record.pieces[-1]
     nodes = np.array([*(piece.at for piece in record.pieces), last.at + last.pixels])
-    ahead = getattr(k, "ahead", 0) * 2.0**15 / abs(k.dqdx) * (nodes > 0)  # pixels
+    ahead = k.ahead * 2.0**15 / abs(k.dqdx) * (nodes > 0)  # pixels
     values = np.interp(np.arange(record.n + 1), nodes, curve.values(first + way * (nodes + ahead), y))
     return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
 
@@ -284,14 +284,13 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                        + tolerance * polygon.straight + raised * UNIT)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
-                wanted = (intended_from_afar(bound.curve, record, y) if isinstance(record, far.Line)
-                          else intended(bound.curve.values(drawn, y), polygon.setting))[seen]
-                if isinstance(record, far.Line) and not isinstance(record, far_planes.Line):
+                if isinstance(record, far.Line):
+                    wanted = intended_from_afar(bound.curve, record, y)[seen]
                     allowed = more + bound.afar(record, y, "uv".index(key)) * UNIT + FLOAT
                 else:
+                    wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
                     b = bound.line(made, y, inside)
-                    allowed = more + (b + FLOAT if record and polygon.setting not in PIECES
-                                      else line_bound(b, polygon.setting))
+                    allowed = more + b + FLOAT if record else line_bound(b, polygon.setting)
             else:  # an end on a rounded edge is behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, found[seen], error, wanted, allowed

@@ -149,24 +149,19 @@ class Line:
             q, shift = (swap(x) ^ 1 << 31) >> 2, shift - 2
 
 
-def least_of(p, way: int, exact: bool) -> int:
-    """Returns the least q. ``way``: lines and pixels of the box; ``exact``: edges are not rounded."""
-    return p.least - way - (0 if exact else steepness(p.q.dx) + 1)
-
-
-def is_even(dq: int, least: int, every: str) -> bool:
-    """Returns true if even spans draw the polygon."""
-    return least >= EVEN and dq << 1 <= LENGTHS[every][4]
-
-
-def shift_of(p, way: int, exact: bool) -> int | None:
-    """Returns the bits by which q may have to be shifted left; None if the polygon is not drawn this way.
-    ``way``, ``exact``: as in ``least_of``."""
-    steep, least = steepness(p.q.dx) + 1, least_of(p, way, exact)
-    if not p.corners.gentle or least < 1 << 29 - DEEP or p.most > (1 << 30) + steep:
+def shift_of(p, dq: int, every: str, way: int, exact: bool) -> tuple[int, bool] | None:
+    """Returns the bits by which q may have to be shifted left, and true if even spans draw the polygon; None if it
+    is not drawn this way. ``dq``: q's step; ``way``: lines and pixels of the box; ``exact``: edges are not
+    rounded."""
+    steep = steepness(p.q.dx) + 1
+    least = p.least - way - (0 if exact else steep)
+    if (not p.corners.gentle or least < 1 << 29 - DEEP or p.most > (1 << 30) + steep
+            or p.scale >= K_SCALE or p.corners.down > DOWN):
         return None
+    if least >= EVEN and dq << 1 <= LENGTHS[every][4]:
+        return 1, True
     shift = max(0, 31 - least.bit_length() & ~1)
-    return shift if steep << shift <= MOST else None
+    return (shift, False) if steep << shift <= MOST else None
 
 
 def asymptotes(p, less: int = 0) -> list[int] | None:
@@ -223,16 +218,14 @@ def ahead(dq: int, least: int, every: str) -> int:
 
 def find(p, every: str, box, exact: bool) -> Constants | None:
     """Returns the constants of a tmap.setup.perspective.Perspective, whose lines begin at the box's first;
-    None if the polygon is drawn another way. ``every``: of LENGTHS;
-    ``exact``: edges are not rounded."""
+    None if the polygon is drawn another way. ``every``: of LENGTHS; ``exact``: edges are not rounded."""
     lines = box[3] - box[1]
     way = lines + box[2] - box[0]
-    shift = shift_of(p, way, exact)
-    if shift is None or p.scale >= K_SCALE or p.corners.down > DOWN:
-        return None
     q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
-    even = is_even(abs(q[1]), least_of(p, way, exact), every)
-    shift = 1 if even else shift
+    shifted = shift_of(p, abs(q[1]), every, way, exact)
+    if not shifted:
+        return None
+    shift, even = shifted
     part = OFF_PART + (way + p.corners.off + OFF_CORNERS << shift >> 11)
     less, ks = 0, asymptotes(p)
     if ks is None or max(to_farthest(p, ks)) > REACH << COARSE:

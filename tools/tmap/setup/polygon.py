@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, mul, signed
-from tmap.setup import far, far_planes, reciprocal, snapped, tables
+from tmap.setup import far, reciprocal, snapped, tables
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
 from tmap.setup.level import bends, is_chained, is_level, level, tilt_of
@@ -50,7 +50,7 @@ class Polygon:
     #: The same with x and y exchanged, if it is drawn by columns: they are its lines.
     columns: "Polygon | None" = None
     #: Of lines drawn by tables.
-    constants: reciprocal.Constants | far.Constants | far_planes.Constants | None = None
+    constants: reciprocal.Constants | far.Constants | None = None
     triangle: snapped.Triangle | None = None  # drawn by a routine for triangles
 
     def record(self, line: Line, y: int):
