@@ -284,7 +284,7 @@ static int32 draw_perspective(struct setup *s)
     struct perspective_plan plan;
     struct depth depth;
     struct far_way way;
-    int32 by_columns, from_afar, has_lines;
+    int32 from_afar, has_lines;
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off: all lines are level */
@@ -300,16 +300,17 @@ static int32 draw_perspective(struct setup *s)
     perspective_find_level(s);
     if (s->level && !perspective_texels(&plan, &depth))
         return count_unsure(s);
-    by_columns = s->level == LEVEL_COLUMNS && columns_draw(s);
-    if (by_columns && !light_kind(s))
+    if (s->level == LEVEL_COLUMNS && !columns_draw(s))
+        s->level = LEVEL_NOTHING;       /* they bend too much */
+    if (s->level == LEVEL_COLUMNS && !light_kind(s))
         return 1;
-    from_afar = !by_columns && s->level != LEVEL_LINES && perspective_from_afar(s, &depth, &way);
+    from_afar = !s->level && perspective_from_afar(s, &depth, &way);
     if (!from_afar && !perspective_texels(&plan, &depth))
         return count_unsure(s);
     has_lines = make_lines_read(s, from_afar);
     if (from_afar)
         perspective_draw_from_afar(s, &depth, &way, has_lines);
-    else if (!by_columns)
+    else if (s->level != LEVEL_COLUMNS)
         perspective_draw(s);
     if (light_kind(s))
         light_draw(s, made_of(s)->shades);
