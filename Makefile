@@ -49,7 +49,7 @@ MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
 # Tables and code that a tool of the same name writes.
-WRITTEN := n64_weights glide_weights glide_logarithms
+WRITTEN := n64_weights glide_weights glide_logarithms cubic_fits
 OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 OWNERS_TABLE := $(ASM_OUT)/gen/owners_table.o
@@ -195,6 +195,7 @@ $(WRITTEN:%=build/gen/%.s): build/gen/%.s: tools/tmap/build/%.py | setup
 	@$(PYTHON) -m tmap.build.$* $@
 
 build/gen/n64_weights.s build/gen/glide_weights.s: tools/tmap/build/weights.py
+build/gen/cubic_fits.s: tools/tmap/base/cubics.py
 
 # Programs: $1 is the name, $2 its objects.
 define PROGRAM

@@ -4,7 +4,6 @@
 #include "plain/n64.h"
 #include "plain/screen.h"
 #include "polygon/kind.h"
-#include "span/logarithm.h"
 #include "span/scanline.h"
 #include "system/text.h"
 #include "texture/map.h"
@@ -14,12 +13,6 @@ static void make_columns(struct span_plan *plan)
 {
     plan->count = column_layout_make((struct column_layout *)plan->columns, plan->map_width,
                                      plan->map_height);
-}
-
-/* logarithms_make as a kernel: the structure has the addresses of the tables. */
-static void make_logarithms(struct logarithm_tables *tables)
-{
-    logarithms_make(tables, (int16 *)tables->logs, (uint16 *)tables->powers);
 }
 
 static void nothing(void)
@@ -32,7 +25,6 @@ static void nothing(void)
 static const struct kernel c_kernels[] = {
     {"span_affine_c", (void (*)(void))span_affine_c},
     {"column_layout_make", (void (*)(void))make_columns},
-    {"logarithms_make", (void (*)(void))make_logarithms},
     {"nothing", nothing},
     PASS(n64_reciprocals_c), PASS(n64_levels_c), PASS(n64_matrix_c),
     PASS(glide_quads_c), PASS(glide_quads_8_c), PASS(glide_logarithms_c), PASS(glide_combine_line_c),

@@ -16,7 +16,7 @@
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
-#include "perspective/far.h"
+#include "perspective/afar.h"
 #include "perspective/light.h"
 #include "perspective/perspective.h"
 #include "polygon/clip.h"
@@ -283,7 +283,7 @@ static int32 draw_perspective(struct setup *s)
 {
     struct perspective_plan plan;
     struct depth depth;
-    struct far_way way;
+    union afar afar;
     int32 from_afar, has_lines;
 
     s->perspective = &plan;
@@ -304,12 +304,12 @@ static int32 draw_perspective(struct setup *s)
         s->level = LEVEL_NOTHING;       /* they bend too much */
     if (s->level == LEVEL_COLUMNS && !light_kind(s))
         return 1;
-    from_afar = !s->level && perspective_from_afar(s, &depth, &way);
+    from_afar = !s->level && perspective_from_afar(s, &depth, &afar);
     if (!from_afar && !perspective_texels(&plan, &depth))
         return count_unsure(s);
     has_lines = make_lines_read(s, from_afar);
     if (from_afar)
-        perspective_draw_from_afar(s, &depth, &way, has_lines);
+        perspective_draw_from_afar(s, &depth, &afar, has_lines);
     else if (s->level != LEVEL_COLUMNS)
         perspective_draw(s);
     if (light_kind(s))

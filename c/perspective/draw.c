@@ -1,7 +1,6 @@
-/* Draws lines with perspective: by tables if they are accurate enough, otherwise exactly. */
-#include "perspective/far.h"
+/* Draws lines with perspective: level ones, from the far end, or exactly. */
+#include "perspective/afar.h"
 #include "perspective/light.h"
-#include "span/far.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 
@@ -49,7 +48,6 @@ static int32 has_pieces(const struct setup *s)
 
 /* All lines in the form that a span reads, prepared before they are drawn; one form at a time. */
 union made {
-    struct logarithm_line logarithms[FRAME_SIDE_MAX];
     struct perspective_line exact[FRAME_SIDE_MAX];
     struct scanline_step steps[FRAME_SIDE_MAX];
 };
@@ -58,71 +56,28 @@ SCRATCH_FITS(union made);
 
 #define STEEP_2_22 (1 << 22)
 
-/* K, u and v are nearer than this to their bases, so that C fits 64 bits. */
-#define FAR_512 (512 << 16)
-
-/* Returns 1 if K (value) and the range are near the base, and K is as near the range: some line may then be
-   within reach of K. */
-static int32 is_near(fix16 value, fix16 low, fix16 high)
+/* Returns the setting whose pieces draw exactly: half a pixel, every8's, allows 16 where q grows so slowly that
+   16^2 / (4 L) is no more, L = q / its growth. */
+static enum perspective exact_setting(const struct setup *s)
 {
-    return value > -FAR_512 && value < FAR_512 && low > -FAR_512 && high < FAR_512
-        && low - value <= FAR_512 && value - high <= FAR_512;
-}
+    const struct perspective_plan *plan = s->perspective;
 
-/* Finds K and C. Returns 0 if no line can be drawn with them. */
-static int32 find_constants(struct reciprocal_plan *plan)
-{
-    const struct perspective_plan *planes = plan->planes;
-    int32 y = 0;
-
-    while (planes->lines[y].last < planes->lines[y].left)
-        if (++y == planes->count)
-            return 0;
-    return planes->gentle
-        && reciprocal_find(plan, planes->lines[y].left - EDGE_BIAS - planes->left, y)
-        && is_near(plan->ku, planes->u_low, planes->u_high)
-        && is_near(plan->kv, planes->v_low, planes->v_high);
-}
-
-/* Draws the lines it can and empties them; returns how many are left. */
-static int32 draw_logarithms(const struct setup *s, union made *made)
-{
-    const struct logarithm_tables *tables = s->renderer->logarithms;
-    struct perspective_plan *planes = s->perspective;
-    const struct span_plan *span = &s->span;
-    struct reciprocal_plan plan;
-    struct logarithm_span lines;
-    int32 left;
-
-    plan.planes = planes;
-    if (!find_constants(&plan))
-        return planes->count;
-    plan.ku += planes->u + LOGARITHM_OFF;
-    plan.kv += planes->v + LOGARITHM_OFF;
-    left = logarithm_lines(&plan, tables, made->logarithms);
-    if (s->renderer->only_counts)
-        return left;
-    lines.lines = made->logarithms;
-    lines.count = planes->count;
-    lines.row = span->row;
-    lines.pitch = span->pitch;
-    lines.map = span->map;
-    lines.logs = tables->logs;
-    lines.powers = tables->powers;
-    span_logarithm(&lines);
-    return left;
+    return s->setting == PERSPECTIVE_EVERY8 && s->material->perspective == PERSPECTIVE_EVERY8
+        && perspective_steepness(&plan->q.dx) + 1 <= plan->q_low / (16 * 16 / 2 + 1)
+         ? PERSPECTIVE_EVERY16 : s->setting;
 }
 
 /* Raises the plan's u and v. */
 static void draw_exactly(const struct setup *s, union made *made)
 {
+    const enum perspective setting = exact_setting(s);
     struct perspective_plan *plan = s->perspective;
     const struct span_plan *span = &s->span;
     struct perspective_span lines;
 
-    plan->u += ways[s->setting].raise;
-    plan->v += ways[s->setting].raise;
-    plan->bend = ways[s->setting].bend;
+    plan->u += ways[setting].raise;
+    plan->v += ways[setting].raise;
+    plan->bend = ways[setting].bend;
     plan->to = made->exact;
     perspective_lines(plan);
     lines.lines = made->exact;
@@ -130,7 +85,7 @@ static void draw_exactly(const struct setup *s, union made *made)
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.longest = ways[s->setting].piece;
+    lines.longest = ways[setting].piece;
     (plan->bend ? curves : pieces)[s->frame->pixel_bytes >> 1](&lines);
 }
 
@@ -167,50 +122,6 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
         span_affine_level_upright(&lines);
     else
         span_affine_upright(&lines);
-}
-
-/* Keeps the last pixels of lines, which logarithm_lines has emptied as it made `taken`, in start1, which
-   flat lines do not use. */
-static void keep_lines(const struct perspective_plan *plan, const struct logarithm_line *taken)
-{
-    struct scanline *line = plan->lines;
-
-    for (int32 i = plan->count; i > 0; i--, line++, taken++)
-        line->start1 = (uint16)(taken->n < 0 ? line->last : line->left + taken->n);
-}
-
-static void restore_lines(const struct perspective_plan *plan)
-{
-    struct scanline *line = plan->lines;
-
-    for (int32 i = plan->count; i > 0; i--, line++)
-        line->last = (int16)line->start1;
-}
-
-/* Draws the lines it can by logarithms, the others exactly. */
-static void draw_by_logarithms(const struct setup *s, union made *made)
-{
-    struct perspective_plan *plan = s->perspective;
-    int32 left, are_kept;
-
-    if (s->counts)              /* before lines that are drawn become empty */
-        count_lines(s, SPAN_LOGARITHM);
-    left = draw_logarithms(s, made);
-    if (!left)
-        return;
-    if (s->counts) {
-        const uint32 others = lines_pixels(plan->lines, plan->count);
-
-        s->counts->pixels[SPAN_LOGARITHM] -= others;
-        s->counts->pixels[SPAN_PERSPECTIVE_CURVES] += others;
-    }
-    are_kept = left < plan->count && light_kind(s);
-    if (are_kept)
-        keep_lines(plan, made->logarithms);
-    if (!s->renderer->only_counts)
-        draw_exactly(s, made);
-    if (are_kept)
-        restore_lines(plan);
 }
 
 /* Returns 1 if lines of so many pixels, on which q grows so, may be drawn as if their depth were constant: they
@@ -260,18 +171,25 @@ void perspective_find_level(struct setup *s)
     }
 }
 
-int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way)
+int32 perspective_from_afar(const struct setup *s, const struct depth *depth, union afar *afar)
 {
-    return has_pieces(s) && is_narrow(s) && s->renderer->reciprocals && far_find(way, s, depth);
+    if (!is_narrow(s))
+        return 0;
+    return has_pieces(s) ? s->renderer->reciprocals && far_find(&afar->way, s, depth)
+                         : cubic_find(&afar->cubics, s, depth);
 }
 
-void perspective_draw_from_afar(const struct setup *s, const struct depth *depth,
-                                const struct far_way *way, int32 has_lines)
+void perspective_draw_from_afar(const struct setup *s, const struct depth *depth, union afar *afar,
+                                int32 has_lines)
 {
     if (s->counts)
-        count_lines(s, SPAN_RECIPROCAL);
-    if (!s->renderer->only_counts)
-        far_draw(s, depth, way, has_lines);
+        count_lines(s, has_pieces(s) ? SPAN_RECIPROCAL : SPAN_CUBIC);
+    if (s->renderer->only_counts)
+        return;
+    if (has_pieces(s))
+        far_draw(s, depth, &afar->way, has_lines);
+    else
+        cubic_draw(s, &afar->cubics, has_lines);
 }
 
 void perspective_draw(struct setup *s)
@@ -280,12 +198,10 @@ void perspective_draw(struct setup *s)
 
     if (s->level == LEVEL_LINES) {
         perspective_draw_level(s, made->steps);
-    } else if (s->setting == PERSPECTIVE_PIXEL && s->renderer->logarithms && is_narrow(s)) {
-        draw_by_logarithms(s, made);
-    } else {
-        if (s->counts)
-            count_lines(s, has_pieces(s) ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES);
-        if (!s->renderer->only_counts)
-            draw_exactly(s, made);
+        return;
     }
+    if (s->counts)
+        count_lines(s, has_pieces(s) ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES);
+    if (!s->renderer->only_counts)
+        draw_exactly(s, made);
 }

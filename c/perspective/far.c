@@ -50,8 +50,7 @@ static int32 farthest(int32 k, int32 less, fix16 low, fix16 high)
     return (above > below ? above : below) + 1;
 }
 
-/* Finds K and how far it is. Returns the texels, or 0 if K cannot be told. */
-static int32 find_reach(struct far_way *way, const struct perspective_plan *planes)
+int32 far_find_reach(struct far_way *way, const struct perspective_plan *planes)
 {
     struct far_plan *plan = &way->plan;
 
@@ -68,6 +67,38 @@ static int32 as_k(fix16 u, int32 less)
     return less ? u >> (less - FAR_K_BITS) : u << FAR_K_BITS;
 }
 
+void far_begin_plan(struct far_plan *plan, const struct depth *depth)
+{
+    plan->corners = &depth->corners;
+    plan->scale = depth->scale;
+    plan->less = 0;
+}
+
+int32 far_find_c(struct far_plan *plan, const struct setup *s, int32 bits)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const struct sides *sides = &s->sides;
+
+    plan->bottom = sides->middle_right ? &plan->corners->b : &plan->corners->a;
+    plan->top_u = as_k(sides->top->s - planes->u + 1, plan->less);
+    plan->top_v = as_k(sides->top->t - planes->v + 1, plan->less);
+    plan->bottom_u = as_k(sides->bottom->s - planes->u + 1, plan->less);
+    plan->bottom_v = as_k(sides->bottom->t - planes->v + 1, plan->less);
+    return far_constants(plan, bits);
+}
+
+int32 far_least(const struct setup *s, const struct depth *depth)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const int32 pixels = s->box.right - s->box.left + s->span.count;
+    const int32 steep = perspective_steepness(&planes->q.dx) + 1;
+    /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
+    const int32 least = planes->q_low - pixels - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
+
+    return depth->gentle && least >= 1 << (29 - FAR_DEEP) && planes->q_high <= (1 << 30) + steep
+        && depth->scale < FAR_K_SCALE && depth->down <= FAR_DOWN ? least : 0;
+}
+
 /* Returns the lengths of pieces. */
 static const struct far_lengths *lengths_of(const struct setup *s)
 {
@@ -80,58 +111,44 @@ static int32 find_constants(struct far_way *way, const struct setup *s, const st
                             int32 pixels)
 {
     const struct perspective_plan *planes = s->perspective;
-    const struct sides *sides = &s->sides;
     const uint32 dq = fix_magnitude((int32)planes->q.dx.hi);
     struct far_plan *plan = &way->plan;
     int32 reach;
 
     way->part = FAR_OFF_PART + (((pixels + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
-    plan->corners = &depth->corners;
-    plan->scale = depth->scale;
-    plan->less = 0;
-    reach = find_reach(way, planes);
+    far_begin_plan(plan, depth);
+    reach = far_find_reach(way, planes);
     if (reach && reach <= FAR_REACH << FAR_COARSE) {
         way->coarse = reach > FAR_REACH;
     } else {
         way->coarse = 2;
         plan->less = FAR_COARSE;
-        reach = find_reach(way, planes);
+        reach = far_find_reach(way, planes);
         if (!reach || reach > FAR_REACH << 2 * FAR_COARSE || dq < (uint32)way->part << 14)
             return 0;
     }
-    plan->bottom = sides->middle_right ? &depth->corners.b : &depth->corners.a;
-    plan->top_u = as_k(sides->top->s - planes->u + 1, plan->less);
-    plan->top_v = as_k(sides->top->t - planes->v + 1, plan->less);
-    plan->bottom_u = as_k(sides->bottom->s - planes->u + 1, plan->less);
-    plan->bottom_v = as_k(sides->bottom->t - planes->v + 1, plan->less);
-    return far_constants(plan, way->coarse ? FAR_BITS_COARSE : FAR_BITS);
+    return far_find_c(plan, s, way->coarse ? FAR_BITS_COARSE : FAR_BITS);
 }
 
 int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth)
 {
     const struct perspective_plan *planes = s->perspective;
     const uint32 dq = fix_magnitude((int32)planes->q.dx.hi);
-    const int32 steep = perspective_steepness(&planes->q.dx) + 1;
-    const int32 pixels = s->box.right - s->box.left + s->span.count;
-    /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
-    const int32 least = planes->q_low - pixels - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
+    const int32 least = far_least(s, depth);
 
-    if (!depth->gentle || least < 1 << (29 - FAR_DEEP) || planes->q_high > (1 << 30) + steep
-        || depth->scale >= FAR_K_SCALE || depth->down > FAR_DOWN)
+    if (!least)
         return 0;
     way->lengths = lengths_of(s);
     way->even = least >= 1 << FAR_EVEN && 2 * dq <= way->lengths->most_4;
-    way->shift = way->even ? 1 : find_shift(least, steep);
-    return way->shift >= 0 && find_constants(way, s, depth, pixels);
+    way->shift = way->even ? 1 : find_shift(least, perspective_steepness(&planes->q.dx) + 1);
+    return way->shift >= 0
+        && find_constants(way, s, depth, s->box.right - s->box.left + s->span.count);
 }
 
-/* Makes the span's table of lines in the scratch room. */
-static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
+const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy,
+                                      int32 has_lines)
 {
-    const struct perspective_plan *planes = s->perspective;
-    const int32 leftwards = (int32)planes->q.dx.hi < 0;
-    const uint32 dqdx = planes->q.dx.hi, dqdy = planes->q.dy.hi;
-    uint32 q = planes->q.at.hi - dqdx * (uint32)(planes->left + EDGE_BIAS + leftwards);
+    const int32 leftwards = dqdx < 0;
     union {
         struct far_place place;     /* both begin with it */
         struct far_lines lines;
@@ -141,9 +158,9 @@ static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
     to.place.lines = (struct far_line *)s->scratch->room;
     to.place.row = s->span.row;
     to.place.pitch = s->span.pitch;
-    to.place.q = shift ? q + q + (1u << 31) : q;
-    to.place.dqdx = (int32)(dqdx << shift);
-    to.place.dqdy = (int32)(dqdy << shift);
+    to.place.q = q - (uint32)dqdx * (uint32)(s->perspective->left + EDGE_BIAS + leftwards);
+    to.place.dqdx = dqdx;
+    to.place.dqdy = dqdy;
     if (has_lines) {
         to.lines.from = s->edges.lines;
         to.lines.count = s->span.count;
@@ -162,6 +179,7 @@ static void make_lines(const struct setup *s, int32 shift, int32 has_lines)
         to.edges.nears = s->edges.rights;
         edges_far(&to.edges);
     }
+    return to.place.lines;
 }
 
 /* Returns the entries by which the table for the ends of pieces is on; see FAR_AHEAD. from_16: as a far_span's; bits:
@@ -185,10 +203,11 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
     const int32 off = FAR_OFF + ((1 << way->shift) << plan->less)
                     + (way->coarse ? (down >> 1) << plan->less : FAR_OFF_WORD + (down >> 5));
     const int32 bits = s->setting == PERSPECTIVE_EVERY16 ? FAR_EVERY16 : FAR_EVERY8;
+    const uint32 q = planes->q.at.hi;
     struct far_span span;
 
-    make_lines(s, way->even, has_lines);
-    span.lines = (const struct far_line *)s->scratch->room;
+    span.lines = far_make_lines(s, way->even ? 2 * q + (1u << 31) : q, (int32)(planes->q.dx.hi << way->even),
+                                (int32)(planes->q.dy.hi << way->even), has_lines);
     span.count = s->span.count;
     span.map = s->span.map;
     span.table = s->renderer->reciprocals;

@@ -14,6 +14,7 @@ struct far_plan {
     int32 top_u, top_v, bottom_u, bottom_v;     /* less their bases, as K */
     int32 ku, kv;                       /* less the bases, in 2^(less - FAR_K_BITS) units */
     uint32 cu, cv, dcu, dcv;            /* as a far_span's, of the first line */
+    int32 rest_u, rest_v;               /* of the divisions for dcu and dcv by the height, 16.16 */
 };
 
 /* How a polygon is drawn. */
@@ -37,5 +38,22 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
 /* Draws it. has_lines: its lines are in the scanline table; else edges are inside the frame. */
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
               int32 has_lines);
+
+/* Returns the least q of a pixel; 0 if the polygon is too deep or too high, or q or the texels are too steep. */
+int32 far_least(const struct setup *s, const struct depth *depth);
+
+/* Sets the corners of a plan. */
+void far_begin_plan(struct far_plan *plan, const struct depth *depth);
+
+/* Finds K and how far it is. Returns the texels, or 0 if K cannot be told. */
+int32 far_find_reach(struct far_way *way, const struct perspective_plan *planes);
+
+/* Finds C. bits: as far_constants'. Returns 0 if it does not fit. */
+int32 far_find_c(struct far_plan *plan, const struct setup *s, int32 bits);
+
+/* Makes the span's table of lines in the scratch room. q: at the first pixel of the planes' first line, with its
+   steps, in the format of the span. */
+const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy,
+                                      int32 has_lines);
 
 #endif

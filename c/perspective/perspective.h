@@ -3,7 +3,7 @@
 #define PERSPECTIVE_H
 
 #include "polygon/setup.h"
-#include "span/reciprocal.h"
+#include "span/perspective.h"
 
 /* q of the nearest vertex. */
 #define PERSPECTIVE_ONE (1 << 30)
@@ -93,10 +93,10 @@ void perspective_turn(struct perspective_plan *plan, int32 left, int32 next);
 void perspective_find_level(struct setup *s);
 
 /* Returns 1 if the polygon's lines are drawn from their far ends: no planes of s and t are needed. */
-struct far_way;
-int32 perspective_from_afar(const struct setup *s, const struct depth *depth, struct far_way *way);
-void perspective_draw_from_afar(const struct setup *s, const struct depth *depth,
-                                const struct far_way *way, int32 has_lines);
+union afar;
+int32 perspective_from_afar(const struct setup *s, const struct depth *depth, union afar *afar);
+void perspective_draw_from_afar(const struct setup *s, const struct depth *depth, union afar *afar,
+                                int32 has_lines);
 
 /* Draws the lines of the plan with s->setting and s->level. */
 void perspective_draw(struct setup *s);

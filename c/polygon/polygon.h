@@ -7,7 +7,7 @@
 #include "polygon/mapper_list.h"
 #include "polygon/span_list.h"
 #include "polygon/vertex.h"
-#include "span/logarithm.h"
+#include "span/perspective.h"
 #include "texture/map.h"
 
 /* Accuracy of the picture: each setting from cheap to exact. */
@@ -50,7 +50,7 @@ enum perspective {
     PERSPECTIVE_NONE,           /* not at all: affine */
     PERSPECTIVE_EVERY16,        /* exact at both ends of pieces of 16 pixels, affine between */
     PERSPECTIVE_EVERY8,         /* of 8 pixels */
-    PERSPECTIVE_PIXEL,          /* each pixel within 1/32 below and 1/16 texel above */
+    PERSPECTIVE_PIXEL,          /* each pixel within 1/32 texel */
     PERSPECTIVE_FINE,           /* each pixel within 1/128 texel */
     PERSPECTIVE_KINDS
 };
@@ -91,7 +91,7 @@ enum mapper_trait {
 };
 
 /* Span routines; pixels are counted by them. A polygon with perspective is drawn by one or two of
-   PIECES, CURVES, RECIPROCAL and LOGARITHM, and lit by LIGHT or LIGHT_GOURAUD, which count its pixels
+   PIECES, CURVES, RECIPROCAL and CUBIC, and lit by LIGHT or LIGHT_GOURAUD, which count its pixels
    once more. */
 enum span_kind {
 #define SPAN(kind, name, lines) SPAN_##kind,
@@ -159,7 +159,6 @@ struct renderer {
     int32 only_counts;          /* 1: polygons are counted, and not drawn */
     struct scratch *scratch;    /* polygon/scratch.h; undefined between polygons */
     const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
-    const struct logarithm_tables *logarithms;  /* pixel; 0: divide instead */
     const struct triangle_tables *triangles;    /* triangle_tables_make; 0: EDGES_SNAPPED set up
                                                    as exact */
 };

@@ -31,7 +31,7 @@
     OTHER(PERSPECTIVE_PIECES, perspective_pieces) \
     OTHER(PERSPECTIVE_CURVES, perspective_curves) \
     OTHER(RECIPROCAL, reciprocal) \
-    OTHER(LOGARITHM, logarithm) \
+    OTHER(CUBIC, cubic) \
     SPAN(LIGHT, light, FLAT) \
     SPAN(LIGHT_GOURAUD, light_gouraud, FLAT) \
     SPAN(AFFINE_COPY, affine_copy, ADDX) \

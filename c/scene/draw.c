@@ -119,7 +119,6 @@ static enum polygon_result draw_all(struct renderer *renderer, const struct scen
     uint32 object = 0, instance = 0;
 
     renderer->reciprocals = scene->reciprocals;
-    renderer->logarithms = scene->logarithms;
     renderer->triangles = scene->triangles;
     while (instance < header->instances) {      /* those with the same `before` together */
         uint32 before = scene->instances[instance].before, first = instance;

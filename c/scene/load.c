@@ -266,8 +266,7 @@ static const char *wrong_entry(const struct scene *scene)
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
     static const char *const purposes[] = {
-        "", "the textures", "the reciprocals", "the logarithms of perspective",
-        "the materials", "the meshes", "the texture units"
+        "", "the textures", "the reciprocals", "the materials", "the meshes", "the texture units"
     };
     enum scene_memory lacks;
     const char *wrong;

@@ -146,9 +146,8 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
     enum scene_memory made;
 
     scene->reciprocals = 0;
-    scene->logarithms = 0;
     scene->triangles = 0;
-    scene->tried_reciprocals = scene->tried_logarithms = scene->tried_triangles = 0;
+    scene->tried_reciprocals = scene->tried_triangles = 0;
     if (!scene_make_maps(scene, kind))
         return SCENE_TEXTURES;
     if ((scene->header->units && !scene_make_units(scene, kind))

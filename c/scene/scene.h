@@ -35,9 +35,8 @@ struct scene {
     struct map *maps;           /* one a texture */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* if a material needs them, else 0 */
-    const struct logarithm_tables *logarithms;  /* the same */
     const struct triangle_tables *triangles;    /* the same */
-    uint8 tried_reciprocals, tried_logarithms, tried_triangles;   /* 1: not made again where memory
+    uint8 tried_reciprocals, tried_triangles;   /* 1: not made again where memory
                                    was short */
     uint8 spare;
     struct n64_unit *engines;   /* one a unit */
@@ -113,7 +112,7 @@ const char *scene_why_pipe_refused(const struct scene *scene);
 
 /* Results of making a scene or its tables: all but SCENE_MADE say what memory is too short for. */
 enum scene_memory {
-    SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_LOGARITHMS, SCENE_MATERIALS, SCENE_MESHES,
+    SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_MATERIALS, SCENE_MESHES,
     SCENE_UNITS, SCENE_CROWDED  /* the last: more than SCENE_COUNT_MAX at once */
 };
 

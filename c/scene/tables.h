@@ -4,9 +4,8 @@
 
 #include "scene/scene.h"
 
-/* Makes the tables that the scene's materials need with their present settings, each once: 80 KB
-   of reciprocals, 673 KB of logarithms and powers. Returns SCENE_RECIPROCALS or SCENE_LOGARITHMS if
-   memory is, or was, short for one. */
+/* Makes the tables that the scene's materials need with their present settings, each once: 82 KB
+   of reciprocals, and those of triangles. Returns SCENE_RECIPROCALS if memory is, or was, short for one. */
 enum scene_memory scene_make_tables(struct scene *scene);
 
 #endif

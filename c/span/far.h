@@ -3,7 +3,7 @@
 #ifndef FAR_H
 #define FAR_H
 
-#include "span/reciprocal.h"
+#include "span/perspective.h"
 #include "span/scanline.h"
 
 enum far_constants {

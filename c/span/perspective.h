@@ -24,7 +24,7 @@ enum perspective_constants {
     PERSPECTIVE_LEVEL_FINE = 128,
     PERSPECTIVE_LEVEL_WIDTH = 380,          /* of FINE; of the others any frame's width */
     /* The fewest lines of a box with which columns are cheaper: one costs about 1,200 cycles and 22 a pixel,
-       a line from 550 and 38, by curves from 1,900 and 60. Half of the box is filled at least. */
+       a line from 550 and 38, by cubics from 600 and 70. Half of the box is filled at least. */
     PERSPECTIVE_COLUMN_EVERY16 = 96,
     PERSPECTIVE_COLUMN_EVERY8 = 96,
     PERSPECTIVE_COLUMN_PIXEL = 32,

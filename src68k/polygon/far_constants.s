@@ -29,6 +29,7 @@ constants macro
         divs.l  d5,d0:d1
         bvs     .not
         move.l  d1,far_plan_dc\1(a0)
+        move.l  d0,far_plan_rest_\1(a0)
         muls.l  plane_corners_y(a2),d0:d1
         move.w  d0,d1
         swap    d1
@@ -42,7 +43,7 @@ constants macro
 ;          d0  int32      bits: 5, or 1 if C is coarse or coarser
 ; out:     d0  int32      1; 0 if C does not fit: the polygon is lower than a line, or K too far away
 ; reads:   the plan
-; writes:  cu, cv, dcu, dcv
+; writes:  cu, cv, dcu, dcv, rest_u, rest_v
 ; formats: C = (u - K) q at the top and the bottom, in units * 2^(bits - 32), as struct far_span's; between
 ;          them it changes by the same from line to line
 ; error:   of C a unit at the top and one of the first line's; of dc one, and one over the height

@@ -21,8 +21,6 @@ IN_C = contracts.Contract(
 ALL_IN_C = [IN_C,
             replace(IN_C, name="column_layout_make", file="c/texture/columns.c",
                     summary="where a column map has its texels"),
-            replace(IN_C, name="logarithms_make", file="c/perspective/logarithms.c",
-                    summary="tables of logarithms and powers"),
             *(replace(IN_C, name=name, file=file, summary=summary) for file, summary, names in (
                 ("c/plain", "a pass in C", n64.IN_C),
                 ("c/plain", "a pass in C", glide.IN_C),

@@ -91,7 +91,6 @@ HARMLESS = {
     "base/elementary.py": {"atan2"},  # a first guess, corrected to the exact value
     "fuzz/depths.py": {"log10", "log2", "**"},  # random test cases, which are not stored
     "compiler/mesh_build.py": {"atan2"},  # a sum of angles, 2 pi or 4 pi and more, compared with 3 pi
-    "setup/logarithm.py": {"log", "log2", "**"},  # rounded down, never near an integer
     "setup/perspective.py": {"**"},  # of integers
     "images/palette.py": {"@"},  # of integers below 2^24, exact in any order
     "corpus/polygon_sets.py": {"gauss"},  # fixed; test_same_bytes_as_on compares them

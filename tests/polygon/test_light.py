@@ -62,21 +62,20 @@ def test_every_setting_is_the_models() -> None:
 
 #: What a triangle is drawn by, all rules on: mapper, shades, depths, tolerance, spans, rules.
 LOWERED = (
-    ("lit", (100, 0, 0), DEPTHS, 0, {"logarithm", "light"}, set()),
+    ("lit", (100, 0, 0), DEPTHS, 0, {"cubic", "light"}, set()),
     ("lit", (3, 100, 200), DEPTHS, 0, {"fill"}, {"no_light"}),
-    ("lit", (252, 0, 0), DEPTHS, 0, {"logarithm"}, {"full_light"}),
+    ("lit", (252, 0, 0), DEPTHS, 0, {"cubic"}, {"full_light"}),
     ("lit", (100, 0, 0), (2, 2, 2), 0, {"lit"}, {"constant_w", "no_wrap_lit"}),
     ("lit", (100, 0, 0), (4, 4.02, 4.01), 0.5, {"lit"}, {"tolerance", "no_wrap_lit"}),
     ("lit", (100, 0, 0), (4, 4.4, 4.2), 0.25, {"reciprocal", "light"}, {"coarser"}),
-    ("lit_gouraud", SHADES, DEPTHS, 0, {"logarithm", "light_gouraud"}, set()),
-    ("lit_gouraud", (120.1, 121.9, 123.5), DEPTHS, 0, {"logarithm", "light"}, {"equal_levels"}),
-    ("lit_gouraud", (252, 253, 254), DEPTHS, 0, {"logarithm"}, {"equal_levels", "full_light"}),
+    ("lit_gouraud", SHADES, DEPTHS, 0, {"cubic", "light_gouraud"}, set()),
+    ("lit_gouraud", (120.1, 121.9, 123.5), DEPTHS, 0, {"cubic", "light"}, {"equal_levels"}),
+    ("lit_gouraud", (252, 253, 254), DEPTHS, 0, {"cubic"}, {"equal_levels", "full_light"}),
     ("lit_gouraud", (0, 1, 2), DEPTHS, 0, {"fill"}, {"equal_levels", "no_light"}),
     ("lit_gouraud", SHADES, (2, 2, 2), 0, {"lit_gouraud"}, {"constant_w"}),
     ("lit_gouraud", SHADES, (4, 4.02, 4.01), 0.5, {"lit_gouraud"}, {"tolerance"}),
-    # some lines by logarithms, which empty the table for those that are divided: all are lit
-    ("lit_gouraud", SHADES, (1, 12, 4), 0, {"logarithm", "perspective_curves", "light_gouraud"}, set()),
-    ("lit", (100, 0, 0), (1, 12, 4), 0, {"logarithm", "perspective_curves", "light"}, set()))
+    ("lit_gouraud", SHADES, (1, 12, 4), 0, {"cubic", "light_gouraud"}, set()),
+    ("lit", (100, 0, 0), (1, 12, 4), 0, {"cubic", "light"}, set()))
 
 
 def test_lowering() -> None:

@@ -1,17 +1,17 @@
 """The limits in the C headers, each against its derivation in tmap.ideal.bounds_perspective."""
 
+from fractions import Fraction
 from math import ceil, log2
 
-import numpy as np
 import pytest
 
-from tmap.base.fixed import M32, swap
+from tmap.base import cubics
 from tmap.build import layout
 from tmap.ideal import bounds_perspective
 from tmap.ideal.bounds import check_set_up
 from tmap.ideal.ideal import UNIT
 from tmap.model import model
-from tmap.setup import logarithm, perspective
+from tmap.setup import cubic, perspective
 from tmap.setup.perspective import CURVES, PIECES
 
 
@@ -43,17 +43,24 @@ def test_level_lines_keep_the_tolerance(setting: str) -> None:
             assert bound < bounds_perspective.TOLERANCE[setting]
 
 
-def test_lines_by_logarithms_keep_to_a_texel_in_32() -> None:
-    """The limit holds at the worst index of each bucket, and excludes hardly any line
-    needlessly."""
-    for bucket, power in enumerate(logarithm.LIMITS):
-        high = 1024 * (bucket - 23) - 1
-        smallest = int(np.searchsorted(-logarithm.logs(), -high)) + logarithm.LOWEST
-        q = swap((smallest - logarithm.ORIGIN << 16) & M32)
-        line = logarithm.Logarithmic(0, 0, q, 0, (0, 0), (power - high,) * 2, 0)
-        bound = logarithm.bound(line)
-        assert bound <= bounds_perspective.TOLERANCE["pixel"] / UNIT, bucket
-        assert bound > 0.98 * bounds_perspective.TOLERANCE["pixel"] / UNIT or power == logarithm.POWERS - 4
+def test_cubics_keep_their_error() -> None:
+    """Each fit is as near to 1 / (1 + x) as it says, in exact fractions, and excludes hardly any length
+    needlessly; twice what lines are raised by and the cubic's error are the setting's tolerance."""
+    constants = layout.load().constants
+    for row, (width, *factors) in enumerate(cubics.fits()):
+        terms = [Fraction(1)]
+        for factor in factors:
+            terms.append(terms[-1] * Fraction(-factor, 1 << 31))
+        worst = max(abs(sum(term * x**k for k, term in enumerate(terms)) - 1 / (1 + x))
+                    for x in (Fraction(width * n, 500 << 32) for n in range(501)))
+        allowed = Fraction(constants["CUBIC_ERROR_PIXEL"], 65536 << row + constants["CUBIC_NEAR"])
+        assert 0.7 * allowed < worst <= allowed, row
+    assert (cubics.ROWS, cubics.NEAR) == (constants["CUBIC_ROWS"], constants["CUBIC_NEAR"])
+    for setting, way in cubic.WAYS.items():
+        names = [f"CUBIC_{name}_{setting.upper()}" for name in ("ERROR", "RAISE", "LONGEST", "CUTS")]
+        assert way == tuple(constants[name] for name in names)
+        assert (way[0] + 2 * way[1]) * UNIT == bounds_perspective.TOLERANCE[setting]
+        assert way[3] >= ((way[2] - 1)**3 + 1.65 * (way[2] - 1)**2) / 256 + 2
 
 
 @pytest.mark.parametrize("setting", PIECES)
@@ -66,14 +73,3 @@ def test_steep_planes_are_not_stepped_beyond_their_format(setting: str) -> None:
     polygon = model.set_up(corners, 160, 100, True, settings, (256, 256))
     verdict = check_set_up(corners, polygon, settings, 160, 100, (256, 256))
     assert verdict.pixels and not verdict.complaint
-
-
-def test_k_takes_most_of_what_a_logarithm_was_rounded_by() -> None:
-    """Far from K, C's logarithm is half a unit off: a quarter of K's move was not enough."""
-    corners = [(7012352, -8192000, 8158985, 6421967, 0, 190741), (458752, -7274496, 1967522, 3064356, 0, 144700),
-               (5046272, 7602176, 9281033, 14032907, 0, 172775)]
-    settings = model.Settings("integer", perspective="pixel")
-    corners = model.adapt(corners, settings, 256)
-    polygon = model.set_up(corners, 96, 72, True, settings, (256, 256))
-    verdict = check_set_up(corners, polygon, settings, 96, 72, (256, 256))
-    assert verdict.pixels > 2000 and not verdict.complaint

@@ -96,7 +96,7 @@ INSIDE = {
                  {"span_affine_addx", "edge_addx", "texturing_plane", "span_affine_row", "span_lit", "span_tiled", "span_gouraud", "edge_addx_exact",
                   "perspective_lines", "mesh_transform_wide", "mesh_draw"}),
     "mesh": (({"mesh_transform_wide"}, {"mesh_faces_wide"}),
-             {"mesh_transform", "mesh_gather", "span_lit", "span_tiled", "span_generated", "logarithm_lines",
+             {"mesh_transform", "mesh_gather", "span_lit", "span_tiled", "span_generated", "span_cubic_right",
               "span_light", "span_light_gouraud", "light_draw"}),
     "flat": (({"span_fill"}, {"edge_flat_exact"}), {"edge_addx", "texturing_plane", "mesh_transform_wide"}),
     # The parts of their engine that the scene needs: no levels, divides or combiner.

@@ -7,19 +7,41 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.edge import SPARE, SPLITS, side
-from tests.kernels.trials.reciprocal import COUNTS, PITCH, triangles
-from tests.kernels.trials.span import picture_ground
+from tests.kernels.trials.span import FRAME, picture_ground
 from tmap.bench import far as bench
 from tmap.bench.trial import Trial, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup import far as model
+from tmap.setup.edges import measure
+from tmap.setup.perspective import perspective
 
-
+WIDTH, HEIGHT = 320, 200
+PITCH = 1152
+#: Pixels of a table's lines, as many as a frame has room for.
+COUNTS = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320,
+          1024][:FRAME // PITCH - 1]
+DEPTHS = (1.01, 1.5, 2, 3, 4, 6, 30, 1000)
 ACROSS = max(COUNTS) + 4
 LINES = [(k % 4, count) for k, count in enumerate(COUNTS)]
 COARSE = (0, model.COARSE, 2 * model.COARSE)
 MARGIN = 4000 * len(LINES)  # q grows by up to 4000 a line
+
+
+def triangles(rng, count: int):
+    """Planes of triangles on the screen whose w differs up to some ratio."""
+    while count:
+        points = [tuple(int(c) for c in rng.integers(-20 << 16, (side + 20) << 16, 3))
+                  for side in (WIDTH, HEIGHT)]
+        ratio = float(rng.choice(DEPTHS))
+        reach = int(rng.choice((16, 128, 256))) << 16
+        vertices = [(x, y, *(int(c) for c in rng.integers(-reach, reach, 2)),
+                     int(65536 * ratio ** float(rng.random()))) for x, y in zip(*points)]
+        sides = measure(vertices, WIDTH, HEIGHT)
+        deep = sides and perspective(vertices, sides.corners, sides.box)
+        if deep:
+            count -= 1
+            yield deep
 
 
 def any_q(leftwards: bool, rng) -> tuple[int, int, int]:
@@ -95,9 +117,9 @@ def constants_trials(deep, less: int) -> Iterator[Trial]:
                           (n << model.K_BITS >> less for n in sum(deep.corners.texels[:2], ()))))
         given = dict(zip(("ku", "kv"), ks)) if kernel == "far_constants" else {"ku": 0, "kv": 0}
         plan = memory.struct("far_plan", dict(corners=corners, bottom=corners + at), scale=deep.scale, less=less,
-                             cu=0, cv=0, dcu=0, dcv=0, **given, **texels)
+                             cu=0, cv=0, dcu=0, dcv=0, rest_u=0, rest_v=0, **given, **texels)
         found = ks if kernel == "far_asymptotes" else model.starts(deep, ks, bits, less)
-        made = ("ku", "kv") if kernel == "far_asymptotes" else ("cu", "cv", "dcu", "dcv")
+        made = ("ku", "kv") if kernel == "far_asymptotes" else ("cu", "cv", "dcu", "dcv", "rest_u", "rest_v")
         if found:
             flat = found if kernel == "far_asymptotes" else sum(found, [])
             writes = fields(plan, "far_plan", dict(zip(made, flat)))
@@ -115,5 +137,5 @@ def trials() -> list[Trial]:
               for coarse in COARSE for even in (4, 8, 16) for _ in range(6)),
             *(edges_trial(splits, exact, rng) for splits in SPLITS for exact in (False, True) for _ in range(3)),
             *(lines_trial(leftwards, rng) for leftwards in (False, True) for _ in range(8)),
-            *(trial for deep, _, _ in triangles(rng, 60) if deep.scale < model.K_SCALE
+            *(trial for deep in triangles(rng, 60) if deep.scale < model.K_SCALE
               for less in (0, model.COARSE) for trial in constants_trials(deep, less))]

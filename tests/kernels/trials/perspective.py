@@ -6,7 +6,7 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
-from tests.kernels.trials.reciprocal import COUNTS, PITCH
+from tests.kernels.trials.far import COUNTS, PITCH
 from tests.kernels.trials.span import picture_ground
 from tests.kernels.trials.wide import ground
 from tmap.base.fixed import mul_div, signed

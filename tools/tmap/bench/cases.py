@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
-from tmap.bench import (dithered, edges, effects, far, instruction_costs, logarithm, mesh, mesh_batches,
+from tmap.bench import (cubic, dithered, edges, effects, far, instruction_costs, mesh, mesh_batches,
                         n64, perspective, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
@@ -53,8 +53,8 @@ def span_calls(length: int) -> dict[str, Call]:
             | {name: mapper_case(name, length) for name in ("gouraud", "arbitrary", "generated")}
             | {name: perspective.span_case(*how, length) for name, how in perspective.SPANS.items()}
             | {name: far.span_case(*how, length) for name, how in far.SPANS.items()}
-            | {"persp_pixel": logarithm.span_case(length),
-               "arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
+            | {name: cubic.span_case(setting, length) for name, setting in cubic.SPANS.items()}
+            | {"arbitrary_row": mapper_case("arbitrary", length, dv=ONE)}
             | {name: effects.lit_case(kernel, length) for name, kernel in effects.LIT.items()}
             | {name: effects.light_case(kernel, length) for name, kernel in effects.LIGHT.items()})
 
@@ -112,7 +112,6 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "perspective_lines_curves": perspective.lines_case("pixel"),
                        "level_lines": perspective.level_case(),
                        "level_lines_tilted": perspective.level_case(True),
-                       "logarithm_lines": logarithm.lines_case(),
                        "edges_far": far.edges_case(), "lines_far": far.lines_case()}.items():
         yield name, edges.LINES, call
 

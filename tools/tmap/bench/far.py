@@ -45,18 +45,23 @@ def lengths(arena: Arena, every: str) -> int:
     return arena.add(shape.pack(**most), name="lengths", shape=shape)
 
 
-def far_lines(arena: Arena, k: far.Constants, lines: list[tuple[int, int]], frame_at: int, pitch: int) -> int:
+def line_table(arena: Arena, lines: list[tuple[int, int]], qs: list[int], leftwards: bool, frame_at: int,
+               pitch: int) -> int:
     """Adds the table of lines (first column, pixels) with their q; where it is."""
     shape, table = layout.load().struct("far_line"), bytearray()
-    for y, (left, count) in enumerate(lines):
+    for y, ((left, count), q) in enumerate(zip(lines, qs)):
         ends = [frame_at + y * pitch + x for x in (left, left + count)]
-        q = far.line(None, k, left, left + count, k.top + y).q
-        q = q << 1 ^ 1 << 31 if k.even else q
-        table += shape.pack(q=q & M32, **dict(zip(("from", "end"), ends[::-1] if k.leftwards else ends)))
+        table += shape.pack(q=q & M32, **dict(zip(("from", "end"), ends[::-1] if leftwards else ends)))
     at = arena.add(table, name="lines", shape=shape)
     arena.far_pointers += [at + n * shape.size + shape.fields[name]["offset"] for n in range(len(lines))
                            for name in ("from", "end")]
     return at
+
+
+def far_lines(arena: Arena, k: far.Constants, lines: list[tuple[int, int]], frame_at: int, pitch: int) -> int:
+    """Adds the table of the lines with these constants; where it is."""
+    qs = [far.line(None, k, left, left + count, k.top + y).q for y, (left, count) in enumerate(lines)]
+    return line_table(arena, lines, [q << 1 ^ 1 << 31 for q in qs] if k.even else qs, k.leftwards, frame_at, pitch)
 
 
 def scanlines(arena: Arena, lines: list[tuple[int, int]]) -> int:

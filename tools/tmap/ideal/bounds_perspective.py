@@ -59,9 +59,9 @@ added too, Q the far end's q, l its coordinates:
   cut by, up to 1 each, moves K by at most 2 2^scale h / N, N the quotient's divisor and h the height; q changes by
   N / h times l of the middle corner: 2 l 2^scale / Q.
 
-Lines by logarithms are off from their planes' quotients by ``logarithm.bound``, which is kept within
-1/32 texel, all of the setting's tolerance. It is added, and so are the units by which these lines are
-raised for it: they are never below the exact value at any pixel.
+**By cubics** (tmap.setup.cubic): ``cubic.bound``, which has what the cubic may be off, what lines are raised by, and
+what is added for K, C and q from the far end: at its first pixel a line is never below the exact value. All of it is
+within the setting's 1/32 or 1/128 texel.
 
 If the planes are not accurate enough (c/perspective/perspective.h), the polygon is drawn affine.
 Then both the exact u and the drawn one are within L times the range R, except for the affine
@@ -83,7 +83,7 @@ from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves, curves_through
-from tmap.setup import far, spans, tables
+from tmap.setup import afar, cubic, far, spans
 from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
@@ -270,7 +270,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         record = polygon.record(line, y)
         more = 0
         if record:
-            more = (tables.model_of(polygon.constants).bound(record) + max(polygon.constants.raised)) * UNIT
+            more = (afar.model_of(polygon.constants).bound(record) + max(polygon.constants.raised)) * UNIT
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
@@ -284,13 +284,14 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                        + tolerance * polygon.straight + raised * UNIT)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
-                if isinstance(record, far.Line):
-                    wanted = intended_from_afar(bound.curve, record, y)[seen]
+                if record:
+                    wanted = (intended_from_afar(bound.curve, record, y)[seen] if isinstance(record, far.Line)
+                              else 0 * error)
                     allowed = more + bound.afar(record, y, "uv".index(key)) * UNIT + FLOAT
                 else:
-                    wanted = intended(bound.curve.values(drawn, y), polygon.setting)[seen]
+                    wanted = intended(bound.curve.values(drawn, y), polygon.exact)[seen]
                     b = bound.line(made, y, inside)
-                    allowed = more + b + FLOAT if record else line_bound(b, polygon.setting)
+                    allowed = line_bound(b, polygon.exact)
             else:  # an end on a rounded edge is behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, found[seen], error, wanted, allowed
@@ -315,14 +316,12 @@ def errors_by_lines(vertices, polygon):
 
 def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
     """Returns true if a triangle's line is below the exact value where it must not be: at the pixel that
-    is drawn first, or at any pixel if depth does not change or logarithms draw it."""
+    is drawn first, or at any pixel if depth does not change."""
     line = polygon.lines[y - polygon.top]
     record = None if polygon.is_level else polygon.record(line, y)
     if polygon.is_level:
         sure = error[:len(error) if not polygon.perspective.q.dx else 0]
-    elif polygon.setting == "pixel" and record:
-        sure = error
-    elif isinstance(record, far.Line) and record.constants.leftwards:
+    elif isinstance(record, (far.Line, cubic.Line)) and record.constants.leftwards:
         sure = error[-1:] if columns[-1] == line.right - 1 else error[:0]
     else:
         sure = error[:int(columns[0] == line.left)]

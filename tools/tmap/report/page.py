@@ -29,7 +29,7 @@ MACHINES = {
 #: Rows of the bench that are compared with memory alone.
 FLOORED = ("gouraud", "generated", "affine_row", "affine_column", "affine_addx", "tiled",
            "columns", "arbitrary", "affine_lit", "affine_gouraud", "persp_even_16", "persp_even_8",
-           "persp_pixel", "persp_pixel_fine")
+           "persp_pixel", "persp_fine")
 STORES = ("gouraud",)  # rows without texel fetches, compared with stores alone
 #: Hard cases that are listed: the number of those nearest to their bounds, their settings (edges,
 #: gradients, start, mapper), and their least size in pixels, so that the eye can see them.

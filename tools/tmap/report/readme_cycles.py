@@ -102,8 +102,8 @@ def accuracy_table(accuracy: dict) -> str:
 PERSPECTIVE_LINES = (("none: affine", "none", "affine_addx", None),
                      ("every 16 pixels", "every16", "persp_even_16", "persp_every16_exact"),
                      ("every 8 pixels", "every8", "persp_even_8", "persp_every8_exact"),
-                     ("each pixel, 1/16 texel", "pixel", "persp_pixel", "persp_pixel_exact"),
-                     ("each pixel, 1/128 texel", "fine", "persp_pixel_fine", None))
+                     ("each pixel, 1/32 texel", "pixel", "persp_pixel", "persp_pixel_exact"),
+                     ("each pixel, 1/128 texel", "fine", "persp_fine", "persp_pixel_fine"))
 
 
 def perspective_table(baseline: dict, accuracy: dict) -> str:

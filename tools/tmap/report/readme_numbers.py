@@ -12,7 +12,6 @@ from tmap.model import model
 from tmap.setup.dithered import MOST
 from tmap.setup.edges import Edge
 from tmap.setup.far import LOWEST, TABLE
-from tmap.setup.logarithm import OCTAVE
 from tmap.setup.texturing import Settings
 
 
@@ -65,14 +64,12 @@ FORMATS = (
            "steps: nearest, starts: up", "c/span/scanline.h", "tests/kernels/trials/lit.py"),
     Format("2.62", "q = 1/w over the least w's, on its plane", 64, 62, True, "see the bounds",
            "c/span/perspective.h", "tests/accuracy/test_ideal_perspective.py"),
-    Format("8.24", "u and v of lines by reciprocals, modulo 256", 32, 24, False, "see the bounds",
+    Format("8.24", "u and v of lines from their far ends, modulo 256", 32, 24, False, "see the bounds",
            "c/span/far.h", "tests/kernels/trials/far.py"),
     Format("12.4", "x and y of a snapped vertex: x + 1, y + 15/16", 16, 4, True, "nearest",
            "c/triangle/triangles.h", "tests/kernels/trials/triangle.py"),
     Format("12.20", "its u, v or shade, modulo 4,096", 32, 20, True, "up, by 1/128",
            "c/triangle/triangles.h", "tests/kernels/trials/triangle.py"),
-    Format("2.14", "logarithms of 1/q, in octaves", 16, 14, True, "nearest", "c/span/logarithm.h",
-           "tests/kernels/trials/logarithm.py"),
     Format("14.0", "points of a mesh and factors of its view for 16-bit operands, in units of their own", 15,
            0, True, "nearest", "c/mesh/records.h", "tests/mesh/test_mesh16.py"),
     Format("2.30", "factors of a mesh's view", 32, 30, True, "nearest", "c/scene/scene_file.h",
@@ -185,14 +182,10 @@ def bounds_table() -> str:
         ("u in the corner of a polygon of 1,024x1,024 pixels", large[0], "ideal.ideal.Plane.bound"),
         ("... where u's lowest bit is kept free", large[1], "ideal.ideal.Plane.bound"),
         ("dithered points: what they are moved by", MOST, "setup.dithered.MOST"),
-        ("lines by logarithms, texels", bounds_perspective.TOLERANCE["pixel"],
-         "ideal.bounds_perspective.TOLERANCE"),
         ("`pixel`, between exact points", bounds_perspective.TOLERANCE["pixel"],
          "ideal.bounds_perspective.TOLERANCE"),
         ("`fine`, between exact points", bounds_perspective.TOLERANCE["fine"],
          "ideal.bounds_perspective.TOLERANCE"),
-        ("a unit of a logarithm, part of the number", elementary.power(2, 1 / OCTAVE) - 1,
-         "setup.logarithm.OCTAVE"),
         ("a reciprocal of the table, part of the number", 0.5 / TABLE[-1],
          "setup.far.TABLE"),
         ("half the width of its least index, the same", 0.5 / LOWEST, "setup.far.LOWEST"),

@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from tmap.base.fixed import M32, cut_quotient, signed, step_swapped, swap
-from tmap.setup import reciprocal
+from tmap.setup import chain
 from tmap.setup.perspective import steepness
 
 LOWEST = 8192
@@ -149,19 +149,24 @@ class Line:
             q, shift = (swap(x) ^ 1 << 31) >> 2, shift - 2
 
 
-def shift_of(p, dq: int, every: str, way: int, exact: bool) -> tuple[int, bool] | None:
-    """Returns the bits by which q may have to be shifted left, and true if even spans draw the polygon; None if it
-    is not drawn this way. ``dq``: q's step; ``way``: lines and pixels of the box; ``exact``: edges are not
-    rounded."""
+def least_of(p, way: int, exact: bool) -> int | None:
+    """Returns the least q of a pixel; None if the polygon is too deep or too high, or q or the texels are too steep,
+    for lines from their far ends. ``way``: lines and pixels of the box; ``exact``: edges are not rounded."""
     steep = steepness(p.q.dx) + 1
     least = p.least - way - (0 if exact else steep)
-    if (not p.corners.gentle or least < 1 << 29 - DEEP or p.most > (1 << 30) + steep
-            or p.scale >= K_SCALE or p.corners.down > DOWN):
+    if not p.corners.gentle or least < 1 << 29 - DEEP or p.most > (1 << 30) + steep or p.scale >= K_SCALE \
+            or p.corners.down > DOWN:
         return None
+    return least
+
+
+def shift_of(p, dq: int, every: str, least: int) -> tuple[int, bool] | None:
+    """Returns the bits by which q may have to be shifted left, and whether even spans draw the polygon; None if
+    its steps are too great for that."""
     if least >= EVEN and dq << 1 <= LENGTHS[every][4]:
         return 1, True
     shift = max(0, 31 - least.bit_length() & ~1)
-    return (shift, False) if steep << shift <= MOST else None
+    return (shift, False) if steepness(p.q.dx) + 1 << shift <= MOST else None
 
 
 def asymptotes(p, less: int = 0) -> list[int] | None:
@@ -189,21 +194,24 @@ def to_farthest(p, ks: list[int], less: int = 0) -> list[int]:
     return [max((high >> 16) - k, k - (low >> 16)) + 1 for k, low, high in zip(texels, p.low, p.high)]
 
 
-def starts(p, ks: list[int], bits: int, less: int = 0) -> tuple[list[int], list[int]] | None:
-    """Returns C of u and v on the first line and their growth a line, 16.16; None if that does not fit.
+def starts(p, ks: list[int], bits: int, less: int = 0) -> tuple[list[int], ...] | None:
+    """Returns C of u and v on the first line, their growth a line, 16.16, and the rests of its division; None if that
+    does not fit.
     ``less``: as in ``asymptotes``."""
     top, bottom, _ = p.corners.three
-    cs, dcs = [], []
+    cs, dcs, rests = [], [], []
     for k, *texels in zip(ks, *p.corners.texels[:2]):
         at, to = (((n << K_BITS >> less) - k) * corner[2] >> 32 - bits for n, corner in zip(texels, (top, bottom)))
         if signed(to - at) != to - at:
             return None
-        dc = cut_quotient(to - at << 16, bottom[1] - top[1])
+        height = bottom[1] - top[1]
+        dc = cut_quotient(to - at << 16, height)
         if signed(dc) != dc:
             return None
         cs.append(at + (dc * p.corners.y >> 16))
         dcs.append(dc)
-    return cs, dcs
+        rests.append((to - at << 16) - dc * height)
+    return cs, dcs, rests
 
 
 def ahead(dq: int, least: int, every: str) -> int:
@@ -222,7 +230,8 @@ def find(p, every: str, box, exact: bool) -> Constants | None:
     lines = box[3] - box[1]
     way = lines + box[2] - box[0]
     q = [signed(n >> 32) for n in (p.q.at, p.q.dx, p.q.dy)]
-    shifted = shift_of(p, abs(q[1]), every, way, exact)
+    least = least_of(p, way, exact)
+    shifted = least and shift_of(p, abs(q[1]), every, least)
     if not shifted:
         return None
     shift, even = shifted
@@ -241,7 +250,7 @@ def find(p, every: str, box, exact: bool) -> Constants | None:
     off = OFF + (1 << shift << less) + (down >> 1 << less if coarse else OFF_WORD + (down >> 5))
     raised = [off + (n * part >> 2) for n in farthest]
     return Constants(tuple((k << 8 - K_BITS + less) + (b + m << 8) for b, k, m in zip(p.base, ks, raised)),
-                     *map(tuple, found), *q, p.i, p.j, every, coarse, raised, even, p.corners.down - lines,
+                     *map(tuple, found[:2]), *q, p.i, p.j, every, coarse, raised, even, p.corners.down - lines,
                      ahead(abs(q[1]), p.least, every) if even else 0)
 
 
@@ -280,7 +289,7 @@ def bound(each: Line) -> float:
 
 
 def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
-    """Returns u and v of the line's pixels, 16.16 modulo 2^32; see ``reciprocal.coordinates``."""
+    """Returns u and v of the line's pixels, 16.16 modulo 2^32; see ``chain.piece``."""
     k, us, vs = each.constants, [], []
     for piece in each.pieces:
         old, r = reciprocal_at(piece.begin), reciprocal_at(piece.end)
@@ -288,9 +297,9 @@ def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
             cs, words = [signed(c << piece.shift) for c in each.c], each.words(piece.shift)
             at = [base + (c * old >> 8 << k.coarse - COARSE if k.coarse else w * old << 4)
                   for base, c, w in zip(k.k, cs, words)]
-            state = reciprocal.begun(*at)
+            state = chain.begun(*at)
         du, dv = (w * (r - old) * (16 // piece.pixels) << k.coarse for w in words)
-        state, at, u, v = reciprocal.piece(state, at, du, dv, min(each.n + 1 - piece.at, piece.pixels))
+        state, at, u, v = chain.piece(state, at, du, dv, min(each.n + 1 - piece.at, piece.pixels))
         us += u
         vs += v
     if k.leftwards:

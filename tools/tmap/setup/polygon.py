@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, mul, signed
-from tmap.setup import far, reciprocal, snapped, tables
+from tmap.setup import afar, cubic, far, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
 from tmap.setup.level import bends, is_chained, is_level, level, tilt_of
@@ -43,6 +43,7 @@ class Polygon:
     mapper: str = "affine"  # the mapper that draws it; affine if generated code cannot
     perspective: Perspective | None = None  # instead of texturing
     setting: str = "none"  # how the perspective is drawn
+    exact: str = "none"  # whose pieces or curves draw lines exactly
     straight: bool = False  # the tolerance allows straight lines
     level: int = 0  # lit: the row of the light table
     shading: Shading | None = None  # lit Gouraud
@@ -50,13 +51,13 @@ class Polygon:
     #: The same with x and y exchanged, if it is drawn by columns: they are its lines.
     columns: "Polygon | None" = None
     #: Of lines drawn by tables.
-    constants: reciprocal.Constants | far.Constants | None = None
+    constants: far.Constants | cubic.Constants | None = None
     triangle: snapped.Triangle | None = None  # drawn by a routine for triangles
 
     def record(self, line: Line, y: int):
-        """Returns the record of the line at y for ``tables``; None if it is drawn another way."""
-        return self.constants and tables.model_of(self.constants).line(self.perspective, self.constants, line.left,
-                                                   line.right, y)
+        """Returns the record of the line at y for ``afar``; None if it is drawn another way."""
+        return self.constants and afar.model_of(self.constants).line(self.perspective, self.constants,
+                                                                     line.left, line.right, y)
 
     def coordinates(self, line: Line, y: int):
         """Returns u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
@@ -68,9 +69,9 @@ class Polygon:
             return level(self.perspective, line.left, line.right, y)
         record = self.record(line, y)
         if record:
-            return tables.model_of(self.constants).coordinates(record)
+            return afar.model_of(self.constants).coordinates(record)
         return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
-                                            way(self.setting).raised), self.setting)
+                                            way(self.exact).raised), self.exact)
 
     def crossed(self, x: int, lines: range):
         """Returns u and v at pixel x of some lines."""
@@ -288,14 +289,15 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     width = outline.box[2] - outline.box[0]
     setting, straight = coarser(deep, width, settings.perspective, settings.tolerance)
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
+    polygon.exact = afar.exact_setting(deep, setting, settings)
     deep.chained = is_chained(deep, width, setting)
     polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
     turned = None
     if narrow and not polygon.is_level and settings.has_exact_edges:
         turned = turned_of(polygon, vertices, outline.box, size, settings)
     if narrow:
-        polygon.constants = tables.constants(deep, polygon.lines, outline.box, setting, settings)
-    from_afar = isinstance(polygon.constants, far.Constants) and not polygon.is_level and not turned
+        polygon.constants = afar.constants(deep, outline.box, setting, settings)
+    from_afar = isinstance(polygon.constants, (far.Constants, cubic.Constants)) and not polygon.is_level and not turned
     if not deep.is_sure and not from_afar:
         polygon.perspective, polygon.setting, polygon.constants = None, "none", None
         polygon.straight = polygon.is_level = False
