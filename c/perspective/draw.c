@@ -56,28 +56,34 @@ SCRATCH_FITS(union made);
 
 #define STEEP_2_22 (1 << 22)
 
-/* Returns the setting whose pieces draw exactly: half a pixel, every8's, allows 16 where q grows so slowly that
-   16^2 / (4 L) is no more, L = q / its growth. */
-static enum perspective exact_setting(const struct setup *s)
+/* Returns log2 of the pixels of pieces that are drawn exactly: as many, 64 at most, as keep the error of the setting's
+   name, h^2 / (4 L) pixels, L = q / its growth. */
+static int32 exact_piece(const struct setup *s)
 {
     const struct perspective_plan *plan = s->perspective;
+    const int32 steep = perspective_steepness(&plan->q.dx) + 1;
+    const int32 half = s->setting == PERSPECTIVE_EVERY8;        /* a pixel, or half of one */
+    int32 piece = ways[s->setting].piece;
 
-    return s->setting == PERSPECTIVE_EVERY8 && s->material->perspective == PERSPECTIVE_EVERY8
-        && perspective_steepness(&plan->q.dx) + 1 <= plan->q_low / (16 * 16 / 2 + 1)
-         ? PERSPECTIVE_EVERY16 : s->setting;
+    /* what a tolerance allows is less than what a setting allows */
+    if (has_pieces(s) && s->setting == (enum perspective)s->material->perspective)
+        while (piece < PERSPECTIVE_PIECE_EXACT && steep <= plan->q_low / ((1 << (2 * piece + half)) + 1))
+            piece++;
+    return piece;
 }
 
 /* Raises the plan's u and v. */
 static void draw_exactly(const struct setup *s, union made *made)
 {
-    const enum perspective setting = exact_setting(s);
+    const int32 piece = exact_piece(s);
+    const int32 raise = has_pieces(s) ? (2 << piece) + 2 : ways[s->setting].raise;
     struct perspective_plan *plan = s->perspective;
     const struct span_plan *span = &s->span;
     struct perspective_span lines;
 
-    plan->u += ways[setting].raise;
-    plan->v += ways[setting].raise;
-    plan->bend = ways[setting].bend;
+    plan->u += raise;
+    plan->v += raise;
+    plan->bend = ways[s->setting].bend;
     plan->to = made->exact;
     perspective_lines(plan);
     lines.lines = made->exact;
@@ -85,7 +91,7 @@ static void draw_exactly(const struct setup *s, union made *made)
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.longest = ways[setting].piece;
+    lines.longest = piece;
     (plan->bend ? curves : pieces)[s->frame->pixel_bytes >> 1](&lines);
 }
 

@@ -11,6 +11,7 @@ enum perspective_constants {
     PERSPECTIVE_PIECE_EVERY8 = 3,
     PERSPECTIVE_PIECE_PIXEL = 5,
     PERSPECTIVE_PIECE_FINE = 4,
+    PERSPECTIVE_PIECE_EXACT = 6,        /* of straight pieces where q grows slowly */
     /* Bend of curves, rounded up: 64 log2(6 / (9 sqrt 3) / e). e is the error allowed, 1/32 or
        1/128 texel in units of 1/65536, less longest^2 / 8 + 8 units for rounding. */
     PERSPECTIVE_BEND_PIXEL = -785,

@@ -13,7 +13,8 @@ piece   equ     24                      ; log2 of them
 row     equ     28
 pitch   equ     32
 lines   equ     36                      ; left
-locals  equ     40
+rounds  equ     40                      ; of 8 pixels a piece, less one
+locals  equ     44
 
 ; a4, d3, d2 = S, Q, P of the steps d2, d6 of u and v.
 pack_steps macro
@@ -31,6 +32,12 @@ pack_steps macro
 ; change.
 perspective_lines_by_pieces macro
         save_all
+        moveq   #0,d0
+        move.l  perspective_span_longest(a0),d1
+        subq.l  #3,d1
+        bset    d1,d0
+        subq.l  #1,d0
+        move.l  d0,-(sp)
         move.l  perspective_span_count(a0),-(sp)
         move.l  perspective_span_pitch(a0),-(sp)
         move.l  perspective_span_row(a0),-(sp)
@@ -106,7 +113,7 @@ perspective_lines_by_pieces macro
         movea.l d3,a6
         asr.l   d7,d6                   ; v
         pack_steps
-        subq.w  #3,d7                   ; 8 or 16 pixels
+        move.w  rounds+2(sp),d7
 .pixels rept    8
         texel_next_apart d2,d3
         ifeq    \1-1

@@ -194,6 +194,7 @@ def span_trial(setting: str, ends, reach: int, rng, wide: int = 1) -> Trial:
 def trials() -> list[Trial]:
     rng = np.random.default_rng(5)
     every = ("every16", "every8", "pixel", "fine")
+    spans = ("every32", "every64", *every)
     return [*(planes_trial(rng, "depth_plane_find", "screen_plane", range(2, 3)) for _ in range(60)),
             *(planes_trial(rng, "texel_planes_find", "texel_planes", range(3, 5)) for _ in range(60)),
             *(ranges_trial(rng) for _ in range(60)),
@@ -201,7 +202,7 @@ def trials() -> list[Trial]:
             *(level_trial(rng) for _ in range(60)),
             *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
-            *(span_trial(setting, ends, reach, rng) for setting in every for ends in Q_ENDS
+            *(span_trial(setting, ends, reach, rng) for setting in spans for ends in Q_ENDS
               for reach in (31, 24, 20, 12)),
-            *(span_trial(setting, ends, reach, rng, wide) for wide in (2, 4) for setting in every
+            *(span_trial(setting, ends, reach, rng, wide) for wide in (2, 4) for setting in spans
               for ends in Q_ENDS[1::3] for reach in (24, 20, 12))]

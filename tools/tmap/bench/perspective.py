@@ -16,7 +16,7 @@ from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup.edges import measure
 from tmap.setup.level import level_line
-from tmap.setup.perspective import (CURVES, Ends, Perspective, coordinates, ends, enough,
+from tmap.setup.perspective import (CURVES, EXACT, Ends, Perspective, coordinates, ends, enough,
                                     perspective, steepness, way, weights)
 from tmap.setup.scanline import pack
 
@@ -96,7 +96,7 @@ def span_trial(setting: str, arena: Arena, ground: Ground, lines: list, pitch: i
     table = record_table(arena, "perspective_line", lines, lambda each: entry(each, setting))
     return records_trial(kernel, "perspective_span", arena, ground, lines, pitch,
                          lambda each: coordinates(each, setting), dict(lines=table), title,
-                         longest=way(setting).piece)
+                         longest=EXACT[setting].bit_length() - 1 if setting in EXACT else way(setting).piece)
 
 
 def span_case(setting: str, ratio: int, *wide_and_length: int):

@@ -84,7 +84,7 @@ from tmap.ideal import bounds_fetched, ideal
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import Curve, curves, curves_through
 from tmap.setup import afar, cubic, far, spans
-from tmap.setup.perspective import PIECES, Ends, Perspective, ends, way
+from tmap.setup.perspective import EXACT, Ends, Perspective, ends, raise_of, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 LEVEL = {"pixel": 1020 * UNIT, "fine": TOLERANCE["fine"] / 4}  # 0 for straight pieces
@@ -175,9 +175,9 @@ def intended(values: np.ndarray, setting: str) -> np.ndarray:
     """A setting's intended error at a line's pixels: straight pieces through exact values, minus
     these; else 0; texels."""
     n = len(values) - 1
-    if not n or setting not in PIECES:
+    if not n or setting not in EXACT:
         return np.zeros(n + 1)
-    nodes = np.array([*range(0, n, PIECES[setting]), n])
+    nodes = np.array([*range(0, n, EXACT[setting]), n])
     return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
 
 
@@ -229,9 +229,9 @@ def bend(setting: str, piece: int) -> float:
 
 def line_bound(b: float, setting: str) -> float:
     """Returns the largest error of pixels against the intended values, in texels."""
-    b += way(setting).raised * UNIT
-    if setting in PIECES:
-        return b + 2 * PIECES[setting] * UNIT + FLOAT
+    b += raise_of(setting) * UNIT
+    if setting in EXACT:
+        return b + 2 * EXACT[setting] * UNIT + FLOAT
     return 1.25 * b + TOLERANCE[setting] + FLOAT
 
 

@@ -3,7 +3,7 @@
 from types import ModuleType
 
 from tmap.setup import cubic, far
-from tmap.setup.perspective import PIECES, Perspective, steepness
+from tmap.setup.perspective import EXACT, PIECES, Perspective, steepness
 from tmap.setup.texturing import Settings
 
 
@@ -21,6 +21,12 @@ def constants(deep: Perspective, box, setting: str, settings: Settings):
 
 
 def exact_setting(deep: Perspective, setting: str, settings: Settings) -> str:
-    """Returns whose pieces draw lines exactly: every8's half a pixel allows 16 pixels where q grows slowly."""
-    slow = steepness(deep.q.dx) + 1 <= deep.least // (16 * 16 // 2 + 1)
-    return "every16" if slow and setting == "every8" == settings.perspective else setting
+    """Returns a setting, or a name of EXACT, whose pieces draw lines exactly: where q grows slowly, longer ones keep
+    the error of the setting's name, a pixel or half of one."""
+    if setting not in PIECES or setting != settings.perspective:
+        return setting
+    pixels, longest = PIECES[setting], max(EXACT.values())
+    parts = 2 if setting == "every8" else 1  # of a pixel
+    while pixels < longest and steepness(deep.q.dx) + 1 <= deep.least // (pixels * pixels * parts + 1):
+        pixels *= 2
+    return f"every{pixels}"

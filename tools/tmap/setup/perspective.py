@@ -22,6 +22,7 @@ Q_SURE = 4  # the least ratio of q to its error
 TOO_STEEP = 1 << 28  # Q_SURE times this is above every q except the nearest one's
 STEEP_2_14 = 1 << 14  # 2^16 units per pixel: half of the range of 32 bits
 PIECES = {"every16": 16, "every8": 8}
+EXACT = PIECES | {"every32": 32, "every64": 64}  # pieces that are drawn exactly, where q grows slowly
 CURVES = ("pixel", "fine")
 OCTAVE = 64  # steps of a logarithm
 #: OCTAVE log2(1 + (i + 1) / OCTAVE) rounded up, and OCTAVE log2(1 + i / OCTAVE) rounded down: the
@@ -67,6 +68,11 @@ def way(setting: str) -> Way:
     chain = {"pixel": found["PERSPECTIVE_CHAIN_PIXEL"], "fine": 0}.get(setting, widest)
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
                widest, number("RAISE"), number("COLUMN"), chain)
+
+
+def raise_of(exact: str) -> int:
+    """Returns the units by which lines of a setting, or of a name of EXACT, are raised."""
+    return 2 * EXACT[exact] + 2 if exact in EXACT else way(exact).raised
 
 
 @dataclass
@@ -343,8 +349,8 @@ def curves(line: Ends, setting: str) -> list[tuple[int, np.ndarray, np.ndarray]]
 
 def coordinates(line: Ends, setting: str) -> tuple[np.ndarray, np.ndarray]:
     """Returns u and v of a line's pixels, 16.16 modulo 2^32."""
-    if setting in PIECES:
-        made = pieces(line, PIECES[setting])
+    if setting in EXACT:
+        made = pieces(line, EXACT[setting])
         return tuple(np.concatenate([piece[axis] for piece in made]) for axis in (0, 1))
     u, v = np.zeros(line.n + 1, np.int64), np.zeros(line.n + 1, np.int64)
     for first, us, vs in curves(line, setting):

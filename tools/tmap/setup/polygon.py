@@ -15,7 +15,7 @@ from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
 from tmap.setup.level import bends, is_chained, is_level, level, tilt_of
 from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, coordinates as perspective_coordinates, ends,
-                                    perspective, way)
+                                    perspective, raise_of, way)
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
 from tmap.setup.spans import coordinates, stays_in_row
 from tmap.setup.texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest,
@@ -71,7 +71,7 @@ class Polygon:
         if record:
             return afar.model_of(self.constants).coordinates(record)
         return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
-                                            way(self.exact).raised), self.exact)
+                                            raise_of(self.exact)), self.exact)
 
     def crossed(self, x: int, lines: range):
         """Returns u and v at pixel x of some lines."""
