@@ -42,11 +42,12 @@ taken_u equ     walk_sizeof             ; what the range takes from u of the lin
 taken_v equ     walk_sizeof+4
 lines_end equ   walk_sizeof+8
 
-; Keeps what is taken from d1 and leaves the loop behind this line.
-kept    macro
+; Keeps what the range takes from d1, \1, and leaves the loop behind this line.
+keep    macro
         sub.l   perspective_plan_\1_high(a6),d1
-        move.l  d1,taken_\1(sp)
+        move.l  d1,4+taken_\1(sp)
         lea     scanline_sizeof(a0),a3
+        rts
         endm
 
 ; d0 = what each step of the line before a0 and a5 has to make up for in \1; goes to \2 if there is nothing to. Uses
@@ -109,12 +110,12 @@ regain  macro
         weight  d7
         move.l  d2,d0
         move.l  d3,d1
-        quotient u,d7,kept
+        quotient u,d7,keep_u
         add.l   perspective_plan_u(a6),d1
         move.l  d1,d3
         move.l  d4,d0
         move.l  d5,d1
-        quotient v,d7,kept
+        quotient v,d7,keep_v
         add.l   perspective_plan_v(a6),d1
         move.l  d1,d4
 
@@ -162,4 +163,6 @@ regain  macro
         lea     walk_sizeof+12(sp),sp
         return_all
 
+keep_u  keep    u
+keep_v  keep    v
         walk_turns
