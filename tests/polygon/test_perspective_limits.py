@@ -7,7 +7,7 @@ import pytest
 
 from tmap.base import cubics
 from tmap.build import layout
-from tmap.ideal import bounds_perspective
+from tmap.ideal import bounds_level, bounds_perspective
 from tmap.ideal.bounds import check_set_up
 from tmap.ideal.ideal import UNIT
 from tmap.model import model
@@ -35,11 +35,11 @@ def test_level_lines_keep_the_tolerance(setting: str) -> None:
     """The error of a level line is the one in its bound, and the widest line still fits the
     tolerance."""
     way = perspective.way(setting)
-    assert way.off * UNIT == bounds_perspective.LEVEL.get(setting, 0)
+    assert way.off * UNIT == bounds_level.LEVEL.get(setting, 0)
     assert way.width <= layout.load().constants["FRAME_SIDE_MAX"]
     if setting in CURVES:
         for chained, width in ((False, way.width), (True, way.chain)):
-            bound = bounds_perspective.level_bound(0, setting, max(width - 1, 0), chained)
+            bound = bounds_level.level_bound(0, setting, max(width - 1, 0), chained)
             assert bound < bounds_perspective.TOLERANCE[setting]
 
 

@@ -152,9 +152,13 @@ def lines_trial(setting: str, rng) -> Trial:
                                    f"{setting}, {len(lines)} lines, {deep}")
 
 
-def level_trial(rng) -> Trial:
-    """Lines of which only the first pixel's q counts, and its growth there in every other table."""
+def level_trial(rng, is_held: bool = False) -> Trial:
+    """Lines of which only the first pixel's q counts, and its growth there in every other table. ``is_held``: the
+    first pixels of most are held below the range's end."""
     lines, deep = lines_and_planes((0, -5, 1, 2, 300), rng)
+    if is_held:
+        deep.high = tuple(int(rng.integers(1 << 12)) for _ in "uv")
+        deep.s.at, deep.t.at = abs(deep.s.at), abs(deep.t.at)
     deep.tilt = int(rng.integers(0, 2)) * any_size(rng, 30)
     deep.chained = bool(rng.integers(2))
     return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
@@ -199,7 +203,7 @@ def trials() -> list[Trial]:
             *(planes_trial(rng, "texel_planes_find", "texel_planes", range(3, 5)) for _ in range(60)),
             *(ranges_trial(rng) for _ in range(60)),
             *(corners_trial(rng) for _ in range(60)),
-            *(level_trial(rng) for _ in range(60)),
+            *(level_trial(rng, held) for held in (False, True) for _ in range(60)),
             *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *(span_trial(setting, ends, reach, rng) for setting in spans for ends in Q_ENDS

@@ -294,7 +294,7 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
               for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
     found = []  # error, bounds below and above, coordinate, pixel
     shown = []  # the texels of a line, how far they may be below and above
-    for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
+    for y, line, left, right in bounds_perspective.inner_lines(vertices, polygon):
         seen, last = slice(left - line.left, right - line.left), right - 1
         stepped = polygon.coordinates(line, y)
         texels = spans.fetched(line, mapper, size, stepped)
@@ -324,7 +324,7 @@ def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     """Adds the error of the level at both ends of every line inside the exact polygon."""
     if polygon.triangle:
         plane = ideal.plane_of(vertices, -1)
-        for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
+        for y, line, left, right in bounds_perspective.inner_lines(vertices, polygon):
             for i in {left, right - 1}:
                 bound = bounds_snapped.level_bound(abs(plane.nx / plane.d), polygon.triangle, i, y)
                 add_error(plane.error(line.c + (i - line.left) * line.dcdx, i, y), (bound, bound),
@@ -334,7 +334,7 @@ def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     (least, _), (most, _) = model.plane_range(vertices, t)
     beyond = max(0, light.low - least, most - light.high) * UNIT
     found = []  # error, bound on the plane, pixel
-    for y, line, _, left, right in bounds_perspective.inner_lines(vertices, polygon):
+    for y, line, left, right in bounds_perspective.inner_lines(vertices, polygon):
         for i in {left, right - 1}:
             found.append((plane.error(line.c + (i - line.left) * line.dcdx, i, y),
                           plane.bound(i, y, t, t.u_cut), (i, y)))

@@ -11,12 +11,12 @@ at the nearest vertex, and 22 bits less in the worst case.
   coordinates of the planes' three are from -1 to 2 each: 3.
 * The planes of q and S are off by e(gx) |x| + e(gy) |y| + 2/2^16 (two products cut to that),
   (x, y) being the way from the first corner and e(g) = |g| / 2^31 + 3/2^16, gradients in
-  units of the value. q is also cut to a whole number. An error E of q moves u by
-  |u - base| E / Q.
+  units of the value. q is also cut to a whole number. An error E of q moves S / q by
+  |u - base| E. All these are over the drawn q, at least Q - E.
 * The quotient is cut: 1 unit. Both u and q are clamped to the vertices' ranges; inside the
   polygon that changes nothing. Rounded edges may be beyond the exact one, and more than three
-  vertices may be off the planes: there the exact value's distance from the range, and the
-  increase of q, are added.
+  vertices may be off the planes: there the exact value's distance from the range is added, and
+  E is at least what Q lacks of the range; the drawn q lacks nothing.
 
 * S is raised by the largest errors there of S and of q times u, and the base by a unit, so that u
   of a line's first pixel is never below the exact value. The bound grows by as much again, with S's
@@ -37,15 +37,11 @@ constant along a line is never below the exact value.
 **Straight pieces** of m pixels: b and m - 1 units at their ends, and m units more for the last
 one's cut steps, measured from the chords of the exact curve.
 
-**Straight lines** are measured from the chords between their first and last pixels; see ``tilted_bound``.
+**Level lines**, and those that are straight from their first pixel to their last:
+tools/tmap/ideal/bounds_level.py.
 
 **Columns** are raised as the setting's lines are, which is added: where w of the vertices is rounded, so are
 borders on which the exact values lie.
-
-**Level lines**: b, the error that the setting allows them for their change of q (almost half or a
-quarter of its tolerance), and a unit per step, as steps are rounded up. In a chain u is also off by the times that
-v wraps, half a unit per step at most, and its steps are a unit more where v goes down: another unit per step. If q
-does not change along lines, they are never below the exact value.
 
 **From the far end** (tmap.setup.far): pieces are measured from the chords that begin at the line's
 far end, the last one beyond its near end, and in even spans go through points that are a part of a pixel ahead.
@@ -75,20 +71,20 @@ by it in addition to their own bounds.
 by the setting's 1/32 or 1/128 texel, its rounding included (see ``perspective.enough``).
 """
 
+from dataclasses import dataclass
 from math import log2, sqrt
 
 import numpy as np
 
 from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
+from tmap.ideal.bounds_level import chord, level_bound, straight_bound
 from tmap.ideal.ideal import UNIT
-from tmap.ideal.perspective import Curve, curves, curves_through
+from tmap.ideal.perspective import FLOAT, Curve, curves, curves_through
 from tmap.setup import afar, cubic, far, spans
 from tmap.setup.perspective import EXACT, Ends, Perspective, ends, raise_of, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
-LEVEL = {"pixel": 1020 * UNIT, "fine": TOLERANCE["fine"] / 4}  # 0 for straight pieces
-FLOAT = 2.0**-32  # the rounding in tools/tmap/ideal/perspective.py, texels
 BOUNDLESS = 32768.0  # texels: values are modulo twice that
 
 
@@ -96,6 +92,16 @@ def plane_error(plane, scale: int, x: float, y: float) -> float:
     """The error of a plane x pixels and y lines from the first corner, in the value's units."""
     gradients = [abs(signed(g, 64)) / 2**scale for g in (plane.dx, plane.dy)]
     return sum(way * (g / 2**31 + 3 / 2**16) for way, g in zip((x, y), gradients)) + 2 / 2**16
+
+
+@dataclass
+class At:
+    """A pixel's exact value, in units, and Q, 0 behind the viewer; how far S, in units times Q, and q are off."""
+
+    value: float
+    q: float
+    off_s: float
+    off_q: float
 
 
 class Bound:
@@ -112,26 +118,32 @@ class Bound:
         _, nearest = curve.terms(*three[0][:2])
         self.unit = 2.0**30 * min(v[4] for v in vertices) / three[0][4] / nearest
         self.base = p.base[key - 2]
+        self.largest = max(abs(self.low - self.base), abs(self.high - self.base))
 
-    def end(self, i: int, y: int, inside: bool) -> tuple[float, float]:
-        """Returns b0 or b1 in units, and the largest relative error of q."""
+    def at(self, i: int, y: int) -> At:
+        """Returns the exact values at a pixel, and how far the planes are off."""
         n, q = self.curve.terms(i << 16, y << 16)
         if q <= 0:
+            return At(0.0, 0.0, 0.0, 0.0)
+        x, down, scale = abs(i - self.corner[0]), abs(y - self.corner[1]), self.p.scale
+        off_s = (plane_error(self.plane, scale, x, down) + self.spread
+                 + self.p.raised[0 if self.plane is self.p.s else 1]) * 2**scale
+        spread = max(self.high, n / q) - min(self.low, n / q)
+        return At(n / q, q * self.unit, off_s + self.spread / 2 * spread,
+                  plane_error(self.p.q, 32, x, down) + 1 + self.spread / 2)
+
+    def end(self, i: int, y: int) -> tuple[float, float]:
+        """Returns b0 or b1 in units, and the largest relative error of q."""
+        at = self.at(i, y)
+        if at.q <= 0:
             return BOUNDLESS / UNIT, 0.5
-        exact, big = n / q, q * self.unit
-        x, down = abs(i - self.corner[0]), abs(y - self.corner[1])
-        scale = self.p.scale
-        off_q = plane_error(self.p.q, 32, x, down) + 1 + self.spread / 2
-        off_s = plane_error(self.plane, scale, x, down) + self.spread
-        largest = max(abs(self.low - self.base), abs(self.high - self.base))
-        raised = self.p.raised[0 if self.plane is self.p.s else 1]
-        bound = ((self.spread / 2 * (self.high - self.low) + (off_s + raised) * 2**scale
-                  + off_q * largest) / big + 2)
-        off = off_q / big
-        if not inside or self.spread > 1:
-            bound += max(0.0, exact - self.high, self.low - exact)
-            off += max(0.0, (self.p.least - big) / big)
-        return bound, off
+        beyond = max(0.0, at.value - self.high, self.low - at.value)
+        return self.quotient(at) + beyond, max(at.off_q, self.p.least - at.q) / at.q
+
+    def quotient(self, at: At) -> float:
+        """Returns the error of S / q before it is clamped, in units."""
+        off_q = max(at.off_q, self.p.least - at.q)
+        return (at.off_s + off_q * self.largest) / max(at.q - at.off_q, self.p.least) + 2
 
     def shares(self, x: float, y: float) -> float:
         """The sum of the magnitudes of a point's barycentric coordinates: 1 inside the corners."""
@@ -155,10 +167,9 @@ class Bound:
         return ((share * ((high - low) / 2 + 2 * 2.0**self.p.scale) + off_q * max(high - at, at - low)) / big
                 + (2.0**k.less / 8 + (k.less > 0) + abs(at - self.base) / 2**31) * 2**30 / big + 1)
 
-    def line(self, made: Ends, y: int, inside: tuple[bool, bool]) -> float:
-        """Returns b of a line's pixels, texels; ``inside``: true for each end in the polygon."""
-        (b0, e0), (b1, e1) = (self.end(i, y, one) for i, one in
-                              zip((made.left, made.left + made.n), inside))
+    def line(self, made: Ends, y: int) -> float:
+        """Returns b of a line's pixels, texels."""
+        (b0, e0), (b1, e1) = (self.end(i, y) for i in (made.left, made.left + made.n))
         if not made.n:
             return b0 * UNIT
         way = abs(made.du if self.plane is self.p.s else made.dv)
@@ -193,31 +204,6 @@ def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
     return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
 
 
-def chord(curve: Curve, columns: np.ndarray, y: int) -> np.ndarray:
-    """The intended error of a line that is straight from its first pixel to its last."""
-    values = curve.values(columns, y)
-    return np.interp(columns, columns[[0, -1]], values[[0, -1]]) - values
-
-
-def tilted_bound(bound: "Bound", b: float, made: Ends, y: int, inside: bool) -> float:
-    """Returns b of such a line. With the planes' values its step leads from u0 to S(n) / q(n), the last pixel's u,
-    but for u0's cut unit times q0 / q(n), 1.5 at most as lines bend so little. q's step is cut to 2^-8, and q(n)
-    has ``end``'s error, and its cuts. ``inside``: the last pixel is in the polygon."""
-    last = made.left + made.n
-    q = bound.curve.terms(last << 16, y << 16)[1] * bound.unit
-    off = bound.end(last, y, inside)[1] + (1 + made.n / 256) / q
-    if off >= 1:
-        return BOUNDLESS
-    largest = max(abs(bound.low - bound.base), abs(bound.high - bound.base))
-    way = abs(made.du if bound.plane is bound.p.s else made.dv)
-    return b + (2 + (made.n * largest / 256 / q + way * off) / (1 - off)) * UNIT
-
-
-def level_bound(b: float, setting: str, n: int, chained: bool) -> float:
-    """Returns the bound of a level line of n steps against the exact value, in texels."""
-    return b + LEVEL.get(setting, 0) + ((1 + chained) * n + 1) * UNIT + FLOAT
-
-
 def bend(setting: str, piece: int) -> float:
     """Returns 64 log2 of a curve's error over the part of the tolerance that is left for it, if the
     other factors of the error (see ``perspective.enough``) are 1. Its longest piece has 2^piece
@@ -236,14 +222,14 @@ def line_bound(b: float, setting: str) -> float:
 
 
 def inner_lines(vertices, polygon):
-    """Yields, for each line with pixels inside the exact polygon: y, the line, the exact polygon's
-    first pixel and the end of its pixels, and both ends of the pixels that are in both."""
+    """Yields, for each line with pixels inside the exact polygon: y, the line, and both ends of the pixels that
+    are in both."""
     exact = ideal.extents(vertices)
     for y, line in enumerate(polygon.lines, polygon.top):
         extent = [-(-n // (d << 16)) for n, d in exact(y)]
         left, right = max(line.left, extent[0]), min(line.right, extent[1])
         if left < right:
-            yield y, line, extent, left, right
+            yield y, line, left, right
 
 
 def exchanged(vertices) -> list[tuple]:
@@ -262,9 +248,8 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         raised = way(polygon.setting).raised
     p = polygon.perspective
     bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves_through(three))]
-    for y, line, extent, left, right in inner_lines(vertices, polygon):
+    for y, line, left, right in inner_lines(vertices, polygon):
         made = ends(p, line.left, line.right, y)
-        inside = line.left >= extent[0], line.right <= extent[1]
         columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
         seen = slice(left - line.left, right - line.left)
         record = polygon.record(line, y)
@@ -274,12 +259,8 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
-                b = bound.line(made, y, inside)
-                wanted = 0 * error
-                if p.tilt:
-                    b = tilted_bound(bound, b, made, y, inside[1])
-                    wanted = chord(bound.curve, drawn, y)[seen]
-                yield (key, y, columns, found[seen], error, wanted,
+                b = straight_bound(bound, made.left, made.n, y) * UNIT
+                yield (key, y, columns, found[seen], error, chord(bound.curve, drawn, y)[seen] if p.tilt else 0 * error,
                        level_bound(b, polygon.setting if p.q.dx else "", made.n, p.chained)
                        + tolerance * polygon.straight + raised * UNIT)
                 continue
@@ -290,8 +271,7 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
                     allowed = more + bound.afar(record, y, "uv".index(key)) * UNIT + FLOAT
                 else:
                     wanted = intended(bound.curve.values(drawn, y), polygon.exact)[seen]
-                    b = bound.line(made, y, inside)
-                    allowed = line_bound(b, polygon.exact)
+                    allowed = line_bound(bound.line(made, y), polygon.exact)
             else:  # an end on a rounded edge is behind the viewer
                 wanted, allowed = 0 * error, BOUNDLESS
             yield key, y, columns, found[seen], error, wanted, allowed
@@ -368,7 +348,7 @@ def check_flattened(vertices, polygon, tolerance: float | None, size: tuple[int,
     out.unsure += tolerance is None
     spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
     both, planes = curves(vertices), [ideal.plane_of(vertices, key) for key in (2, 3)]
-    for y, line, _, left, right in inner_lines(vertices, polygon):
+    for y, line, left, right in inner_lines(vertices, polygon):
         columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
         for key, curve, plane, found in zip((2, 3), both, planes, polygon.coordinates(line, y)):
             values = [v[key] for v in vertices]

@@ -37,6 +37,8 @@ import numpy as np
 from tmap.ideal import ideal
 from tmap.ideal.ideal import UNIT, Plane
 
+FLOAT = 2.0**-32  # what values and errors are rounded by, texels
+
 
 class Curve:
     """One exact coordinate over the screen, from (x, y) of three points, its values there, and

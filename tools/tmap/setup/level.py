@@ -59,15 +59,25 @@ def bends(p: Perspective, lines, width: int) -> bool:
                for k, (line, n) in enumerate((line, line.right - 1 - line.left) for line in lines))
 
 
+def regained(c: int, high: int, n: int) -> int:
+    """Returns what is added to a step so that n of them make up for what the range takes from the first pixel's
+    value c, and a part of a unit more; 0 if that is nothing, or if c does not fit 32 bits."""
+    return (c - high) // n + 1 if n and high < c < 1 << 31 else 0
+
+
 def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int, int]]:
-    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded. In a chain u goes
-    a unit up where v goes down."""
+    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded. From a
+    first pixel that is held below the range's end, lines lead to the last one's value all the same. In a chain u goes a
+    unit up where v goes down, with or without that."""
+    n = right - 1 - left
+    more = [regained(c, high, n) for c, high in zip(p.quotients(left, y)[1], p.high)]
     q, starts = p.divided(left, y)
     if p.tilt:
-        q = max(q + ((right - 1 - left) * p.tilt >> 8), p.least)
+        q = max(q + (n * p.tilt >> 8), p.least)
     du, dv = (level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 8), q)
               for start, base, plane in zip(starts, p.base, (p.s, p.t)))
-    return [(starts[0], du + (p.chained and dv >> 23 & 1)), (starts[1], dv)]
+    du += p.chained and (dv | dv + more[1]) >> 23 & 1
+    return [(start, signed(step + n)) for start, step, n in zip(starts, (du, dv), more)]
 
 
 def level(p: Perspective, left: int, right: int, y: int) -> list[np.ndarray]:

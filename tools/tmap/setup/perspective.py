@@ -138,14 +138,16 @@ class Perspective:
                    for plane in (self.q, self.s, self.t))
         return replace(self, q=q, s=s, t=t, i=y, j=x, tilt=0, chained=False)
 
-    def divided(self, x: int, y: int) -> tuple[int, list[int]]:
-        """Returns q at a pixel, at least ``least``, and u and v divided by it, within their
-        ranges."""
+    def quotients(self, x: int, y: int) -> tuple[int, list[int]]:
+        """Returns q at a pixel, at least ``least``, and u and v, less their bases, divided by it."""
         at = x - self.i, y - self.j
         q = max(self.q.value(*at) >> 32, self.least)
-        return q, [base + min(max(cut_quotient(plane.value(*at), q), low), high)
-                   for base, plane, low, high in zip(self.base, (self.s, self.t), self.low,
-                                                     self.high)]
+        return q, [cut_quotient(plane.value(*at), q) for plane in (self.s, self.t)]
+
+    def divided(self, x: int, y: int) -> tuple[int, list[int]]:
+        """Returns q at a pixel, and u and v within their ranges."""
+        q, found = self.quotients(x, y)
+        return q, [base + min(max(c, low), high) for base, c, low, high in zip(self.base, found, self.low, self.high)]
 
 
 @dataclass

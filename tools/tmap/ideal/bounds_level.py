@@ -1,0 +1,73 @@
+"""How far lines that are drawn as if they were affine may be from the exact curve, or, if they are straight from
+their first pixel to their last, from the chord between its values there. Letters and units as in
+tools/tmap/ideal/bounds_perspective.py; n steps, values less the base.
+
+**The first pixel** is the other settings': b0. With the planes' S and the held q its value is u0 = S0 / q0 + d, d being
+the cut, less than a unit, and what the clamp to the vertices' range adds or takes: as much as the exact value, or its
+value with the planes' errors, is beyond that. Polygons of more than three vertices may be far off the planes.
+
+**The last pixel.** The step is (S(n) - S0 - u0 (q(n) - q0)) / n q(n), so that it leads to
+
+    u0 + n step = (S0 + S(n) - S0 + d q0) / q(n) = S(n) / q(n) + d q0 / q(n):
+
+what the first pixel is off from its planes is stretched by q0 / q(n) at the last one, where q is smaller. What
+the clamp has taken is added to the steps, so that q0 / q(n) - 1 of it are left. S(n) / q(n) has S's error and, times
+u, q's: that of the plane, its cut, the tilt's cut to 2^-8 a pixel, and what q0 is held above its plane. The
+last pixel's value is not clamped: u may be beyond the range. If q(n) is held too, u0 is in what that adds, which counts
+times the way. Without a tilt q(n) is q0, and the setting has an error for q's change (``LEVEL``), almost half or a
+quarter of its tolerance.
+
+**Between them** the error is linear: it is at most that of the worse end.
+
+**Steps** are rounded up: a unit a pixel. What the clamp has taken is rounded up to a unit a pixel too. In a chain
+u is also off by the times that v wraps, half a unit per step at most, and its steps are a unit more where v goes
+down: another unit per step.
+
+If q does not change along lines, they are never below the exact value: neither is the first pixel, nor S(n) / q.
+"""
+
+import numpy as np
+
+from tmap.ideal.ideal import UNIT
+from tmap.ideal.perspective import FLOAT, Curve
+
+LEVEL = {"pixel": 1020 * UNIT, "fine": 128 * UNIT}  # 0 for straight pieces
+MOST = 2.0**31  # units: values are modulo twice that
+
+
+def straight_bound(bound, left: int, n: int, y: int) -> float:
+    """Returns the bound in units of the pixels left to left + n, before the error for q's change and the steps'
+    rounding; at most MOST. ``bound``: a ``bounds_perspective.Bound``."""
+    first, last, p = bound.at(left, y), bound.at(left + n, y), bound.p
+    if min(first.q, last.q) <= 0 or not n:
+        return bound.end(left, y)[0]
+    near = bound.quotient(first)
+    if first.value + near - bound.base >= MOST:  # the steps do not make up for so much
+        return MOST
+    added = max(0.0, bound.low - first.value + near)
+    taken = max(0.0, first.value + near - bound.high)
+    held = max(0.0, p.least - first.q + first.off_q)
+    q, off, more, stretched, shrunk = first.q, first.off_q, 0.0, 1.0, 1.0
+    if p.tilt:
+        q, off = last.q, last.off_q + 1 + n / 256
+        more = max(0.0, p.least - q + off)
+        stretched = max(first.q + first.off_q, p.least) / max(q - off, p.least)
+        shrunk = max(first.q - first.off_q, p.least) / max(q + off + held, p.least)
+    far = max(bound.largest, abs(last.value - bound.base))
+    way = abs(last.value - first.value) + bound.end(left, y)[0]
+    # a unit for the base, one for the first quotient's cut
+    reached = (last.off_s + (off + held) * far + more * way + n) / max(q - off, p.least) + 1 + stretched
+    reached += added * stretched + taken * max(stretched - 1, 1 - shrunk) + n * (taken > 0)
+    return min(max(bound.end(left, y)[0], reached), MOST)
+
+
+def level_bound(b: float, setting: str, n: int, chained: bool) -> float:
+    """Returns the bound of a level line of n steps against the exact value, or the chord, in texels; ``b``: of
+    ``straight_bound``, in texels."""
+    return b + LEVEL.get(setting, 0) + ((1 + chained) * n + 1) * UNIT + FLOAT
+
+
+def chord(curve: Curve, columns: np.ndarray, y: int) -> np.ndarray:
+    """The intended error of a line that is straight from its first pixel to its last."""
+    values = curve.values(columns, y)
+    return np.interp(columns, columns[[0, -1]], values[[0, -1]]) - values
