@@ -25,8 +25,13 @@ enum cubic_constants {
     CUBIC_NEAR = 4,
     CUBIC_ROWS = 13,
     CUBIC_STEEP = 120,          /* texels a pixel: where u grows faster, pixels are exact; 128 do not fit 8.24 */
-    CUBIC_OFF_Q = 4096,         /* units by which q may be off */
-    CUBIC_OFF_C = 4             /* units of C: two of its start, one of the first line's, one of its steps */
+    /* Units by which lines are raised. For each texel from K: what q is off by times 2^16 / q, a quarter for each step of
+       a pixel or line, which are to the nearest of 1.31, and its plane's error, OFF_Q at most; 1/256 for the cuts of the
+       factors; 2^(17 - bits) for r's. 1 for K, 4 if it lacks bits, and what s and t are low by at the corners, 3 2^scale
+       times the pixel's shares of them, which are 4 at most, all over q, 1 being the nearest vertex'. For C OFF_C of its
+       units: two of its start, one of the first line's, one of its steps. */
+    CUBIC_OFF_Q = 4096,
+    CUBIC_OFF_C = 4
 };
 
 /* For each count of texels from K, as a power of two: lambda, 0.32; the factors of the terms of 1 / (1 + x), 0.31: minus

@@ -20,7 +20,7 @@ from tmap.setup import far
 WAYS = {"pixel": (1280, 384, 32, 126), "fine": (320, 96, 16, 18)}
 REACH = 16383  # texels from K
 STEEP = 120  # texels a pixel
-MOST_OFF = 4096  # units of q
+MOST_OFF = 4096  # units of q; what lines are raised by is derived in c/span/cubic.h
 OFF_C = 4  # units of C
 K_BITS = far.K_BITS
 
