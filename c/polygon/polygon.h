@@ -48,8 +48,8 @@ enum clip {
 /* How u and v follow the depth along a line. */
 enum perspective {
     PERSPECTIVE_NONE,           /* not at all: affine */
-    PERSPECTIVE_EVERY16,        /* exact at both ends of pieces of 16 pixels, affine between */
-    PERSPECTIVE_EVERY8,         /* of 8 pixels */
+    PERSPECTIVE_EVERY16,        /* exact at both ends of pieces, 16 pixels as a rule, affine between: within a pixel */
+    PERSPECTIVE_EVERY8,         /* of 8 pixels as a rule: within half a pixel */
     PERSPECTIVE_PIXEL,          /* each pixel within 1/32 texel */
     PERSPECTIVE_FINE,           /* each pixel within 1/128 texel */
     PERSPECTIVE_KINDS
@@ -90,8 +90,8 @@ enum mapper_trait {
     MAPPER_PERSPECTIVE = 16     /* it draws perspective, with pixels of 1 byte */
 };
 
-/* Span routines; pixels are counted by them. A polygon with perspective is drawn by one or two of
-   PIECES, CURVES, RECIPROCAL and CUBIC, and lit by LIGHT or LIGHT_GOURAUD, which count its pixels
+/* Span routines; pixels are counted by them. A polygon with perspective that is not level is drawn by
+   PIECES, CURVES, RECIPROCAL or CUBIC, and lit by LIGHT or LIGHT_GOURAUD, which count its pixels
    once more. */
 enum span_kind {
 #define SPAN(kind, name, lines) SPAN_##kind,

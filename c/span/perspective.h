@@ -6,7 +6,7 @@
 #include "span/scanline.h"
 
 enum perspective_constants {
-    /* log2 of a piece's pixels; for curves, of the longest piece's. */
+    /* log2 of a piece's pixels, where q does not grow slowly; for curves, of the longest piece's. */
     PERSPECTIVE_PIECE_EVERY16 = 4,
     PERSPECTIVE_PIECE_EVERY8 = 3,
     PERSPECTIVE_PIECE_PIXEL = 5,

@@ -49,7 +49,7 @@ def span_trial(arena: Arena, ground: Ground, k: cubic.Constants, lines: list[tup
 
 
 def constants(reach: int, setting: str, q: int, dqdx: int, dqdy: int, bits: int, **others) -> cubic.Constants:
-    """Constants of a polygon so many texels from K; q and its steps 1.31, q 2^bits at least. ``others``: k, c, dc."""
+    """Constants of a polygon ``reach`` texels from K; q and its steps 1.31, q 2^bits at least. ``others``: k, c, dc."""
     width, *factors = cubic.fit_of(reach, setting)
     dq = abs(dqdx)
     single = dq >= 1 << bits - 3

@@ -2,8 +2,8 @@
 src68k/span/cubic_*.
 
 On a line u = K + C / q as in tmap.setup.far, from its far end to its near one. A piece of n pixels begins
-with the exact U = C / q; behind it C / (q + t dq) = U / (1 + x), x = t dq / q, is the cubic of ``cubics.fits``, stepped by
-its differences.
+with the exact U = C / q; behind it C / (q + t dq) = U / (1 + x), x = t dq / q, is the cubic of ``cubics.fits``, stepped
+by its differences.
 """
 
 from dataclasses import dataclass
@@ -80,7 +80,7 @@ class Line:
 
 
 def fit_of(farthest: int, setting: str) -> tuple[int, int, int, int]:
-    """Returns the row of ``fits`` for so many texels from K."""
+    """Returns the row of ``fits`` for a polygon whose farthest point is ``farthest`` texels from K."""
     return fits()[max(farthest.bit_length(), NEAR) - NEAR + (2 if setting == "fine" else 0)]
 
 
