@@ -1,68 +1,4 @@
-        include "chain.i"
-        include "perspective.i"
-
-; \1 = the step of \3, u or v in \4, a pixel: the 64-bit gradient of the plane \2 (s or t) less that of q times
-; \3, over q in d7, rounded up; 0 if it does not fit. Uses d0-d2/d6.
-step    macro
-        movem.l perspective_plan_\2+screen_plane_dx(a6),d0-d1
-        move.l  perspective_plan_tilt(a6),d2
-        beq.s   .level\@
-        move.l  \4,d6
-        sub.l   perspective_plan_\3(a6),d6
-        muls.l  d2,d2:d6
-        move.b  d2,d6
-        ror.l   #8,d6
-        asr.l   #8,d2
-        sub.l   d6,d1
-        subx.l  d2,d0
-.level\@
-        move.l  d7,d2
-        subq.l  #1,d2
-        add.l   d2,d1
-        bcc.s   .rounded\@
-        addq.l  #1,d0
-.rounded\@
-        move.l  d0,d2
-        minus   <not.l d2>
-        add.l   d2,d2
-        cmp.l   d7,d2
-        bhs.s   .none\@                 ; more than the map: the line has a pixel or two
-        divs.l  d7,d0:d1
-        bvs.s   .none\@
-        tst.l   d0
-        minus   <subq.l #1,d1>
-        move.l  d1,\1
-        bra.s   .made\@
-.none\@ clr.l   \1
-.made\@
-        endm
-
-; On the stack.
-taken_u equ     walk_sizeof             ; what the range takes from u of the line's first pixel
-taken_v equ     walk_sizeof+4
-lines_end equ   walk_sizeof+8
-
-; Keeps what the range takes from d1, \1, and leaves the loop behind this line.
-keep    macro
-        sub.l   perspective_plan_\1_high(a6),d1
-        move.l  d1,4+taken_\1(sp)
-        lea     scanline_sizeof(a0),a3
-        rts
-        endm
-
-; d0 = what each step of the line before a0 and a5 has to make up for in \1; goes to \2 if there is nothing to. Uses
-; d1.
-regain  macro
-        move.l  taken_\1(sp),d0
-        beq.s   \2
-        clr.l   taken_\1(sp)
-        moveq   #0,d1
-        move.w  scanline_last-scanline_sizeof(a0),d1
-        sub.w   scanline_left-scanline_sizeof(a0),d1
-        beq.s   \2
-        divu.l  d1,d0
-        addq.l  #1,d0
-        endm
+        include "level.i"
 
 ; level_lines - starts and steps of lines of nearly constant depth, for the affine span
 ;
@@ -88,81 +24,49 @@ regain  macro
         save_all
         movea.l a0,a6
         movea.l a1,a5
-        subq.l  #4,sp
-        clr.l   -(sp)
-        clr.l   -(sp)
+        lea     walk_sizeof-level_sizeof(sp),sp
         walk_open
+        make_step step_u,s
+        make_step step_v,t
+        moveq   #0,d0
+        move.l  d0,taken_u(sp)
+        move.l  d0,taken_v(sp)
+        tst.l   perspective_plan_chained(a6)
+        beq.s   .chain
+        bset    #STEP_SIGN,d0
+.chain  move.l  d0,chain_bit(sp)
+        movea.l a5,a1
         movea.l perspective_plan_lines(a6),a0
-        movea.l perspective_plan_left(a6),a4
-        lea     EDGE_BIAS(a4),a4
+        movea.l perspective_plan_left(a6),a5
+        lea     EDGE_BIAS(a5),a5
         move.l  perspective_plan_count(a6),d0
         mulu.w  #scanline_sizeof,d0
         lea     (a0,d0.l),a3
         move.l  a3,lines_end(sp)
-
-.line   moveq   #0,d7
-        move.w  scanline_left(a0),d7
-        sub.l   a4,d7
-        walk_to 0
-        move.w  scanline_left(a0),d6
-        cmp.w   scanline_last(a0),d6
-        bgt     .next
-        weight  d7
-        move.l  d2,d0
-        move.l  d3,d1
-        quotient u,d7,keep_u
-        add.l   perspective_plan_u(a6),d1
-        move.l  d1,d3
-        move.l  d4,d0
-        move.l  d5,d1
-        quotient v,d7,keep_v
-        add.l   perspective_plan_v(a6),d1
-        move.l  d1,d4
-
-        move.l  perspective_plan_tilt(a6),d0
-        beq.s   .level
-        move.w  scanline_last(a0),d1
-        sub.w   scanline_left(a0),d1
-        ext.l   d1
-        muls.l  d0,d0:d1
-        move.b  d0,d1
-        ror.l   #8,d1
-        add.l   d1,d7                   ; q of the last pixel
-        cmp.l   perspective_plan_q_low(a6),d7
-        bge.s   .level
-        move.l  perspective_plan_q_low(a6),d7
-.level  step    scanline_step_dudx(a5),s,u,d3
-        step    scanline_step_dvdx(a5),t,v,d4
-        tst.l   perspective_plan_chained(a6)
-        beq.s   .pack
-        btst    #7,scanline_step_dvdx+1(a5)     ; the sign of v's step modulo 256
-        beq.s   .pack
-        addq.l  #1,scanline_step_dudx(a5)
-.pack   pack_start d3,d4,d5,a0
-
-.next   lea     scanline_sizeof(a0),a0
-        addq.l  #scanline_step_sizeof,a5
-        cmpa.l  a3,a0
-        bne     .line
+        movem.l walk_q(sp),d0-d5
+.begin  tst.l   perspective_plan_tilt(a6)
+        bne     .line1
+        lines   0
+        lines   1
 
         ; the last line, or one that the range has taken something from
-        regain  u,.v
-        add.l   d0,scanline_step_dudx-scanline_step_sizeof(a5)
+.stop   regain  u,.v
+        add.l   d6,scanline_step_dudx-scanline_step_sizeof(a1)
 .v      regain  v,.more
-        move.b  scanline_step_dvdx+1-scanline_step_sizeof(a5),d1
-        add.l   d0,scanline_step_dvdx-scanline_step_sizeof(a5)
-        not.b   d1
-        and.b   scanline_step_dvdx+1-scanline_step_sizeof(a5),d1
-        bpl.s   .more                   ; v goes down only if it did so before
-        tst.l   perspective_plan_chained(a6)
+        move.l  scanline_step_dvdx-scanline_step_sizeof(a1),d7
+        add.l   d7,d6
+        move.l  d6,scanline_step_dvdx-scanline_step_sizeof(a1)
+        not.l   d7
+        and.l   d7,d6
+        and.l   chain_bit(sp),d6        ; v goes down only if it did so before
         beq.s   .more
-        addq.l  #1,scanline_step_dudx-scanline_step_sizeof(a5)
+        addq.l  #1,scanline_step_dudx-scanline_step_sizeof(a1)
 .more   movea.l lines_end(sp),a3
         cmpa.l  a3,a0
-        bne     .line
-        lea     walk_sizeof+12(sp),sp
+        bne     .begin
+        lea     level_sizeof(sp),sp
         return_all
 
-keep_u  keep    u
-keep_v  keep    v
+        others  0
+        others  1
         walk_turns

@@ -42,12 +42,10 @@ def is_chained(p: Perspective, width: int, setting: str) -> bool:
 
 
 def level_step(gradient: int, q: int) -> int:
-    """Returns gradient / q rounded up; 0 if that does not fit 32 bits."""
-    n = gradient + q - 1
-    magnitude = n >> 32 if n >= 0 else ~(n >> 32)
-    if 2 * magnitude >= q or signed(cut_quotient(n, q)) != cut_quotient(n, q):
-        return 0
-    return n // q
+    """Returns gradient / q rounded up; 0 if it does not fit 32 bits, being divided as one less if it is above 0."""
+    up = gradient > 0
+    found = cut_quotient(gradient - up, q)
+    return found + up if found == signed(found) else 0
 
 
 def bends(p: Perspective, lines, width: int) -> bool:
