@@ -304,12 +304,12 @@ static int32 draw_perspective(struct setup *s)
         s->level = LEVEL_NOTHING;       /* they bend too much */
     if (s->level == LEVEL_COLUMNS && !light_kind(s))
         return 1;
-    from_afar = !s->level && perspective_from_afar(s, &depth, &afar);
+    from_afar = !s->level && afar_find(&afar, s, &depth);
     if (!from_afar && !perspective_texels(&plan, &depth))
         return count_unsure(s);
     has_lines = make_lines_read(s, from_afar);
     if (from_afar)
-        perspective_draw_from_afar(s, &depth, &afar, has_lines);
+        afar_draw(s, &depth, &afar, has_lines);
     else if (s->level != LEVEL_COLUMNS)
         perspective_draw(s);
     if (light_kind(s))

@@ -1,6 +1,6 @@
 /* Draws lines with perspective: level ones, from the far end, or exactly. */
-#include "perspective/afar.h"
 #include "perspective/light.h"
+#include "perspective/perspective.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 
@@ -41,11 +41,6 @@ static int32 is_narrow(const struct setup *s)
     return s->frame->pixel_bytes == 1;
 }
 
-static int32 has_pieces(const struct setup *s)
-{
-    return ways[s->setting].bend == 0;
-}
-
 /* All lines in the form that a span reads, prepared before they are drawn; one form at a time. */
 union made {
     struct perspective_line exact[FRAME_SIDE_MAX];
@@ -66,7 +61,7 @@ static int32 exact_piece(const struct setup *s)
     int32 piece = ways[s->setting].piece;
 
     /* what a tolerance allows is less than what a setting allows */
-    if (has_pieces(s) && s->setting == (enum perspective)s->material->perspective)
+    if (perspective_has_pieces(s->setting) && s->setting == (enum perspective)s->material->perspective)
         while (piece < PERSPECTIVE_PIECE_EXACT && steep <= plan->q_low / ((1 << (2 * piece + half)) + 1))
             piece++;
     return piece;
@@ -76,7 +71,7 @@ static int32 exact_piece(const struct setup *s)
 static void draw_exactly(const struct setup *s, union made *made)
 {
     const int32 piece = exact_piece(s);
-    const int32 raise = has_pieces(s) ? (2 << piece) + 2 : ways[s->setting].raise;
+    const int32 raise = perspective_has_pieces(s->setting) ? (2 << piece) + 2 : ways[s->setting].raise;
     struct perspective_plan *plan = s->perspective;
     const struct span_plan *span = &s->span;
     struct perspective_span lines;
@@ -141,7 +136,7 @@ static int32 is_level(const struct setup *s, const struct number64 *grows, int32
 /* Returns 1 if lines of `width` pixels, on which q grows by `grows` a pixel, may be straight from their first
    pixels to their last, and sets the plan's tilt. least: q of the longest, whose chord is off by at most half a
    pixel's texels: width^2 / (4 L), L = q / |dq/dx|. */
-static int32 is_straight(const struct setup *s, const struct number64 *grows, int32 width, int32 least)
+static inline int32 is_straight(const struct setup *s, const struct number64 *grows, int32 width, int32 least)
 {
     const int32 steep = perspective_steepness(grows) + 1;
 
@@ -177,27 +172,6 @@ void perspective_find_level(struct setup *s)
     }
 }
 
-int32 perspective_from_afar(const struct setup *s, const struct depth *depth, union afar *afar)
-{
-    if (!is_narrow(s))
-        return 0;
-    return has_pieces(s) ? s->renderer->reciprocals && far_find(&afar->way, s, depth)
-                         : cubic_find(&afar->cubics, s, depth);
-}
-
-void perspective_draw_from_afar(const struct setup *s, const struct depth *depth, union afar *afar,
-                                int32 has_lines)
-{
-    if (s->counts)
-        count_lines(s, has_pieces(s) ? SPAN_RECIPROCAL : SPAN_CUBIC);
-    if (s->renderer->only_counts)
-        return;
-    if (has_pieces(s))
-        far_draw(s, depth, &afar->way, has_lines);
-    else
-        cubic_draw(s, &afar->cubics, has_lines);
-}
-
 void perspective_draw(struct setup *s)
 {
     union made *made = (union made *)s->scratch->room;
@@ -207,7 +181,7 @@ void perspective_draw(struct setup *s)
         return;
     }
     if (s->counts)
-        count_lines(s, has_pieces(s) ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES);
+        count_lines(s, perspective_has_pieces(s->setting) ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES);
     if (!s->renderer->only_counts)
         draw_exactly(s, made);
 }

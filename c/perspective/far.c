@@ -42,63 +42,6 @@ static int32 find_shift(int32 least, int32 steep)
     return steep > FAR_MOST >> shift ? -1 : shift;
 }
 
-/* Returns the whole texels from K to the farther end of a range, rounded up. less: the bits that K lacks. */
-static int32 farthest(int32 k, int32 less, fix16 low, fix16 high)
-{
-    const int32 at = k >> (16 + FAR_K_BITS - less), above = (high >> 16) - at, below = at - (low >> 16);
-
-    return (above > below ? above : below) + 1;
-}
-
-int32 far_find_reach(struct far_way *way, const struct perspective_plan *planes)
-{
-    struct far_plan *plan = &way->plan;
-
-    if (!far_asymptotes(plan))
-        return 0;
-    way->to_u = farthest(plan->ku, plan->less, planes->u_low, planes->u_high);
-    way->to_v = farthest(plan->kv, plan->less, planes->v_low, planes->v_high);
-    return way->to_u > way->to_v ? way->to_u : way->to_v;
-}
-
-/* Converts u or v to the format of K. */
-static int32 as_k(fix16 u, int32 less)
-{
-    return less ? u >> (less - FAR_K_BITS) : u << FAR_K_BITS;
-}
-
-void far_begin_plan(struct far_plan *plan, const struct depth *depth)
-{
-    plan->corners = &depth->corners;
-    plan->scale = depth->scale;
-    plan->less = 0;
-}
-
-int32 far_find_c(struct far_plan *plan, const struct setup *s, int32 bits)
-{
-    const struct perspective_plan *planes = s->perspective;
-    const struct sides *sides = &s->sides;
-
-    plan->bottom = sides->middle_right ? &plan->corners->b : &plan->corners->a;
-    plan->top_u = as_k(sides->top->s - planes->u + 1, plan->less);
-    plan->top_v = as_k(sides->top->t - planes->v + 1, plan->less);
-    plan->bottom_u = as_k(sides->bottom->s - planes->u + 1, plan->less);
-    plan->bottom_v = as_k(sides->bottom->t - planes->v + 1, plan->less);
-    return far_constants(plan, bits);
-}
-
-int32 far_least(const struct setup *s, const struct depth *depth)
-{
-    const struct perspective_plan *planes = s->perspective;
-    const int32 pixels = s->box.right - s->box.left + s->span.count;
-    const int32 steep = perspective_steepness(&planes->q.dx) + 1;
-    /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
-    const int32 least = planes->q_low - pixels - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
-
-    return depth->gentle && least >= 1 << (29 - FAR_DEEP) && planes->q_high <= (1 << 30) + steep
-        && depth->scale < FAR_K_SCALE && depth->down <= FAR_DOWN ? least : 0;
-}
-
 /* Returns the lengths of pieces. */
 static const struct far_lengths *lengths_of(const struct setup *s)
 {

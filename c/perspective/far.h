@@ -39,21 +39,70 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
               int32 has_lines);
 
-/* Returns the least q of a pixel; 0 if the polygon is too deep or too high, or q or the texels are too steep. */
-int32 far_least(const struct setup *s, const struct depth *depth);
-
-/* Sets the corners of a plan. */
-void far_begin_plan(struct far_plan *plan, const struct depth *depth);
-
-/* Finds K and how far it is. Returns the texels, or 0 if K cannot be told. */
-int32 far_find_reach(struct far_way *way, const struct perspective_plan *planes);
-
-/* Finds C. bits: as far_constants'. Returns 0 if it does not fit. */
-int32 far_find_c(struct far_plan *plan, const struct setup *s, int32 bits);
-
 /* Makes the span's table of lines in the scratch room. q: at the first pixel of the planes' first line, with its
    steps, in the format of the span. */
 const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy,
                                       int32 has_lines);
+
+/* Returns the least q of a pixel; 0 if the polygon is too deep or too high, or q or the texels are too steep. */
+static inline int32 far_least(const struct setup *s, const struct depth *depth)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const int32 pixels = s->box.right - s->box.left + s->span.count;
+    const int32 steep = perspective_steepness(&planes->q.dx) + 1;
+    /* steps are cut, and by rounded edges a pixel may be a step outside the polygon */
+    const int32 least = planes->q_low - pixels - (EDGES_ARE_EXACT(s->material->edges) ? 0 : steep);
+
+    return depth->gentle && least >= 1 << (29 - FAR_DEEP) && planes->q_high <= (1 << 30) + steep
+        && depth->scale < FAR_K_SCALE && depth->down <= FAR_DOWN ? least : 0;
+}
+
+/* Sets the corners of a plan. */
+static inline void far_begin_plan(struct far_plan *plan, const struct depth *depth)
+{
+    plan->corners = &depth->corners;
+    plan->scale = depth->scale;
+    plan->less = 0;
+}
+
+/* Returns the whole texels from K to the farther end of a range, rounded up. less: the bits that K lacks. */
+static inline int32 far_farthest(int32 k, int32 less, fix16 low, fix16 high)
+{
+    const int32 at = k >> (16 + FAR_K_BITS - less), above = (high >> 16) - at, below = at - (low >> 16);
+
+    return (above > below ? above : below) + 1;
+}
+
+/* Finds K and how far it is. Returns the texels, or 0 if K cannot be told. */
+static inline int32 far_find_reach(struct far_way *way, const struct perspective_plan *planes)
+{
+    struct far_plan *plan = &way->plan;
+
+    if (!far_asymptotes(plan))
+        return 0;
+    way->to_u = far_farthest(plan->ku, plan->less, planes->u_low, planes->u_high);
+    way->to_v = far_farthest(plan->kv, plan->less, planes->v_low, planes->v_high);
+    return way->to_u > way->to_v ? way->to_u : way->to_v;
+}
+
+/* Converts u or v to the format of K. */
+static inline int32 far_as_k(fix16 u, int32 less)
+{
+    return less ? u >> (less - FAR_K_BITS) : u << FAR_K_BITS;
+}
+
+/* Finds C. bits: as far_constants'. Returns 0 if it does not fit. */
+static inline int32 far_find_c(struct far_plan *plan, const struct setup *s, int32 bits)
+{
+    const struct perspective_plan *planes = s->perspective;
+    const struct sides *sides = &s->sides;
+
+    plan->bottom = sides->middle_right ? &plan->corners->b : &plan->corners->a;
+    plan->top_u = far_as_k(sides->top->s - planes->u + 1, plan->less);
+    plan->top_v = far_as_k(sides->top->t - planes->v + 1, plan->less);
+    plan->bottom_u = far_as_k(sides->bottom->s - planes->u + 1, plan->less);
+    plan->bottom_v = far_as_k(sides->bottom->t - planes->v + 1, plan->less);
+    return far_constants(plan, bits);
+}
 
 #endif

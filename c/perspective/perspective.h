@@ -54,6 +54,12 @@ void corners_find(struct plane_corners *corners, const struct corner_source *sou
 void depth_plane_find(struct screen_plane *q, const struct plane_corners *corners);
 void texel_planes_find(struct texel_planes *planes, const struct plane_corners *corners);
 
+/* Returns 1 for settings with straight pieces. */
+static inline int32 perspective_has_pieces(enum perspective setting)
+{
+    return setting == PERSPECTIVE_EVERY16 || setting == PERSPECTIVE_EVERY8;
+}
+
 /* Fills in the plane of q, the bases and ranges of a plan, for the box's pixels, and what other planes are
    found from. Returns 0 if q is too inexact, as q of a vertex is below 4 times its error: draw the polygon
    affine. w must not be constant; the vertices are those of material_vertices. */
@@ -91,12 +97,6 @@ void perspective_turn(struct perspective_plan *plan, int32 left, int32 next);
 
 /* Finds s->level, unless a tolerance has, and tilt and steep of the plan. */
 void perspective_find_level(struct setup *s);
-
-/* Returns 1 if the polygon's lines are drawn from their far ends: no planes of s and t are needed. */
-union afar;
-int32 perspective_from_afar(const struct setup *s, const struct depth *depth, union afar *afar);
-void perspective_draw_from_afar(const struct setup *s, const struct depth *depth, union afar *afar,
-                                int32 has_lines);
 
 /* Draws the lines of the plan with s->setting and s->level. */
 void perspective_draw(struct setup *s);

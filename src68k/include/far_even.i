@@ -140,7 +140,7 @@ even_lines macro
         bge     .from3
         bra     .from2
 
-        even_loop \1,\2,4
         even_loop \1,\2,3,4
+        even_loop \1,\2,4
         even_loop \1,\2,2,3
         endm

@@ -1,6 +1,6 @@
         include "routine.i"
 
-; The corner \1: all of it if it is the first, or the vector from the first. Uses d0-d4/a2.
+; The corner \1: all of it if it is the first, or the vector from the first. Uses d0-d2/d4/a2.
 corner  macro
         movea.l corner_source_\1(a1),a2
         move.l  vertex_w(a2),d4
@@ -30,16 +30,15 @@ put     macro
         move.l  d4,plane_corners_\1+plane_corner_\2(a0)
         endm
 
-; d1 = the vertex's \1 less the base \2, times q / 2^scale, rounded down. Uses d2-d3.
+; d1 = the vertex's \1 less the base \2, times q / 2^scale, rounded down: the upper half of twice the product, as
+; less than 2^scale is multiplied by 2^d5. Uses d2.
 times_q macro
-        move.l  vertex_\1(a2),d1
-        sub.l   corner_source_\2(a1),d1
-        muls.l  d0,d2:d1
-        lsr.l   d5,d1
-        moveq   #32,d3
-        sub.l   d5,d3
-        lsl.l   d3,d2
-        or.l    d2,d1
+        move.l  vertex_\1(a2),d2
+        sub.l   corner_source_\2(a1),d2
+        lsl.l   d5,d2
+        muls.l  d0,d1:d2
+        add.l   d2,d2
+        addx.l  d1,d1
         endm
 
 ; corners_find - q, s and t of three corners, as two vectors from the first
@@ -53,8 +52,9 @@ times_q macro
 ; error:   of q half a unit; of s one and q's
 ; cost:    about 900 cycles
         routine corners_find,a0,a1
-        movem.l d2-d7/a2,-(sp)
-        move.l  corner_source_scale(a1),d5
+        movem.l d2/d4-d7/a2,-(sp)
+        moveq   #31,d5
+        sub.l   corner_source_scale(a1),d5
         move.l  corner_source_nearest(a1),d7
         move.l  d7,d6
         lsr.l   #2,d6
@@ -63,5 +63,5 @@ times_q macro
         corner  first
         corner  a
         corner  b
-        movem.l (sp)+,d2-d7/a2
+        movem.l (sp)+,d2/d4-d7/a2
         rts
