@@ -2,7 +2,7 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run show demo scene-program bench accuracy polys report adf sdk fuzz test diff clean programs setup FORCE
+.PHONY: help run show demo scene-program bench accuracy polys profile report adf sdk fuzz test diff clean programs setup FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
@@ -60,6 +60,7 @@ help:
 	@echo 'make show [SCENE=FILE] [MACHINE=NAME]             play a scene in a window: space, cursor keys, escape'
 	@echo 'make demo [PLAY=1] [MACHINE=NAME]                 the demo, for an Amiga: build/demo; PLAY=1: in a window'
 	@echo 'make scene-program [SCENE=FILE] [MACHINE=NAME]    a program that draws one scene: build/scene/NAME'
+	@echo 'make profile [SCENE=FILE] [MACHINE=NAME]          where its cycles go: build/profile/NAME'
 	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
@@ -84,6 +85,9 @@ demo: programs
 
 scene-program: programs
 	@scripts/tmap scene-program "$$SCENE" $${MACHINE:+--machine "$$MACHINE"}
+
+profile: programs
+	@scripts/tmap profile "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FRAMES:+--frames "$$FRAMES"}
 
 bench: programs
 	@scripts/tmap bench $${MACHINE:+--machine "$$MACHINE"} -o build/bench

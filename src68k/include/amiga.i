@@ -151,6 +151,7 @@ ddfstrt                 equ     $092
 ddfstop                 equ     $094
 dmacon                  equ     $096
 intena                  equ     $09a
+intreq                  equ     $09c
 bplcon0                 equ     $100
 bplcon1                 equ     $102
 bplcon3                 equ     $106
@@ -166,8 +167,10 @@ INTB_VERTB              equ     5
 INTF_SETCLR             equ     $8000
 INTF_INTEN              equ     $4000
 INTF_EXTER              equ     $2000
+INTF_PORTS              equ     $0008
 
-; CIA-B
+; CIA-A and CIA-B
+ciaa                    equ     $bfe001
 ciab                    equ     $bfd000
 ciatalo                 equ     $400
 ciatahi                 equ     $500
@@ -186,6 +189,7 @@ CRAF_START_LOAD         equ     %00010001       ; continuous, counts E-clock
 CRAF_STOP               equ     %00000000
 CRBF_START_LOAD         equ     %01010001       ; counts underflows of timer A
 CRBF_STOP               equ     %01000000
+CRBF_COUNT_E            equ     %00010001       ; continuous, counts E-clock
 
 ; Call a library routine whose base is already in a6.
 lvo     macro

@@ -69,6 +69,13 @@ def scene_program(args: argparse.Namespace) -> int:
     return tool.command(args.scene, args.out or BUILD / "scene" / args.scene.stem, args.machine)
 
 
+def profile(args: argparse.Namespace) -> int:
+    """Shows where a scene's cycles go."""
+    build_programs()
+    from tmap.product import profile as tool
+    return tool.command(args.scene, args.out or BUILD / "profile" / args.scene.stem, args.machine, args.frames)
+
+
 def bench(args: argparse.Namespace) -> int:
     """Measures the kernels."""
     build_programs()
@@ -227,6 +234,13 @@ def add_scenes(commands: Commands) -> None:
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
     add_out(command, "where to (build/scene/SCENE)")
     add_machine(command, "a1200", "where its frames and times are compared (a1200)")
+
+    command = commands.add("profile", profile, "Show where a scene's cycles go, routine by routine.")
+    command.add_argument("scene", type=Path, metavar="SCENE.toml")
+    add_out(command, "where to (build/profile/SCENE)")
+    add_machine(command, "a1200-fast", "as run has them (a1200-fast)", MACHINES)
+    command.add_argument("--frames", type=int, metavar="N",
+                         help="how many, from the first (as the scene says)")
 
 
 def add_measurements(commands: Commands) -> None:

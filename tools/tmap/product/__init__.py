@@ -1,1 +1,1 @@
-"""Products for users: programs of one scene, the disk, the kit for other programs."""
+"""Products for users: programs of one scene, its profile, the disk, the kit for other programs."""

@@ -20,6 +20,8 @@ ILLEGAL = bytes.fromhex("4afc")
 SYSTEM = ("amiga", "system", "programs")
 VBCC_CODE = "CODE"  # the name of vbcc's sections, one a file
 STOP = "left_out"  # target of pointers to routines that are never called
+#: Objects whose routines replace others and call those.
+WRAPPERS = ("trace.o", "profile.o")
 TABLE = "_table"  # ending of symbols in code that are not routines
 
 
@@ -129,7 +131,7 @@ class Program:
         target = relocation.target
         if isinstance(target, Section):
             return target, relocation.addend
-        if Path(section.file).name != "trace.o":
+        if Path(section.file).name not in WRAPPERS:
             target = self.aliases.get(target, target)
         if target not in self.symbols:
             raise UserError(f"{section.file}: {target}: nothing defines it")

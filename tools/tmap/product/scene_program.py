@@ -67,6 +67,21 @@ def load_sections(scene: Scene) -> list[elf_object.Section]:
         scene_section(scene)]
 
 
+def run_whole(sections: list[elf_object.Section], wrapper: dict[str, str], name: str, machine: str,
+              folder: Path, patience: float | None = None) -> tuple[Layout, emulator.Result]:
+    """Links the whole program of a scene, some of its routines replaced, and runs it once.
+
+    ``wrapper``: calls of the first symbol go to the second; ``name``: the program's."""
+    layout = Layout(Program(sections, ALIASES | wrapper, None), {})
+    folder.mkdir()
+    layout.write(folder / name)
+    done = emulator.run(name, "", {}, machine, folder / "run", programs=folder, patience=patience)
+    if done.code:
+        raise UserError(f"the scene's program: return code {done.code}; "
+                        + emulator.last_words(done.output))
+    return layout, done
+
+
 def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Section, int]:
     """Returns the addresses of sections in the full renderer."""
     places = {(str(ROOT / file), name): at
@@ -78,20 +93,12 @@ def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Secti
 def measure(sections: list[elf_object.Section], folder: Path) -> dict:
     """Runs the whole program once on the emulator; returns the executed offsets of each section,
     and timed as in Part."""
-    program = Program(sections, ALIASES | TRACER, None)
-    layout = Layout(program, {})
-    folder.mkdir()
-    layout.write(folder / "trace")
-    done = emulator.run("trace", "", {}, "a1200-fast", folder / "run", programs=folder,
-                        patience=TRACE_PATIENCE)
-    if done.code:
-        raise UserError(f"the scene's program: return code {done.code}; "
-                        + emulator.last_words(done.output))
+    layout, done = run_whole(sections, TRACER, "trace", "a1200-fast", folder, TRACE_PATIENCE)
     flags = np.frombuffer((done.directory / FLAGS).read_bytes(), np.uint8)
     if layout.code_end() > 2 * len(flags):
         raise UserError("the scene's program: more code than can be traced")
     trace = {}
-    for section in program.parts:
+    for section in layout.program.parts:
         if section.code:
             at = layout.at[section]
             found = flags[at // 2:(at + section.size + 1) // 2]
