@@ -117,7 +117,10 @@ even_lines macro
         move.l  far_span_table(a0),even_table(sp)
         movea.l far_span_ends(a0),a3
         movea.l far_span_lines(a0),a0
-        bra.s   .line
+        bra     .line
+
+        even_loop \1,\2,3,4
+
 .done   lea     even_bytes(sp),sp
         rts
 
@@ -138,9 +141,6 @@ even_lines macro
         bge     .from4
         cmp.w   even_from3(sp),d5
         bge     .from3
-        bra     .from2
-
-        even_loop \1,\2,3,4
-        even_loop \1,\2,4
         even_loop \1,\2,2,3
+        even_loop \1,\2,4
         endm
