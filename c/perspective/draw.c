@@ -9,19 +9,19 @@ static const struct {
     int32 piece, bend;
     int32 raise;                /* units, of u and v */
     int32 off, width;           /* level lines: error allowed, widest polygon */
-    int32 column;               /* level columns: lowest polygon */
+    int32 saved;                /* cycles by columns, a pixel of their box */
     int32 chain;                /* level lines: widest polygon with a chain of u and v */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
-                             FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY16, FRAME_SIDE_MAX},
+                             FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY16, FRAME_SIDE_MAX},
     [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, PERSPECTIVE_RAISE_EVERY8, 0,
-                            FRAME_SIDE_MAX, PERSPECTIVE_COLUMN_EVERY8, FRAME_SIDE_MAX},
+                            FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY8, FRAME_SIDE_MAX},
     [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
                            PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX,
-                           PERSPECTIVE_COLUMN_PIXEL, PERSPECTIVE_CHAIN_PIXEL},
+                           PERSPECTIVE_SAVED_PIXEL, PERSPECTIVE_CHAIN_PIXEL},
     [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
                           PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
-                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_COLUMN_FINE, 0}
+                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_SAVED_FINE, 0}
 };
 
 /* Spans for pixels of 1, 2 and 4 bytes. */
@@ -149,6 +149,12 @@ static inline int32 is_straight(const struct setup *s, const struct number64 *gr
     return 1;
 }
 
+/* Returns 1 if a box's columns are cheaper than its lines. */
+static int32 columns_are_cheaper(const struct setup *s, int32 width, int32 height)
+{
+    return width * (PERSPECTIVE_COLUMN - ways[s->setting].saved * height) < PERSPECTIVE_LINE * height;
+}
+
 void perspective_find_level(struct setup *s)
 {
     struct perspective_plan *plan = s->perspective;
@@ -161,7 +167,7 @@ void perspective_find_level(struct setup *s)
         || is_straight(s, &plan->q.dx, width, plan->q_low)) {
         s->level = LEVEL_LINES;
     } else if (is_narrow(s) && EDGES_ARE_EXACT(s->material->edges)
-               && height >= ways[s->setting].column) {
+               && columns_are_cheaper(s, width, height)) {
         if (is_level(s, &plan->q.dy, height, 0)) {
             s->level = LEVEL_COLUMNS;
         } else if (is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE)) {

@@ -4,6 +4,7 @@ c/perspective/draw.c, src68k/edge/level_lines and lines_bend."""
 import numpy as np
 
 from tmap.base.fixed import M32, cut_quotient, signed
+from tmap.build import layout
 from tmap.setup.perspective import Perspective, steepness, way
 
 STEEP_2_22 = 1 << 22
@@ -34,6 +35,12 @@ def tilt_of(p: Perspective, width: int, least: int) -> int | None:
     if steep >= STEEP_2_22 or steep > least // ((width * width >> 1) + 1):
         return None
     return signed(p.q.dx, 64) >> 24
+
+
+def columns_are_cheaper(setting: str, width: int, height: int) -> bool:
+    """Returns true if a box's columns cost fewer cycles than its lines."""
+    cost = layout.load().constants
+    return width * (cost["PERSPECTIVE_COLUMN"] - way(setting).saved * height) < cost["PERSPECTIVE_LINE"] * height
 
 
 def is_chained(p: Perspective, width: int, setting: str) -> bool:

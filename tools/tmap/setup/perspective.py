@@ -52,7 +52,7 @@ class Way:
     off: int  # error allowed to a level line, in 1/65536 texel
     width: int  # the largest width of a polygon with level lines
     raised: int  # units by which lines are raised
-    column: int  # the lowest polygon with level columns
+    saved: int  # cycles that columns save, a pixel of their box
     chain: int  # the longest line of level lines by a chain of u and v
 
 
@@ -67,7 +67,7 @@ def way(setting: str) -> Way:
     widest = found["FRAME_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
     chain = {"pixel": found["PERSPECTIVE_CHAIN_PIXEL"], "fine": 0}.get(setting, widest)
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
-               widest, number("RAISE"), number("COLUMN"), chain)
+               widest, number("RAISE"), number("SAVED"), chain)
 
 
 def raise_of(exact: str) -> int:

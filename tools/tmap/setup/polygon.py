@@ -13,7 +13,7 @@ from tmap.base.fixed import M32, ONE, mul, signed
 from tmap.setup import afar, cubic, far, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
-from tmap.setup.level import bends, is_chained, is_level, level, tilt_of
+from tmap.setup.level import bends, columns_are_cheaper, is_chained, is_level, level, tilt_of
 from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, coordinates as perspective_coordinates, ends,
                                     perspective, raise_of, way)
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
@@ -264,9 +264,9 @@ def turned_of(polygon: Polygon, vertices, box, size: tuple[int, int],
         return None
     deep = polygon.perspective.turned(sides.box[1], box[1])
     deep.base = tuple(b + way(polygon.setting).raised for b in deep.base)
-    height = box[3] - box[1]
+    width, height = box[2] - box[0], box[3] - box[1]
     deep.chained = is_chained(deep, height, polygon.setting)
-    if height < way(polygon.setting).column or not set_level(polygon, deep, height, 0, Q_ONE, settings):
+    if not columns_are_cheaper(polygon.setting, width, height) or not set_level(polygon, deep, height, 0, Q_ONE, settings):
         return None
     return deep, turned, sides
 
