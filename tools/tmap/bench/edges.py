@@ -1,5 +1,8 @@
 """Calls of the edge steppers, which make the lines between two edges with u and v of their starts."""
 
+from collections.abc import Iterator
+from itertools import islice
+
 from tmap.base.fixed import M32, ONE
 from tmap.bench.spans import BIAS, DU, DV, table_of
 from tmap.bench.trial import Trial, Write, anything, long_write
@@ -89,16 +92,17 @@ def edge_case(name: str):
     return edge_trial(name, Arena(), *edge_sides(name), dict(dudx=DU, dvdx=DV)).row(LINES)
 
 
-def ramp_points(side: list[Fields]) -> list[tuple[int, int, int]]:
+def ramp_points(side: list[Fields]) -> Iterator[tuple[int, int, int]]:
     """x, u and v of each line of a side's ramps."""
-    return [tuple(r[k] + n * r["d" + k] for k in "xuv") for r in side for n in range(r["lines"])]
+    return (tuple(r[k] + n * r["d" + k] for k in "xuv") for r in side for n in range(r["lines"]))
 
 
 def ramp_trial(arena: Arena, left: list[Fields], right: list[Fields], truncated: bool, packed: bool,
-               title: str = "") -> Trial:
-    """One call with the ramps of both sides, struct ramp each, in a frame of 320 columns."""
+               title: str = "", count: int | None = None) -> Trial:
+    """One call with the ramps of both sides, struct ramp each, in a frame of 320 columns. ``count``: of lines, if
+    the ramps have more."""
     form, before, after, steps = "addx" if packed else "plain", [], [], []
-    for a, b in zip(ramp_points(left), ramp_points(right)):
+    for a, b in islice(zip(ramp_points(left), ramp_points(right)), count):
         line = model.Line(max(model.ceil16(a[0]), 0), min(model.ceil16(b[0]), 320))
         before.append({"left": line.left + BIAS, "last": max(line.right, line.left - 5) + BIAS - 1})
         if line.right > line.left:
@@ -124,9 +128,9 @@ def ramp_trial(arena: Arena, left: list[Fields], right: list[Fields], truncated:
 
 
 def ramp_case():
-    """LINES lines of 10 pixels and more, sub-texel starts, packed. A call uses the ramps up and the
-    next one runs on from there: with the same steps on both sides, at the same cost."""
-    steps = {"dx": 0x4321, "du": 0x1234, "dv": -0x2345, "lines": LINES}
+    """LINES lines of 10 pixels and more, sub-texel starts, packed. The next call runs on from where one
+    ends: with the same steps on both sides, at the same cost."""
+    steps = {"dx": 0x4321, "du": 0x1234, "dv": -0x2345, "lines": 1 << 20}
     left, right = ([dict(zip("xuv", (n << 16 for n in side))) | steps]
                    for side in ((100, 20, 30), (110, 200, 90)))
-    return ramp_trial(Arena(), left, right, False, True).row(LINES)
+    return ramp_trial(Arena(), left, right, False, True, count=LINES).row(LINES)
