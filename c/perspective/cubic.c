@@ -33,12 +33,8 @@ static void refine(int32 *c, int32 *dc, uint32 *dc_low, int32 rest, fix16 height
 /* Finds K. Returns the texels to it, or 0 if it is too far or cannot be told. */
 static int32 find_k(struct far_way *way, const struct perspective_plan *planes)
 {
-    int32 reach = far_find_reach(way, planes);
+    int32 reach = far_find_reach(way, planes, CUBIC_REACH / 4);     /* u - K is a long */
 
-    if (!reach || reach > CUBIC_REACH / 4) {     /* u - K is a long */
-        way->plan.less = FAR_COARSE;
-        reach = far_find_reach(way, planes);
-    }
     return reach > CUBIC_REACH ? 0 : reach;
 }
 

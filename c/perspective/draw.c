@@ -9,7 +9,7 @@ static const struct {
     int32 piece, bend;
     int32 raise;                /* units, of u and v */
     int32 off, width;           /* level lines: error allowed, widest polygon */
-    int32 saved;                /* cycles by columns, a pixel of their box */
+    int32 saved;                /* cycles by columns, a pixel */
     int32 chain;                /* level lines: widest polygon with a chain of u and v */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
@@ -149,10 +149,31 @@ static inline int32 is_straight(const struct setup *s, const struct number64 *gr
     return 1;
 }
 
-/* Returns 1 if a box's columns are cheaper than its lines. */
+/* Returns 1 if columns are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three
+   quarters or so. */
 static int32 columns_are_cheaper(const struct setup *s, int32 width, int32 height)
 {
-    return width * (PERSPECTIVE_COLUMN - ways[s->setting].saved * height) < PERSPECTIVE_LINE * height;
+    const int32 quarters = s->count == 3 ? 2 : 3;
+
+    return PERSPECTIVE_TURN + width * (PERSPECTIVE_COLUMN - (ways[s->setting].saved * height * quarters >> 2))
+         < PERSPECTIVE_LINE * height;
+}
+
+/* Finds whether columns are level or straight, and sets the plan's tilt and steep if so. */
+static inline int32 has_columns(struct setup *s, int32 width, int32 height)
+{
+    struct perspective_plan *plan = s->perspective;
+    const int32 level = is_level(s, &plan->q.dy, height, 0);
+
+    if (!level && !is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE))
+        return 0;
+    if (!columns_are_cheaper(s, width, height)) {
+        plan->tilt = 0;
+        return 0;
+    }
+    /* a wall is highest where it is nearest: each column is tested */
+    plan->steep = level ? 0 : perspective_steepness(&plan->q.dy) + 1;
+    return 1;
 }
 
 void perspective_find_level(struct setup *s)
@@ -164,18 +185,10 @@ void perspective_find_level(struct setup *s)
     if (s->level)
         return;
     if (is_level(s, &plan->q.dx, width, ways[s->setting].off)
-        || is_straight(s, &plan->q.dx, width, plan->q_low)) {
+        || is_straight(s, &plan->q.dx, width, plan->q_low))
         s->level = LEVEL_LINES;
-    } else if (is_narrow(s) && EDGES_ARE_EXACT(s->material->edges)
-               && columns_are_cheaper(s, width, height)) {
-        if (is_level(s, &plan->q.dy, height, 0)) {
-            s->level = LEVEL_COLUMNS;
-        } else if (is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE)) {
-            /* a wall is highest where it is nearest: each column is tested */
-            plan->steep = perspective_steepness(&plan->q.dy) + 1;
-            s->level = LEVEL_COLUMNS;
-        }
-    }
+    else if (is_narrow(s) && EDGES_ARE_EXACT(s->material->edges) && has_columns(s, width, height))
+        s->level = LEVEL_COLUMNS;
 }
 
 void perspective_draw(struct setup *s)

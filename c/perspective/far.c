@@ -60,16 +60,10 @@ static int32 find_constants(struct far_way *way, const struct setup *s, const st
 
     way->part = FAR_OFF_PART + (((pixels + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
     far_begin_plan(plan, depth);
-    reach = far_find_reach(way, planes);
-    if (reach && reach <= FAR_REACH << FAR_COARSE) {
-        way->coarse = reach > FAR_REACH;
-    } else {
-        way->coarse = 2;
-        plan->less = FAR_COARSE;
-        reach = far_find_reach(way, planes);
-        if (!reach || reach > FAR_REACH << 2 * FAR_COARSE || dq < (uint32)way->part << 14)
-            return 0;
-    }
+    reach = far_find_reach(way, planes, FAR_REACH << FAR_COARSE);
+    way->coarse = plan->less ? 2 : reach > FAR_REACH;
+    if (plan->less && (!reach || reach > FAR_REACH << 2 * FAR_COARSE || dq < (uint32)way->part << 14))
+        return 0;
     return far_find_c(plan, s, way->coarse ? FAR_BITS_COARSE : FAR_BITS);
 }
 

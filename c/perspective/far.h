@@ -73,16 +73,23 @@ static inline int32 far_farthest(int32 k, int32 less, fix16 low, fix16 high)
     return (above > below ? above : below) + 1;
 }
 
-/* Finds K and how far it is. Returns the texels, or 0 if K cannot be told. */
-static inline int32 far_find_reach(struct far_way *way, const struct perspective_plan *planes)
+/* Finds K and how far it is. Beyond `most` texels K lacks bits. Returns the texels, or 0 if K cannot be told. */
+static inline int32 far_find_reach(struct far_way *way, const struct perspective_plan *planes, int32 most)
 {
     struct far_plan *plan = &way->plan;
+    int32 reach = 0;
 
-    if (!far_asymptotes(plan))
-        return 0;
-    way->to_u = far_farthest(plan->ku, plan->less, planes->u_low, planes->u_high);
-    way->to_v = far_farthest(plan->kv, plan->less, planes->v_low, planes->v_high);
-    return way->to_u > way->to_v ? way->to_u : way->to_v;
+    while (1) {
+        if (far_asymptotes(plan)) {
+            way->to_u = far_farthest(plan->ku, plan->less, planes->u_low, planes->u_high);
+            way->to_v = far_farthest(plan->kv, plan->less, planes->v_low, planes->v_high);
+            reach = way->to_u > way->to_v ? way->to_u : way->to_v;
+        }
+        if (plan->less || (reach && reach <= most))
+            return reach;
+        reach = 0;
+        plan->less = FAR_COARSE;
+    }
 }
 
 /* Converts u or v to the format of K. */

@@ -24,14 +24,15 @@ enum perspective_constants {
     PERSPECTIVE_LEVEL_PIXEL = 1020,
     PERSPECTIVE_LEVEL_FINE = 128,
     PERSPECTIVE_LEVEL_WIDTH = 380,          /* of FINE; of the others any frame's width */
-    /* Which is cheaper, columns or lines: a column costs about 950 cycles and 22 a pixel, a line from 550 and 38
-       (EVERY16), 40, 70 or 90. Half of the box is filled at least: SAVED is half of the difference. */
-    PERSPECTIVE_COLUMN = 950,
+    /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 800 and 22 a pixel, a line from
+       550 and 38 (EVERY16), 40, 70 or 90. */
+    PERSPECTIVE_TURN = 6000,
+    PERSPECTIVE_COLUMN = 800,
     PERSPECTIVE_LINE = 550,
-    PERSPECTIVE_SAVED_EVERY16 = 8,
-    PERSPECTIVE_SAVED_EVERY8 = 9,
-    PERSPECTIVE_SAVED_PIXEL = 24,
-    PERSPECTIVE_SAVED_FINE = 34,
+    PERSPECTIVE_SAVED_EVERY16 = 16,
+    PERSPECTIVE_SAVED_EVERY8 = 18,
+    PERSPECTIVE_SAVED_PIXEL = 48,
+    PERSPECTIVE_SAVED_FINE = 68,
     /* Units by which lines are raised to make up for rounding. A fraction of the way from end to
        end loses 3; ends of pieces of m pixels lose m - 1, and the steps of the last piece m; curves
        are rounded by longest^2 / 8 + 8. */

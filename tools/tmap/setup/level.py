@@ -37,10 +37,12 @@ def tilt_of(p: Perspective, width: int, least: int) -> int | None:
     return signed(p.q.dx, 64) >> 24
 
 
-def columns_are_cheaper(setting: str, width: int, height: int) -> bool:
-    """Returns true if a box's columns cost fewer cycles than its lines."""
+def columns_are_cheaper(setting: str, count: int, width: int, height: int) -> bool:
+    """Returns true if columns cost fewer cycles than lines; ``count``: of vertices, by which more or less of the box
+    is filled."""
     cost = layout.load().constants
-    return width * (cost["PERSPECTIVE_COLUMN"] - way(setting).saved * height) < cost["PERSPECTIVE_LINE"] * height
+    column = cost["PERSPECTIVE_COLUMN"] - (way(setting).saved * height * (2 if count == 3 else 3) >> 2)
+    return cost["PERSPECTIVE_TURN"] + width * column < cost["PERSPECTIVE_LINE"] * height
 
 
 def is_chained(p: Perspective, width: int, setting: str) -> bool:

@@ -52,7 +52,7 @@ class Way:
     off: int  # error allowed to a level line, in 1/65536 texel
     width: int  # the largest width of a polygon with level lines
     raised: int  # units by which lines are raised
-    saved: int  # cycles that columns save, a pixel of their box
+    saved: int  # cycles that columns save, a pixel
     chain: int  # the longest line of level lines by a chain of u and v
 
 

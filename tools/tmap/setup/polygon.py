@@ -266,7 +266,7 @@ def turned_of(polygon: Polygon, vertices, box, size: tuple[int, int],
     deep.base = tuple(b + way(polygon.setting).raised for b in deep.base)
     width, height = box[2] - box[0], box[3] - box[1]
     deep.chained = is_chained(deep, height, polygon.setting)
-    if not columns_are_cheaper(polygon.setting, width, height) or not set_level(polygon, deep, height, 0, Q_ONE, settings):
+    if not columns_are_cheaper(polygon.setting, len(vertices), width, height) or not set_level(polygon, deep, height, 0, Q_ONE, settings):
         return None
     return deep, turned, sides
 
