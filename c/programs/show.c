@@ -204,7 +204,7 @@ static int32 follow_keys(struct show *s)
         key = key_take();
         if (key != NO_KEY || !s->paused)
             break;
-        display_wait();
+        display_wait(display_fields());
     }
     for (; key != NO_KEY; key = key_take())
         if (!follow(s, key))

@@ -19,7 +19,7 @@ int32 display_has_aga(void);
 int32 display_open(const uint16 *list);
 void display_show(const uint16 *list);
 void display_post(const uint16 *list, uint32 field);
-void display_wait(void);
+void display_wait(uint32 field);
 uint32 display_shown(void);
 uint32 display_since(void);
 uint32 display_age(void);

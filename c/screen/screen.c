@@ -199,8 +199,8 @@ int32 screen_waits(const struct screen *screen)
 
 uint32 screen_wait(const struct screen *screen)
 {
-    while (screen_waits(screen))
-        display_wait();
+    for (uint32 field = display_fields(); screen_waits(screen); field = display_fields())
+        display_wait(field);
     return display_since() - screen->since;
 }
 

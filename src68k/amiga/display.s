@@ -151,15 +151,26 @@ DMA_ON                  equ     $8380   ; all, bitplanes, copper
 
 FIELD_LINES             equ     312
 
-; display_wait - waits for the next field; other tasks run until then
+; display_wait - waits for the field after a given one, unless it is over; other tasks run until then
 ;
+; in:      d0  uint32  the field, as display_fields counts
 ; error:   the display must be ours
 ; cost:    a field at most
-        routine display_wait
-        move.l  a6,-(sp)
+
+; Interrupts are off from the comparison on, until the system lets other tasks run: a field that begins between
+; both would be missed, and another one waited for.
+        routine display_wait,d0
+        movem.l d2/a6,-(sp)
+        move.l  d0,d2
+        movea.l sys_base,a6
+        lvo     Disable
+        cmp.l   state+FIELDS,d2
+        bne.s   .over
         movea.l gfx_base,a6
         lvo     WaitTOF
-        movea.l (sp)+,a6
+        movea.l sys_base,a6
+.over   lvo     Enable
+        movem.l (sp)+,d2/a6
         rts
 
 ; display_shown - the list that the copper runs

@@ -141,7 +141,7 @@ static int32 post(void)
     text_number((int32)(screen_wait(&screen) - posted));
     text_add(" ");
     text_number(display_age() < LINES);
-    display_wait();
+    display_wait(display_fields());
     text_number(display_age() >= LINES);
     text_print();
     return screen_waits(&screen) ? RETURN_FAIL : RETURN_OK;
