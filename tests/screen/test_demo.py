@@ -4,6 +4,7 @@ how it ends, and which input it refuses.
 
 import re
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ from tests.helpers import endings, guest_program
 from tests.helpers.endings import AT_ONCE, KEYS
 from tmap.base.paths import PROGRAMS
 from tmap.build import layout
-from tmap.guest import emulator
+from tmap.compiler.scene import compile_scene
+from tmap.guest import emulator, guest_frames
 from tmap.run import demo
 from tmap.run.governor import Governor
 
@@ -82,6 +84,28 @@ def played(request, data, tmp_path_factory):
     quiet = [np.array([int(line.split()[3]) for line in each.output.splitlines()])
              for each in done[2:]]
     return request.param, read(done[0].output), quiet, [int(n) for n in done[1].output.split()]
+
+
+PANE = re.compile(r"^pane \d+ \d+ (?P<form>\w+) \d+ (?P<perspective>\w+) (?P<dearest>\d+) ", re.M)
+
+
+@pytest.mark.parametrize("part, name", [(RACE, "race"), (PERSPECTIVE, "face")])
+def test_the_dearest_frames_are_named(data, part: int, name: str):
+    """Where panes take turns, no picture takes longer than the named one and an eighth (lanes_probe)."""
+    panes = list(PANE.finditer(data[demo.SCRIPT].decode().split("\npart ")[part]))
+    made = compile_scene(demo.SOURCE / f"{name}.toml")
+    scenes = []
+    for pane in panes:
+        own = pane["perspective"]
+        materials = [material if own == "own" or material.perspective == "none" else
+                     replace(material, perspective=own) for material in made.materials]
+        scenes.append((replace(made, materials=materials), pane["form"]))
+    for pane, digests in zip(panes, guest_frames.draw(scenes, "a1200"), strict=True):
+        ticks = digests["ticks"].astype(int)
+        named = int(pane["dearest"])
+        assert ticks[named] * 9 // 8 > ticks.max(), (
+            f"part {part}, {pane[0]}: frame {named} takes {ticks[named]} colour clocks, frame {ticks.argmax()} "
+            f"{ticks.max()}; tests/scenes/demo/{demo.SCRIPT}")
 
 
 def test_all_parts_are_played(played):
