@@ -300,7 +300,7 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
     (GOOD, obj("v 0 0 0\nv 1 0 0\nv 1e30 1 0\nf 1 2 3\n"), "a point is more than 2048 units"),
     (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "objects[1].mesh: mesh.obj: face 0: has no area"),
     (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 1 0\nf 1 2 3\nf 1 1 3\n"), "face 1: has no area"),
-    (GOOD, obj(ZIGZAG + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: face 0: is not convex"),
+    (GOOD, obj(ZIGZAG + "f 1 3 2 4 5\n"), "objects[1].mesh: mesh.obj: face 0: crosses itself"),
     (GOOD, obj(STAR + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: face 0: crosses itself"),
     (GOOD, obj(RING + "f " + " ".join(map(str, range(1, 41))) + "\n"),
      "objects[1].mesh: mesh.obj: face 0: has 40 corners; 32 at most"),

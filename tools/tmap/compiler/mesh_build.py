@@ -1,7 +1,7 @@
 """Converts a scene's mesh to the tables of a scene file.
 
-Faces keep their corners unless triangles are needed: for a bent face, for the material's gradients
-"polygon", or for gradients "plane" if s and t or shades are not planar.
+Faces keep their corners unless triangles are needed: for a concave or bent face, for the material's
+gradients "polygon", or for gradients "plane" if s and t or shades are not planar.
 """
 
 import math
@@ -13,7 +13,7 @@ from tmap.base.fields import fail
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, off_plane, product
 from tmap.build import layout
-from tmap.compiler import space
+from tmap.compiler import cutting, space
 from tmap.compiler.mesh_file import Shape, check_counts
 from tmap.scene_file.meshes import UNIT_14, UNIT_30
 
@@ -70,10 +70,6 @@ class Face:
             return None if of is None else [of[k] for k in kept]
         return Face(self.number, chosen(self.points), chosen(self.texels), chosen(self.normals))
 
-    def triangles(self) -> list["Face"]:
-        """Returns a fan of triangles from the first corner."""
-        return [self.part([0, k - 1, k]) for k in range(2, len(self.points))]
-
 
 def newell(ring: np.ndarray) -> np.ndarray:
     """Returns a polygon's normal, whose length is twice the area."""
@@ -85,23 +81,27 @@ def size_of(ring: np.ndarray) -> float:
     return float(np.ptp(ring, axis=0).max())
 
 
-def check_face(ring: np.ndarray, where: str) -> np.ndarray:
-    """Returns the unit normal of a convex polygon; refuses other polygons."""
-    normal, size = newell(ring), size_of(ring)
-    if length(normal) <= 2 * size * SMALL:
-        fail(where, "has no area")
-    normal /= length(normal)
+def unit_normal(ring: np.ndarray) -> np.ndarray | None:
+    """Returns the unit normal of a polygon; None if it has no area."""
+    normal = newell(ring)
+    if length(normal) <= 2 * size_of(ring) * SMALL:
+        return None
+    return normal / length(normal)
+
+
+def is_convex(ring: np.ndarray, normal: np.ndarray, where: str) -> bool:
+    """Returns True if a polygon has no dent; refuses one that goes round more than once."""
     sides = np.roll(ring, -1, axis=0) - ring
-    before, around = np.roll(sides, 1, axis=0), 0.0
+    before, around, dented = np.roll(sides, 1, axis=0), 0.0, False
     turns = product(np.cross(before, sides), normal)
     along = (before * sides).sum(axis=1)
     for turn, ahead, both in zip(turns.tolist(), along.tolist(), (before + sides).tolist()):
-        if turn < -max(FLAT * size, SMALL) * (length(both) or 1.0):
-            fail(where, "is not convex")
-        around += math.atan2(abs(turn), ahead)
+        is_dent = turn < -max(FLAT * size_of(ring), SMALL) * (length(both) or 1.0)
+        dented |= is_dent
+        around += math.atan2(turn if is_dent else abs(turn), ahead)
     if around > 3 * math.pi:  # the sum is 2 pi, or 4 pi and more: the last bits do not matter
         fail(where, "crosses itself")
-    return normal
+    return not dented
 
 
 def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
@@ -160,7 +160,7 @@ def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: 
 
 
 def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> bool:
-    """Returns True if a face must become triangles."""
+    """Returns True if a convex face must become triangles."""
     if len(face.points) == 3:
         return False
     if wishes.triangles or is_bent(ring, normal):
@@ -170,6 +170,24 @@ def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> 
     if wishes.mapping == "uv" and not is_even(ring, normal, np.array(face.texels)):
         return True
     return wishes.turns_normals and len(set(face.normals)) > 1
+
+
+def parts_of(face: Face, places: np.ndarray, wishes: Wishes, where: str) -> list[Face]:
+    """Returns the convex polygons of a face: the face, or triangles. Triangles without area are
+    left out. ``where``: the face, for messages."""
+    ring = places[face.points] / ONE
+    normal = unit_normal(ring)
+    if normal is None:
+        fail(where, "has no area")
+    convex = is_convex(ring, normal, where)
+    if convex and not is_cut(face, ring, normal, wishes):
+        return [face]
+    cuts = cutting.triangles(cutting.flat(places[face.points], normal))
+    if cuts is None and not convex:
+        fail(where, "crosses itself")
+    cuts = cuts or cutting.fan(len(face.points))  # dents within the tolerance may cross by rounding
+    parts = [face.part(cut) for cut in cuts]
+    return [part for part in parts if unit_normal(places[part.points] / ONE) is not None]
 
 
 def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
@@ -216,16 +234,10 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
     kept = np.nan_to_num(scaled).clip(-limits["MESH_REACH"], limits["MESH_REACH"])  # unused ones
     places = np.rint(kept * ONE).astype(np.int64)
     faces = faces_of(shape, places, where)
-    planes = [check_face(places[f.points] / ONE, f"{where}: face {f.number}") for f in faces]
     if wishes.turns_normals:
         set_normals(faces, places, wishes.normals, where)
-    made = []
-    for face, normal in zip(faces, planes):
-        is_split = is_cut(face, places[face.points] / ONE, normal, wishes)
-        for part in face.triangles() if is_split else [face]:
-            if is_split:
-                check_face(places[part.points] / ONE, f"{where}: face {face.number}, cut up,")
-            made.append(part)
+    made = [part for face in faces
+            for part in parts_of(face, places, wishes, f"{where}: face {face.number}")]
     found = tables(made, places, wishes)
     check_counts(len(found.points), len(found.faces), where)
     most = limits["MESH_COUNT_MAX"]
