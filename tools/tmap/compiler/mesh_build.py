@@ -48,6 +48,7 @@ class Tables:
     normals: np.ndarray
     corners: np.ndarray
     faces: np.ndarray
+    sources: list[str]  # where each face is from, for messages
 
     @property
     def key(self) -> tuple:
@@ -57,18 +58,20 @@ class Tables:
 
 @dataclass
 class Face:
-    """A polygon: its number in the file, and its corners in order."""
+    """A polygon: its number in the shape, and its corners in order."""
 
     number: int
     points: list[int]
     texels: list[tuple[float, float]] | None
     normals: list[tuple[float, float, float]] | None
+    at: str = ""  # its place in the file, for messages
 
     def part(self, kept: list[int]) -> "Face":
         """Returns the polygon of some of the corners."""
         def chosen(of):
             return None if of is None else [of[k] for k in kept]
-        return Face(self.number, chosen(self.points), chosen(self.texels), chosen(self.normals))
+        return Face(self.number, chosen(self.points), chosen(self.texels), chosen(self.normals),
+                    self.at)
 
 
 def newell(ring: np.ndarray) -> np.ndarray:
@@ -110,13 +113,12 @@ def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
     made = []
     for number, points in enumerate(shape.faces):
         face = Face(number, list(points), shape.texels and shape.texels[number],
-                    shape.normals and shape.normals[number])
+                    shape.normals and shape.normals[number], shape.at(number, where))
         kept = [k for k, p in enumerate(points) if (places[p] != places[points[k - 1]]).any()]
-        at = f"{where}: face {number}"
         if len(kept) > most:
-            fail(at, f"has {len(kept)} corners; {most} at most")
+            fail(face.at, f"has {len(kept)} corners; {most} at most")
         if len(kept) < 3:
-            fail(at, "has no area")
+            fail(face.at, "has no area")
         made.append(face.part(kept))
     return made
 
@@ -146,17 +148,17 @@ def smooth(faces: list[Face], places: np.ndarray) -> None:
                         for n in mean]
 
 
-def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: str) -> None:
+def set_normals(faces: list[Face], places: np.ndarray, kind: str | None) -> None:
     """Gives every corner its normal: the file's, the face's or a smooth one."""
     if kind == "faces":
         for face in faces:
             face.normals = [tuple(newell(places[face.points] / ONE))] * len(face.points)
-    elif kind == "smooth" or faces[0].normals is None:
+    elif kind == "smooth" or any(face.normals is None for face in faces):
         smooth(faces, places)
     for face in faces:
         for normal in face.normals:
             if not (np.isfinite(normal).all() and any(normal)):
-                fail(where, f"face {face.number} has a normal without direction")
+                fail(face.at, "a normal has no direction")
 
 
 def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> bool:
@@ -172,19 +174,19 @@ def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> 
     return wishes.turns_normals and len(set(face.normals)) > 1
 
 
-def parts_of(face: Face, places: np.ndarray, wishes: Wishes, where: str) -> list[Face]:
+def parts_of(face: Face, places: np.ndarray, wishes: Wishes) -> list[Face]:
     """Returns the convex polygons of a face: the face, or triangles. Triangles without area are
-    left out. ``where``: the face, for messages."""
+    left out."""
     ring = places[face.points] / ONE
     normal = unit_normal(ring)
     if normal is None:
-        fail(where, "has no area")
-    convex = is_convex(ring, normal, where)
+        fail(face.at, "has no area")
+    convex = is_convex(ring, normal, face.at)
     if convex and not is_cut(face, ring, normal, wishes):
         return [face]
     cuts = cutting.triangles(cutting.flat(places[face.points], normal))
     if cuts is None and not convex:
-        fail(where, "crosses itself")
+        fail(face.at, "crosses itself")
     cuts = cuts or cutting.fan(len(face.points))  # dents within the tolerance may cross by rounding
     parts = [face.part(cut) for cut in cuts]
     return [part for part in parts if unit_normal(places[part.points] / ONE) is not None]
@@ -220,7 +222,8 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
             [*fixed, round(away / len(ring) / UNIT_30)]
         rows.append([*plane, first, len(ring)])
         first += len(ring)
-    return Tables(points, normals, np.array(corners, np.int64), np.array(rows, np.int64))
+    return Tables(points, normals, np.array(corners, np.int64), np.array(rows, np.int64),
+                  [face.at for face in faces])
 
 
 def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
@@ -229,15 +232,14 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
     limits = layout.load().constants
     scaled = shape.points * wishes.size
     used = sorted({point for face in shape.faces for point in face})
-    if not np.isfinite(scaled[used]).all() or abs(scaled[used]).max() > limits["MESH_REACH"]:
+    if not (abs(scaled[used]) <= limits["MESH_REACH"]).all():  # also catches NaN
         fail(where, f"a point is more than {limits['MESH_REACH']} units from the mesh's origin")
     kept = np.nan_to_num(scaled).clip(-limits["MESH_REACH"], limits["MESH_REACH"])  # unused ones
     places = np.rint(kept * ONE).astype(np.int64)
     faces = faces_of(shape, places, where)
     if wishes.turns_normals:
-        set_normals(faces, places, wishes.normals, where)
-    made = [part for face in faces
-            for part in parts_of(face, places, wishes, f"{where}: face {face.number}")]
+        set_normals(faces, places, wishes.normals)
+    made = [part for face in faces for part in parts_of(face, places, wishes)]
     found = tables(made, places, wishes)
     check_counts(len(found.points), len(found.faces), where)
     most = limits["MESH_COUNT_MAX"]

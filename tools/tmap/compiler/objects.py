@@ -137,6 +137,11 @@ def check(spec: dict, where: str) -> None:
                      f"{where}objects[{i}]")
 
 
+def complete(values: list | None) -> bool:
+    """Returns True if every face has values at its corners."""
+    return values is not None and None not in values
+
+
 def rounded(values, bits: int) -> list[int]:
     """Rounds to the nearest numbers with this many fraction bits."""
     return np.rint(np.asarray(values) * 2.0 ** bits).astype(np.int64).ravel().tolist()
@@ -193,17 +198,18 @@ class Space:
         """Builds the tables of an object's mesh; refuses one that the material cannot draw.
         ``uvs``: the field with s and t."""
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
+        file = f"{at}: {obj['mesh']}" if "mesh" in obj else at
         shape = mesh_file.load(obj["mesh"], self.folder, at, shown.extent) if "mesh" in obj else \
             mesh_file.listed(obj, where, uvs)
-        if obj["normals"] == "file" and shape.normals is None:
+        if obj["normals"] == "file" and not complete(shape.normals):
             fail(f"{where}.normals", '"file", but not every corner has a normal there')
         if obj["mapping"] == "uv":
-            if shape.texels is None:
+            if not complete(shape.texels):
                 fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
-            texels_at = at if "mesh" in obj else f"{where}.{uvs}"
-            for face in shape.texels:
+            for number_, face in enumerate(shape.texels):
+                texels_at = shape.at(number_, file) if "mesh" in obj else f"{where}.{uvs}"
                 check_corners([(0, 0, *texel) for texel in face], mapper, shown, texels_at)
-        return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
+        return mesh_build.build(shape, wishes, file)
 
     def store(self, made: mesh_build.Tables, where: str) -> int:
         """Appends a mesh; returns its number."""

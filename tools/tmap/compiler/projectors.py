@@ -132,12 +132,12 @@ class Faces:
     def shown(self, face: np.ndarray, number_: int, frame: int) -> list[np.ndarray]:
         """Returns a face, or the parts of it whose coordinates the units can draw."""
         if len(face) > self.most:
-            fail(self.where, f"face {number_} has {len(face)} corners on the screen in frame "
-                             f"{frame}; with coordinates of their own {self.most} at most")
+            fail(self.first.sources[number_], f"has {len(face)} corners on the screen in frame {frame}; "
+                                              f"with coordinates of their own {self.most} at most")
         if fits(face):
             return [face]
         if not self.clamp_w:
-            fail(f"{self.where}.projector", f"a corner of face {number_} is too near the plane "
+            fail(self.first.sources[number_], "a corner is too near the plane "
                  f"that {self.obj['projector']!r} stands on, in frame {frame}: its s or t reaches "
                  f"{REACH}; clamp_w of the second unit would let it be cut there")
         parts = []
