@@ -49,6 +49,7 @@ class Tables:
     corners: np.ndarray
     faces: np.ndarray
     sources: list[str]  # where each face is from, for messages
+    left_out: list[str]  # where faces without area are
 
     @property
     def key(self) -> tuple:
@@ -58,20 +59,19 @@ class Tables:
 
 @dataclass
 class Face:
-    """A polygon: its number in the shape, and its corners in order."""
+    """A polygon with its corners in order."""
 
-    number: int
     points: list[int]
     texels: list[tuple[float, float]] | None
     normals: list[tuple[float, float, float]] | None
-    at: str = ""  # its place in the file, for messages
+    normal: np.ndarray  # unit
+    at: str  # its place in the file, for messages
 
     def part(self, kept: list[int]) -> "Face":
-        """Returns the polygon of some of the corners."""
+        """Returns the polygon of some of the corners, with the same normal."""
         def chosen(of):
             return None if of is None else [of[k] for k in kept]
-        return Face(self.number, chosen(self.points), chosen(self.texels), chosen(self.normals),
-                    self.at)
+        return Face(chosen(self.points), chosen(self.texels), chosen(self.normals), self.normal, self.at)
 
 
 def newell(ring: np.ndarray) -> np.ndarray:
@@ -84,12 +84,16 @@ def size_of(ring: np.ndarray) -> float:
     return float(np.ptp(ring, axis=0).max())
 
 
-def unit_normal(ring: np.ndarray) -> np.ndarray | None:
-    """Returns the unit normal of a polygon; None if it has no area."""
-    normal = newell(ring)
-    if length(normal) <= 2 * size_of(ring) * SMALL:
-        return None
-    return normal / length(normal)
+def unit_normal(ring: np.ndarray, at: str = "") -> np.ndarray | None:
+    """Returns the unit normal of a polygon; None if it has no area. Refuses a polygon whose areas
+    cancel each other out because its sides cross. ``at``: its place, for messages."""
+    normal, least = newell(ring), 2 * size_of(ring) * SMALL
+    if length(normal) > least:
+        return normal / length(normal)
+    widest = max(np.cross(ring[1:-1] - ring[0], ring[2:] - ring[0]), key=length)
+    if length(widest) > least and cutting.crosses(cutting.flat(np.rint(ring * ONE).astype(np.int64), widest)):
+        fail(at, "crosses itself")
+    return None
 
 
 def is_convex(ring: np.ndarray, normal: np.ndarray, where: str) -> bool:
@@ -107,20 +111,24 @@ def is_convex(ring: np.ndarray, normal: np.ndarray, where: str) -> bool:
     return not dented
 
 
-def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
-    """Returns the faces, without corners at the same place as their neighbour."""
+def faces_of(shape: Shape, places: np.ndarray, where: str) -> tuple[list[Face], list[str]]:
+    """Returns the faces, without corners at the same place as their neighbour, and the places in the
+    file of those that have no area."""
     most = layout.load().constants["MESH_CORNERS_MAX"]
-    made = []
+    made, left_out = [], []
     for number, points in enumerate(shape.faces):
-        face = Face(number, list(points), shape.texels and shape.texels[number],
-                    shape.normals and shape.normals[number], shape.at(number, where))
+        at = shape.at(number, where)
         kept = [k for k, p in enumerate(points) if (places[p] != places[points[k - 1]]).any()]
         if len(kept) > most:
-            fail(face.at, f"has {len(kept)} corners; {most} at most")
-        if len(kept) < 3:
-            fail(face.at, "has no area")
+            fail(at, f"has {len(kept)} corners; {most} at most")
+        normal = unit_normal(places[[points[k] for k in kept]] / ONE, at) if len(kept) >= 3 else None
+        if normal is None:
+            left_out.append(at)
+            continue
+        face = Face(list(points), shape.texels and shape.texels[number],
+                    shape.normals and shape.normals[number], normal, at)
         made.append(face.part(kept))
-    return made
+    return made, left_out
 
 
 def is_bent(ring: np.ndarray, normal: np.ndarray) -> bool:
@@ -161,15 +169,15 @@ def set_normals(faces: list[Face], places: np.ndarray, kind: str | None) -> None
                 fail(face.at, "a normal has no direction")
 
 
-def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> bool:
+def is_cut(face: Face, ring: np.ndarray, wishes: Wishes) -> bool:
     """Returns True if a convex face must become triangles."""
     if len(face.points) == 3:
         return False
-    if wishes.triangles or is_bent(ring, normal):
+    if wishes.triangles or is_bent(ring, face.normal):
         return True
     if not wishes.planes:
         return False
-    if wishes.mapping == "uv" and not is_even(ring, normal, np.array(face.texels)):
+    if wishes.mapping == "uv" and not is_even(ring, face.normal, np.array(face.texels)):
         return True
     return wishes.turns_normals and len(set(face.normals)) > 1
 
@@ -178,13 +186,10 @@ def parts_of(face: Face, places: np.ndarray, wishes: Wishes) -> list[Face]:
     """Returns the convex polygons of a face: the face, or triangles. Triangles without area are
     left out."""
     ring = places[face.points] / ONE
-    normal = unit_normal(ring)
-    if normal is None:
-        fail(face.at, "has no area")
-    convex = is_convex(ring, normal, face.at)
-    if convex and not is_cut(face, ring, normal, wishes):
+    convex = is_convex(ring, face.normal, face.at)
+    if convex and not is_cut(face, ring, wishes):
         return [face]
-    cuts = cutting.triangles(cutting.flat(places[face.points], normal))
+    cuts = cutting.triangles(cutting.flat(places[face.points], face.normal))
     if cuts is None and not convex:
         fail(face.at, "crosses itself")
     cuts = cuts or cutting.fan(len(face.points))  # dents within the tolerance may cross by rounding
@@ -198,7 +203,7 @@ def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
     return np.array(list(order), np.int64), [order[row] for row in rows]
 
 
-def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
+def tables(faces: list[Face], places: np.ndarray, wishes: Wishes, left_out: list[str]) -> Tables:
     """Returns the rows of the scene file."""
     points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
     turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
@@ -223,7 +228,7 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
         rows.append([*plane, first, len(ring)])
         first += len(ring)
     return Tables(points, normals, np.array(corners, np.int64), np.array(rows, np.int64),
-                  [face.at for face in faces])
+                  [face.at for face in faces], left_out)
 
 
 def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
@@ -236,11 +241,13 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
         fail(where, f"a point is more than {limits['MESH_REACH']} units from the mesh's origin")
     kept = np.nan_to_num(scaled).clip(-limits["MESH_REACH"], limits["MESH_REACH"])  # unused ones
     places = np.rint(kept * ONE).astype(np.int64)
-    faces = faces_of(shape, places, where)
+    faces, left_out = faces_of(shape, places, where)
+    if not faces:
+        fail(where, "no face has an area")
     if wishes.turns_normals:
         set_normals(faces, places, wishes.normals)
     made = [part for face in faces for part in parts_of(face, places, wishes)]
-    found = tables(made, places, wishes)
+    found = tables(made, places, wishes, left_out)
     check_counts(len(found.points), len(found.faces), where)
     most = limits["MESH_COUNT_MAX"]
     if len(found.normals) > most:

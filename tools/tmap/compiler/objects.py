@@ -156,6 +156,7 @@ class Space:
         self.meshes: list[Mesh] = []
         self.asked: dict[str, int] = {}  # number of the mesh by wishes
         self.known: dict[tuple, int] = {}  # number of the mesh by content
+        self.notes: dict[str, str] = {}  # what users should know, by mesh
         self.instances: list[Instance] = []
         self.views: list[list[int]] = []
         self.limits = layout.load().constants
@@ -209,7 +210,12 @@ class Space:
             for number_, face in enumerate(shape.texels):
                 texels_at = shape.at(number_, file) if "mesh" in obj else f"{where}.{uvs}"
                 check_corners([(0, 0, *texel) for texel in face], mapper, shown, texels_at)
-        return mesh_build.build(shape, wishes, file)
+        made = mesh_build.build(shape, wishes, file)
+        if made.left_out:
+            count = len(made.left_out)
+            self.notes[obj.get("mesh", where)] = f"{made.left_out[0]}: has no area and is left out" \
+                                                 + f", the first of {count} such faces" * (count > 1)
+        return made
 
     def store(self, made: mesh_build.Tables, where: str) -> int:
         """Appends a mesh; returns its number."""

@@ -5,6 +5,7 @@ motion starts at the frame where it appears, and ``turns``, ``orbit`` and ``scal
 per ``frames`` of the scene.
 """
 
+import sys
 import tomllib
 from pathlib import Path
 
@@ -155,7 +156,7 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
-    the same speed.
+    the same speed. Prints on stderr what the scene's author should know.
     """
     path = Path(path)
     where = f"{path}: "
@@ -175,4 +176,6 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
                  **engine_tables, **pipe_tables)
+    for note in space.notes.values():
+        print(f"tmap: {note}", file=sys.stderr)
     return views16.add(made)
