@@ -79,3 +79,102 @@ def test_slivers_of_lists_are_left_out(folder, capsys):
 def test_a_mesh_of_slivers_is_refused(folder, capsys, faces):
     assert refusal(folder, SQUARE + faces) == ".mesh: x.obj: no face has an area"
     assert not capsys.readouterr().err
+
+
+#: A roof: two squares with an edge in common, and a triangle without coordinates, each of a material.
+ROOF = """\
+v 0 0 0
+v 2 0 0
+v 2 2 -2
+v 0 2 -2
+v 2 -2 -2
+v 0 -2 -2
+v 5 0 0
+v 6 0 0
+v 5 1 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+usemtl red brick
+f 1/1 2/2 3/3 4/4
+usemtl glass
+f 2/1 1/2 6/3 5/4
+usemtl steel
+f 7 8 9
+"""
+THREE = 'materials = {{ "red brick" = "{}", glass = "{}", steel = "{}" }}\n'
+
+
+def test_one_instance_for_each_material(folder):
+    """Each material of the scene gets the faces of the file's; position, size and turns are of all;
+    the parts of one object are sorted together."""
+    made = make(folder, ROOF, THREE.format("wall", "red", "red") + "position = [0, 0, 4]\nsize = 0.5\nturns = 1")
+    wall, red = made.instances
+    assert (wall.material, red.material, wall.before, red.before) == (2, 0, 0, 0)
+    assert [(made.meshes[i.mesh].faces, made.meshes[i.mesh].points) for i in (wall, red)] == [(1, 4), (2, 7)]
+    views = [made.views[i.view:i.view + i.views] for i in (wall, red)]
+    assert len(views[0]) == 2 and (views[0] == views[1]).all() and views[0][0, 11] == 6 << 16
+    assert made.points[:, 0].max() == 3 << 16
+    # The triangle has no coordinates and needs none: it is red.
+    corners = made.corners[made.meshes[wall.mesh].corner:][:4, 2:]
+    assert (corners == [[0, 128 << 16], [256 << 16, 128 << 16], [256 << 16, 0], [0, 0]]).all()
+
+
+def test_one_material_for_all_faces(folder):
+    """The file's materials do not count then."""
+    made = make(folder, ROOF)
+    assert len(made.instances) == 1 and made.meshes[0].faces == 3
+
+
+def test_smooth_normals_have_no_seam(folder):
+    """On the common edge of two materials both parts have the mean of their normals; a part whose
+    material has no use for normals or mapping is drawn without."""
+    fields = THREE.format("glow", "glow2", "red") + 'normals = "smooth"\nmapping = "shade"'
+    (folder / "x.obj").write_text(ROOF)
+    (folder / "scene.toml").write_text(HEAD.replace("glow =", 'glow2 = { shades = ["#000000", "#00ff00"] }\nglow =')
+                                       + f'\n[[objects]]\nmesh = "x.obj"\n{fields}\n')
+    made = compile_scene(folder / "scene.toml")
+    assert len(made.instances) == 3
+    for instance in made.instances[:2]:
+        mesh = made.meshes[instance.mesh]
+        corners = made.corners[mesh.corner:mesh.corner + mesh.corners]
+        for point, normal, *_ in corners.tolist():
+            x, y, z = made.points[mesh.point + point, :3] / 65536
+            expected = [0, 0, 1] if y == 0 else np.array([0, np.sign(y), 1]) / np.sqrt(2)
+            assert abs(made.normals[mesh.normal + normal, :3] / 16384 - expected).max() < 1e-4
+
+
+def test_tables_may_have_more_than_a_file(folder, capsys):
+    """Entries without faces make no instance, also if all their faces are slivers."""
+    fields = THREE.format("wall", "red", "blue") + 'last = 1'
+    text = ROOF.replace("f 7 8 9", "f 7 8 8").replace("usemtl glass\n", "")
+    assert len(make(folder, text, fields).instances) == 1
+    assert "line 18: has no area" in capsys.readouterr().err
+    made = make(folder, "f 1 2 3\n" + ROOF, 'materials = { "" = "blue", "red brick" = "red", glass = "red", '
+                                            'steel = "red" }')
+    assert [made.meshes[i.mesh].faces for i in made.instances] == [1, 3]
+
+
+@pytest.mark.parametrize("fields, message", [
+    ("", ".material: is missing"),
+    ("materials = {}", ".materials: names no material"),
+    ('material = "red"\nmaterials = { glass = "red" }',
+     ".materials: there is a material for the whole object too"),
+    ('materials = "red"', ".materials: must be a table, not text"),
+    ("materials = { glass = 3 }", ".materials.glass: must be text, not a number"),
+    ('materials = { glass = "pane" }', ".materials.glass: there is no material 'pane'"),
+    ('materials = { glass = "red" }',
+     ".materials: x.obj: line 15: a face of material 'red brick', which has no entry"),
+    (THREE.format("glow", "red", "red") + 'mapping = "uv"',
+     ".mapping: \"uv\", but material 'glow' takes shade"),
+    (THREE.format("wall", "red", "wall"), '.mapping: "uv" needs texture coordinates at every corner'),
+    (THREE.format("blue", "red", "red") + 'normals = "smooth"', ".normals: material 'blue' has no use for them"),
+])
+def test_materials_are_refused(folder, fields, message):
+    assert refusal(folder, ROOF, fields) == message
+
+
+def test_faces_before_the_first_usemtl_are_named(folder):
+    assert refusal(folder, "v 0 0 0\nf 1 1 1\n" + ROOF, THREE.format("red", "red", "red")) == (
+        '.materials: x.obj: line 2: a face before the first usemtl, which needs the entry ""')

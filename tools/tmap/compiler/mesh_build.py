@@ -33,6 +33,7 @@ class Wishes:
     triangles: bool = False  # cut all faces into triangles
     planes: bool = False  # cut faces whose values are not planar
     two_sided: bool = False
+    names: tuple[str, ...] | None = None  # materials of the file whose faces are drawn; None: all
 
     @property
     def turns_normals(self) -> bool:
@@ -66,12 +67,14 @@ class Face:
     normals: list[tuple[float, float, float]] | None
     normal: np.ndarray  # unit
     at: str  # its place in the file, for messages
+    number: int  # in the shape
 
     def part(self, kept: list[int]) -> "Face":
         """Returns the polygon of some of the corners, with the same normal."""
         def chosen(of):
             return None if of is None else [of[k] for k in kept]
-        return Face(chosen(self.points), chosen(self.texels), chosen(self.normals), self.normal, self.at)
+        return Face(chosen(self.points), chosen(self.texels), chosen(self.normals), self.normal, self.at,
+                    self.number)
 
 
 def newell(ring: np.ndarray) -> np.ndarray:
@@ -126,7 +129,7 @@ def faces_of(shape: Shape, places: np.ndarray, where: str) -> tuple[list[Face], 
             left_out.append(at)
             continue
         face = Face(list(points), shape.texels and shape.texels[number],
-                    shape.normals and shape.normals[number], normal, at)
+                    shape.normals and shape.normals[number], normal, at, number)
         made.append(face.part(kept))
     return made, left_out
 
@@ -156,14 +159,15 @@ def smooth(faces: list[Face], places: np.ndarray) -> None:
                         for n in mean]
 
 
-def set_normals(faces: list[Face], places: np.ndarray, kind: str | None) -> None:
-    """Gives every corner its normal: the file's, the face's or a smooth one."""
+def set_normals(faces: list[Face], drawn: list[Face], places: np.ndarray, kind: str | None) -> None:
+    """Gives every corner of the drawn faces its normal: the file's, the face's or a smooth one, which
+    is of all faces, so that no seam shows between materials."""
     if kind == "faces":
-        for face in faces:
+        for face in drawn:
             face.normals = [tuple(newell(places[face.points] / ONE))] * len(face.points)
-    elif kind == "smooth" or any(face.normals is None for face in faces):
+    elif kind == "smooth" or any(face.normals is None for face in drawn):
         smooth(faces, places)
-    for face in faces:
+    for face in drawn:
         for normal in face.normals:
             if not (np.isfinite(normal).all() and any(normal)):
                 fail(face.at, "a normal has no direction")
@@ -231,9 +235,9 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes, left_out: list
                   [face.at for face in faces], left_out)
 
 
-def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
-    """Returns the tables of a mesh. The shape must have the coordinates that the wishes need;
-    ``where`` begins messages."""
+def build(shape: Shape, wishes: Wishes, where: str) -> Tables | None:
+    """Returns the tables of a mesh; None if it has faces, but none of the wanted materials. The shape
+    must have the coordinates that the wishes need; ``where`` begins messages."""
     limits = layout.load().constants
     scaled = shape.points * wishes.size
     used = sorted({point for face in shape.faces for point in face})
@@ -244,9 +248,14 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
     faces, left_out = faces_of(shape, places, where)
     if not faces:
         fail(where, "no face has an area")
+    numbers = set(shape.drawn(wishes.names))
+    drawn = [face for face in faces if face.number in numbers]
+    if not drawn:
+        return None
+    check_counts(0, len(drawn), where)
     if wishes.turns_normals:
-        set_normals(faces, places, wishes.normals)
-    made = [part for face in faces for part in parts_of(face, places, wishes)]
+        set_normals(faces, drawn, places, wishes.normals)
+    made = [part for face in drawn for part in parts_of(face, places, wishes)]
     found = tables(made, places, wishes, left_out)
     check_counts(len(found.points), len(found.faces), where)
     most = limits["MESH_COUNT_MAX"]

@@ -22,10 +22,15 @@ class Shape:
     texels: list[list[tuple[float, float]] | None] | None = None  # s, t of each corner
     normals: list[list[tuple[float, float, float]] | None] | None = None  # of each corner
     lines: list[int] | None = None  # of the faces in their file, from 1
+    materials: list[str] | None = None  # of the faces in their file; "": before the first usemtl
 
     def at(self, face: int, where: str) -> str:
         """Returns the place of a face for messages. ``where``: the file, or the list of faces."""
         return f"{where}[{face}]" if self.lines is None else f"{where}: line {self.lines[face]}"
+
+    def drawn(self, names: tuple[str, ...] | None) -> list[int]:
+        """Returns the numbers of the faces whose materials in the file are these; None: of all."""
+        return [k for k in range(len(self.faces)) if names is None or self.materials[k] in names]
 
 
 def check_counts(points: int, faces: int, where: str) -> None:
@@ -39,7 +44,7 @@ def check_counts(points: int, faces: int, where: str) -> None:
 def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) -> Shape:
     """Returns the mesh of an OBJ file: all its objects and groups together, with polygons uncut.
 
-    Materials are not read. ``extent``: s and t at the far ends of the map; v runs upwards in the
+    ``extent``: s and t at the far ends of the map; v runs upwards in the
     file, t downwards.
     """
     path = images.locate(reference, folder, where)
@@ -53,9 +58,11 @@ def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) 
     found = obj_file.read(data, where)
     if not found.faces:
         fail(where, "has no faces")
-    check_counts(0, len(found.faces), where)
+    most = layout.load().constants["SCENE_COUNT_MAX"]
+    if len(found.faces) > most:
+        fail(where, f"{len(found.faces)} faces; {most} at most in a file")
     texels = [face and [(u * extent[0], (1 - v) * extent[1]) for u, v in face] for face in found.texels]
-    return Shape(found.points, found.faces, texels, found.normals, found.lines)
+    return Shape(found.points, found.faces, texels, found.normals, found.lines, found.materials)
 
 
 def listed(spec: dict, where: str, uvs: str = "uvs") -> Shape:

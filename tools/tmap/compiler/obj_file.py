@@ -26,6 +26,7 @@ class ObjFile:
 
     points: np.ndarray  # [n, 3]
     lines: list[int]  # where the face's statement begins, from 1
+    materials: list[str]  # by usemtl; "" before the first
     faces: list[list[int]]  # points; fewer than 3 corners are possible
     texels: list[list[tuple[float, float]] | None]  # u, v; None if a corner has none
     normals: list[list[tuple[float, float, float]] | None]  # the same
@@ -56,6 +57,11 @@ def corners_of(statement: bytes, where: str) -> list[bytes]:
     return [b"/".join(index or b"" for index in each.groups()).rstrip(b"/") for each in found]
 
 
+def name_of(statement: bytes) -> str:
+    """Returns the rest of a statement, a name that may have spaces."""
+    return b" ".join(statement.split()[1:]).decode("utf-8", "replace")
+
+
 def pick(table, width: int, index: list[int], noun: str, where: str):
     """Returns the rows of a table for a face's corners; None if a corner has no index."""
     if min(index, default=-1) < 0:
@@ -67,7 +73,7 @@ def pick(table, width: int, index: list[int], noun: str, where: str):
 
 def read(data: bytes, where: str) -> ObjFile:
     """Returns the content of an OBJ file. ``where``: the file, for messages."""
-    plain, lines, counts = [], [], []  # ``plain``: what the parser reads, in the file's own lines
+    plain, lines, counts, used, name = [], [], [], [], ""  # ``plain``: what the parser reads, in the file's own lines
     for number, statement in statements(data):
         word, at = statement.split(None, 1)[:1], f"{where}: line {number}"
         if word in ([b"v"], [b"vt"], [b"vn"]):
@@ -77,7 +83,11 @@ def read(data: bytes, where: str) -> ObjFile:
             corners = corners_of(statement, at)
             lines.append(number)
             counts.append(len(corners))
+            used.append(name)
             statement = b"f " + b" ".join(corners)
+        elif word == [b"usemtl"]:
+            name = name_of(statement)
+            continue
         else:
             continue
         plain += [b""] * (number - 1 - len(plain)) + [statement]
@@ -93,7 +103,7 @@ def read(data: bytes, where: str) -> ObjFile:
         fail(where, f"cannot be read: {reason}")
     attributes = reader.GetAttrib()
     corners = iter([c for shape in reader.GetShapes() for c in shape.mesh.indices])
-    made = ObjFile(np.array(attributes.vertices, float).reshape(-1, 3), lines, [], [], [])
+    made = ObjFile(np.array(attributes.vertices, float).reshape(-1, 3), lines, used, [], [], [])
     texels, normals = list(attributes.texcoords), list(attributes.normals)
     for line, count in zip(lines, counts):
         # The parser leaves out faces of fewer than three corners.

@@ -100,7 +100,7 @@ class Faces:
         self.extent = extent_of((unit["width"], unit["height"]))
         self.first = made.tables_of(obj, material, where)
         self.second = self.first
-        if not self.projector:
+        if self.first is not None and not self.projector:
             self.second = made.tables_of(obj, material, where, "uvs1")
             if not np.array_equal(self.first.faces, self.second.faces):  # one of them is not planar
                 obj = obj | {"triangles": True}
@@ -166,6 +166,8 @@ class Faces:
     def polygons(self, frame: int, age: int) -> list[np.ndarray]:
         """Returns a frame's polygons, the farthest first, by each face's greatest depth. Faces seen
         from the back are left out unless the object shows both sides."""
+        if self.first is None:
+            return []
         view = self.space.view(self.obj, age, frame, 0.0, self.where)
         points = mesh.transform(self.scene, self.first.points[:, :3].tolist(), view)
         corners, found = self.corners(points, frame, age), []

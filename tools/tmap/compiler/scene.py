@@ -17,7 +17,7 @@ from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
 from tmap.build import layout
 from tmap.compiler import (glide, glide_build, materials, n64_build, objects as scene_space,
-                           primitives, projectors, views16)
+                           parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
 from tmap.scene_file.scene_file import IDENTITY, Object, Scene
@@ -56,7 +56,7 @@ def schema(limits: dict[str, int]):
         | placing,
         "rectangle": primitives.rectangle_fields(far) | placing}
     shapes |= scene_space.object_schema(limits)
-    always = {"material": (text, REQUIRED), "first": (frame, 0), "last": (frame, None)}
+    always = {"material": (text, None), "first": (frame, 0), "last": (frame, None)}
     side = limits["FRAME_SIDE_MAX"]
     return table({
         "title": (text, ""), "width": (integer(4, side, 4), REQUIRED),
@@ -82,10 +82,9 @@ def parse(path: Path) -> dict:
         fail(str(path), f"is not TOML: {error}")
     spec = schema(layout.load().constants)(content, where)
     materials.check(spec, where)
-    for i, obj in enumerate(spec["objects"]):
-        at = f"{where}objects[{i}]"
-        if obj["material"] not in spec["materials"]:
-            fail(f"{at}.material", f"there is no material {obj['material']!r}")
+    spec["objects"] = parts.split(spec["objects"], spec["materials"], where)
+    for obj in spec["objects"]:
+        at = obj["at"]
         if not obj["first"] < spec["frames"]:
             fail(f"{at}.first", f"the scene ends with frame {spec['frames'] - 1}")
         if obj["last"] is not None and not obj["first"] <= obj["last"] < spec["frames"]:
@@ -121,8 +120,8 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
     limits = layout.load().constants
     material_number = {name: i for i, name in enumerate(spec["materials"])}
     objects, vertices, poses = [], [], []
-    for i, obj in enumerate(spec["objects"]):
-        at = f"{where}objects[{i}]"
+    for obj in spec["objects"]:
+        at = obj["at"]
         material = spec["materials"][obj["material"]]
         texture = spec["textures"].get(material.get("texture"))
         lives = scene_space.lives_of(obj, count)
