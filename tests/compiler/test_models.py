@@ -178,3 +178,45 @@ def test_materials_are_refused(folder, fields, message):
 def test_faces_before_the_first_usemtl_are_named(folder):
     assert refusal(folder, "v 0 0 0\nf 1 1 1\n" + ROOF, THREE.format("red", "red", "red")) == (
         '.materials: x.obj: line 2: a face before the first usemtl, which needs the entry ""')
+
+
+#: Three squares in a row, each turned by 30 degrees from the one before, from left to right.
+ARC = "".join(f"v {x} {y} {z}\n" for x, z in ((0, 0), (2, 0), (2 + 3 ** 0.5, -1), (3 + 3 ** 0.5, -1 - 3 ** 0.5))
+              for y in (0, 2)) + "f 1 3 4 2\nf 3 5 6 4\nf 5 7 8 6\n"
+
+
+SMOOTH = {(0, 0), (1, 15), (2, 45), (3, 60)}  # column of points, angle of a normal there
+SHARP = {(0, 0), (1, 0), (1, 30), (2, 30), (2, 60), (3, 60)}
+
+
+@pytest.mark.parametrize("crease, expected", [(None, SMOOTH), (180, SMOOTH), (31, SMOOTH), (29, SHARP), (0, SHARP)])
+def test_creases(folder, crease, expected):
+    """Edges of 30 degrees are smooth or sharp. Normals turn about y, clockwise from z."""
+    made = make(folder, ARC, 'material = "glow"' + (f"\ncrease = {crease}" if crease is not None else ""))
+    columns = sorted(set(made.points[:, 0].tolist()))
+    found = set()
+    for point, normal, *_ in made.corners.tolist():
+        x, y, z = made.normals[normal, :3] / 16384
+        assert y == 0
+        found.add((columns.index(made.points[point, 0]), round(np.degrees(np.arctan2(x, z)))))
+    assert found == expected
+
+
+def test_a_cube_keeps_its_edges(folder):
+    """Faces at the angle itself are smooth; below it, each face has its own normal; a file's normals
+    do not count."""
+    points = "".join(f"v {x} {y} {z}\n" for x in (0, 1) for y in (0, 1) for z in (0, 1)) + "vn 1 2 3\n"
+    sides = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
+    cube = points + "".join("f " + " ".join(f"{k}//1" for k in side) + "\n" for side in sides)
+    counts = [len(make(folder, cube, f'material = "glow"\n{field}').normals)
+              for field in ("crease = 89", "crease = 90", 'normals = "file"')]
+    assert counts == [6, 8, 1]
+
+
+@pytest.mark.parametrize("fields, message", [
+    ('material = "glow"\ncrease = 181', ".crease: must be from 0 to 180"),
+    ('material = "glow"\ncrease = 40\nnormals = "faces"', '.crease: goes with normals "smooth", not "faces"'),
+    ('material = "red"\ncrease = 40', ".crease: material 'red' has no use for them"),
+])
+def test_creases_are_refused(folder, fields, message):
+    assert refusal(folder, ARC, fields) == message

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tmap.base.elementary import cos
 from tmap.base.fields import fail
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, off_plane, product
@@ -19,6 +20,7 @@ from tmap.scene_file.meshes import UNIT_14, UNIT_30
 
 FLAT = 1 / 256  # tolerance for corners off a face's plane and for dents, as a part of its size
 UNEVEN = 1 / 64  # tolerance for s and t off a plane, in their units
+ROUNDING = 1e-9  # of an angle's cosine: faces at the angle of a crease itself are smooth
 SMALL = 2.0 ** -15  # length of two units: below it, points are rounded too much to judge
 
 
@@ -28,6 +30,7 @@ class Wishes:
 
     size: float = 1.0
     normals: str | None = None  # "file", "smooth", "faces"; None: "file", else "smooth"
+    crease: float = 180.0  # degrees; "smooth" leaves sharper edges sharp
     mapping: str = "none"  # "uv", "environment", "shade"
     light: bool = False  # corners have shades
     triangles: bool = False  # cut all faces into triangles
@@ -145,28 +148,36 @@ def is_even(ring: np.ndarray, normal: np.ndarray, values: np.ndarray) -> bool:
     return off_plane(np.delete(ring, int(abs(normal).argmax()), 1), values) <= UNEVEN
 
 
-def smooth(faces: list[Face], places: np.ndarray) -> None:
-    """Gives each corner the mean of the normals of all faces at its place, weighted by area."""
-    sums: dict[tuple, np.ndarray] = {}
+def smooth(faces: list[Face], places: np.ndarray, crease: float) -> None:
+    """Gives each corner the mean of the normals of all faces at its place, weighted by area. Faces
+    whose normal is more than ``crease`` degrees from the corner's own face do not count."""
+    areas = np.array([newell(places[face.points] / ONE) for face in faces])
     keys = [tuple(place) for place in places.tolist()]
-    areas = [newell(places[face.points] / ONE) for face in faces]
-    for face, area in zip(faces, areas):
+    meeting: dict[tuple, list[int]] = {}  # faces at a place
+    for number, face in enumerate(faces):
         for point in face.points:
-            sums[keys[point]] = sums.get(keys[point], 0) + area
+            meeting.setdefault(keys[point], []).append(number)
+    limit = cos(math.radians(crease)) - ROUNDING if crease < 180 else -2.0
+    units = np.array([face.normal for face in faces])
+    sums = {key: areas[met].sum(axis=0) for key, met in meeting.items()}
     for face, area in zip(faces, areas):
-        mean = [sums[keys[point]] for point in face.points]
-        face.normals = [tuple(n if length(n) > 1e-6 * length(area) else area)
-                        for n in mean]
+        means = []
+        for key in (keys[point] for point in face.points):
+            near = product(units[meeting[key]], face.normal) >= limit
+            mean = sums[key] if near.all() else areas[meeting[key]][near].sum(axis=0)
+            means.append(tuple(mean if length(mean) > 1e-6 * length(area) else area))
+        face.normals = means
 
 
-def set_normals(faces: list[Face], drawn: list[Face], places: np.ndarray, kind: str | None) -> None:
+def set_normals(faces: list[Face], drawn: list[Face], places: np.ndarray, wishes: Wishes) -> None:
     """Gives every corner of the drawn faces its normal: the file's, the face's or a smooth one, which
     is of all faces, so that no seam shows between materials."""
+    kind = wishes.normals
     if kind == "faces":
         for face in drawn:
             face.normals = [tuple(newell(places[face.points] / ONE))] * len(face.points)
     elif kind == "smooth" or any(face.normals is None for face in drawn):
-        smooth(faces, places)
+        smooth(faces, places, wishes.crease)
     for face in drawn:
         for normal in face.normals:
             if not (np.isfinite(normal).all() and any(normal)):
@@ -254,7 +265,7 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables | None:
         return None
     check_counts(0, len(drawn), where)
     if wishes.turns_normals:
-        set_normals(faces, drawn, places, wishes.normals)
+        set_normals(faces, drawn, places, wishes)
     made = [part for face in drawn for part in parts_of(face, places, wishes)]
     found = tables(made, places, wishes, left_out)
     check_counts(len(found.points), len(found.faces), where)

@@ -37,7 +37,7 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
         "size": (number(1e-6, 1e6), 1.0), "axis": (rows(number(-1, 1), 3, 3), [0.0, 1.0, 0.0]),
         "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, space.KEYS_MAX), None),
         "mapping": (one_of("uv", "environment", "shade", "none"), None),
-        "normals": (one_of("file", "smooth", "faces"), None),
+        "normals": (one_of("file", "smooth", "faces"), None), "crease": (number(0, 180), None),  # degrees
         "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
     uvs = rows(rows(texel, 3, corners), 1, most), None
     return {"mesh": {"mesh": (text, REQUIRED), "materials": (named(text), None)} | placing,
@@ -109,8 +109,13 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
     if obj["mapping"] not in allowed:
         fail(f"{where}.mapping", f'"{obj["mapping"]}", but material {name!r} takes '
                                  f"{' or '.join(allowed)}")
-    if obj["normals"] and not parts.takes_normals(material, obj["mapping"]):
-        fail(f"{where}.normals", f"material {name!r} has no use for them")
+    for field in ("normals", "crease"):
+        if obj[field] is not None and not parts.takes_normals(material, obj["mapping"]):
+            fail(f"{where}.{field}", f"material {name!r} has no use for them")
+    if obj["crease"] is not None and obj["normals"] not in (None, "smooth"):
+        fail(f"{where}.crease", f'goes with normals "smooth", not "{obj["normals"]}"')
+    if obj["crease"] is not None:
+        obj["normals"] = "smooth"
 
 
 def check(spec: dict, where: str) -> None:
@@ -161,7 +166,8 @@ class Space:
         """Returns how an object's mesh is drawn."""
         mapper = materials.mapper_of(material)
         return Wishes(
-            obj["size"], obj["normals"], obj["mapping"], parts.has_light(material),
+            obj["size"], obj["normals"], 180.0 if obj["crease"] is None else obj["crease"], obj["mapping"],
+            parts.has_light(material),
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"],
             obj["names"])

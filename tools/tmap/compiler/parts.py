@@ -68,7 +68,7 @@ def settle(obj: dict, scene_materials: dict) -> None:
     all_ = [scene_materials[name] for name in obj["materials"].values()]
     mapping = obj["mapping"]
     if not takes_normals(own, mapping) and any(takes_normals(each, mapping) for each in all_):
-        obj["normals"] = None
+        obj["normals"] = obj["crease"] = None
     if mapping not in mappings_of(own) and any(mapping in mappings_of(each) for each in all_):
         obj["mapping"] = None
     if not has_own(own) and any(map(has_own, all_)):
