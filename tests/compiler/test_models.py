@@ -220,3 +220,15 @@ def test_a_cube_keeps_its_edges(folder):
 ])
 def test_creases_are_refused(folder, fields, message):
     assert refusal(folder, ARC, fields) == message
+
+
+@pytest.mark.parametrize("name, kind", [
+    ("x.glb", "glTF"), ("x.gltf", "glTF"), ("a.b/X.STL", "STL"), ("x.ply", "PLY"), ("x.3ds", "3D Studio"),
+    ("x.mtl", "a material library")])
+def test_other_formats_are_named(folder, name, kind):
+    """Whether the file is there or not."""
+    fields = f'material = "red"\n[[objects]]\nmaterial = "red"\nmesh = "{name}"'
+    with pytest.raises(UserError) as caught:
+        make(folder, ARC, fields)
+    assert str(caught.value) == (f"{folder / 'scene.toml'}: objects[1].mesh: {name}: is {kind}; meshes are read "
+                                 "from Wavefront OBJ files (.obj)")

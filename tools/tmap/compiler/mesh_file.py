@@ -11,6 +11,13 @@ from tmap.compiler import obj_file
 from tmap.images import images
 
 BYTES_MAX = 16 << 20  # of an OBJ file; a larger one is a mistake or an attack
+#: Names of other formats for meshes, by the ends of their files' names.
+OTHERS = {"glb": "glTF", "gltf": "glTF", "stl": "STL", "ply": "PLY", "3ds": "3D Studio", "max": "3ds Max",
+          "fbx": "FBX", "dae": "Collada", "blend": "Blender", "lwo": "LightWave", "lw": "LightWave",
+          "dxf": "DXF", "off": "OFF", "x3d": "X3D", "wrl": "VRML", "usd": "USD", "usda": "USD",
+          "usdc": "USD", "usdz": "USD", "c4d": "Cinema 4D", "ma": "Maya", "mb": "Maya", "md2": "Quake II",
+          "md3": "Quake III", "mtl": "a material library", "step": "STEP", "stp": "STEP", "iob": "Imagine",
+          "3mf": "3MF"}
 
 
 @dataclass
@@ -47,6 +54,9 @@ def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) 
     ``extent``: s and t at the far ends of the map; v runs upwards in the
     file, t downwards.
     """
+    kind = OTHERS.get(reference.rpartition(".")[2].lower())
+    if kind:
+        fail(where, f"{reference}: is {kind}; meshes are read from Wavefront OBJ files (.obj)")
     path = images.locate(reference, folder, where)
     where = f"{where}: {reference}"
     try:
