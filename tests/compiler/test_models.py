@@ -161,7 +161,7 @@ def test_tables_may_have_more_than_a_file(folder, capsys):
     ("materials = {}", ".materials: names no material"),
     ('material = "red"\nmaterials = { glass = "red" }',
      ".materials: there is a material for the whole object too"),
-    ('materials = "red"', ".materials: must be a table, not text"),
+    ('materials = "red"', '.materials: must be a table or "file"'),
     ("materials = { glass = 3 }", ".materials.glass: must be text, not a number"),
     ('materials = { glass = "pane" }', ".materials.glass: there is no material 'pane'"),
     ('materials = { glass = "red" }',

@@ -48,23 +48,31 @@ def check_counts(points: int, faces: int, where: str) -> None:
             fail(where, f"{count} {noun}; {most} at most")
 
 
-def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) -> Shape:
-    """Returns the mesh of an OBJ file: all its objects and groups together, with polygons uncut.
+def data_of(reference: str, folder: Path, where: str) -> bytes:
+    """Returns the bytes of a file; refuses one that is larger than any mesh."""
+    path = images.locate(reference, folder, where)
+    try:
+        if path.stat().st_size > BYTES_MAX:
+            fail(f"{where}: {reference}", f"more than {BYTES_MAX} bytes")
+        return path.read_bytes()
+    except OSError as error:
+        fail(f"{where}: {reference}", error.strerror)
 
-    ``extent``: s and t at the far ends of the map; v runs upwards in the
-    file, t downwards.
-    """
+
+def check_format(reference: str, where: str) -> None:
+    """Refuses a mesh's file whose name is that of another format."""
     kind = OTHERS.get(reference.rpartition(".")[2].lower())
     if kind:
         fail(where, f"{reference}: is {kind}; meshes are read from Wavefront OBJ files (.obj)")
-    path = images.locate(reference, folder, where)
-    where = f"{where}: {reference}"
-    try:
-        if path.stat().st_size > BYTES_MAX:
-            fail(where, f"more than {BYTES_MAX} bytes")
-        data = path.read_bytes()
-    except OSError as error:
-        fail(where, error.strerror)
+
+
+def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) -> Shape:
+    """Returns the mesh of an OBJ file: all its objects and groups together, with polygons uncut.
+
+    ``extent``: s and t at the far ends of the map; v runs upwards in the file, t downwards.
+    """
+    check_format(reference, where)
+    data, where = data_of(reference, folder, where), f"{where}: {reference}"
     found = obj_file.read(data, where)
     if not found.faces:
         fail(where, "has no faces")

@@ -24,6 +24,7 @@ CORNER = re.compile(rb"(%b)(?:/(%b)?(?:/(%b)?)?)?" % (INDEX, INDEX, INDEX))
 class ObjFile:
     """An OBJ file's content; a list's entries belong to its faces, in order."""
 
+    libraries: list[str]  # what the mtllib statements name
     points: np.ndarray  # [n, 3]
     lines: list[int]  # where the face's statement begins, from 1
     materials: list[str]  # by usemtl; "" before the first
@@ -73,7 +74,8 @@ def pick(table, width: int, index: list[int], noun: str, where: str):
 
 def read(data: bytes, where: str) -> ObjFile:
     """Returns the content of an OBJ file. ``where``: the file, for messages."""
-    plain, lines, counts, used, name = [], [], [], [], ""  # ``plain``: what the parser reads, in the file's own lines
+    lines, counts, used, name, libraries = [], [], [], "", []
+    plain: list[bytes] = []  # what the parser reads, in the file's own lines
     for number, statement in statements(data):
         word, at = statement.split(None, 1)[:1], f"{where}: line {number}"
         if word in ([b"v"], [b"vt"], [b"vn"]):
@@ -87,6 +89,9 @@ def read(data: bytes, where: str) -> ObjFile:
             statement = b"f " + b" ".join(corners)
         elif word == [b"usemtl"]:
             name = name_of(statement)
+            continue
+        elif word == [b"mtllib"]:
+            libraries.append(name_of(statement))
             continue
         else:
             continue
@@ -103,7 +108,8 @@ def read(data: bytes, where: str) -> ObjFile:
         fail(where, f"cannot be read: {reason}")
     attributes = reader.GetAttrib()
     corners = iter([c for shape in reader.GetShapes() for c in shape.mesh.indices])
-    made = ObjFile(np.array(attributes.vertices, float).reshape(-1, 3), lines, used, [], [], [])
+    made = ObjFile(libraries, np.array(attributes.vertices, float).reshape(-1, 3), lines, used,
+                   [], [], [])
     texels, normals = list(attributes.texcoords), list(attributes.normals)
     for line, count in zip(lines, counts):
         # The parser leaves out faces of fewer than three corners.

@@ -13,8 +13,8 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (materials, mesh_build, mesh_file, parts, projectors as scene_projectors,
-                           space)
+from tmap.compiler import (materials, mesh_build, mesh_file, mtl_file, parts,
+                           projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
@@ -22,6 +22,13 @@ from tmap.scene_file.textures import UNITS
 
 FACTOR_BITS = 7  # fraction bits of the factors that normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, in s or t
+
+
+def materials_of_parts(value, where):
+    """A table from the file's materials to the scene's, or the word for the file's own."""
+    if isinstance(value, str) and value != mtl_file.FILE:
+        fail(where, f'must be a table or "{mtl_file.FILE}"')
+    return value if isinstance(value, str) else named(text)(value, where)
 
 
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:
@@ -40,7 +47,7 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
         "normals": (one_of("file", "smooth", "faces"), None), "crease": (number(0, 180), None),  # degrees
         "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
     uvs = rows(rows(texel, 3, corners), 1, most), None
-    return {"mesh": {"mesh": (text, REQUIRED), "materials": (named(text), None)} | placing,
+    return {"mesh": {"mesh": (text, REQUIRED), "materials": (materials_of_parts, None)} | placing,
             "points": {"points": (rows(rows(reach, 3, 3), 3, most), REQUIRED),
                        "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED),
                        "uvs": uvs, "uvs1": uvs} | placing}
@@ -174,7 +181,8 @@ class Space:
 
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
                   ) -> mesh_build.Tables | None:
-        """Returns the tables of an object with a Glide unit, None if it has no faces, with the coordinates of one field."""
+        """Returns the tables of an object with a Glide unit, with the coordinates of one field; None if
+        it has no faces."""
         return self.build(obj, "glide", map_of(material, None), self.wishes_of(obj, material),
                           where, uvs)
 

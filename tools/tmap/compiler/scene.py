@@ -16,7 +16,7 @@ from tmap.base.fields import (REQUIRED, choice, colour, fail, integer, named, nu
 from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
 from tmap.build import layout
-from tmap.compiler import (glide, glide_build, materials, n64_build, objects as scene_space,
+from tmap.compiler import (glide, glide_build, materials, mtl_file, n64_build, objects as scene_space,
                            parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
@@ -64,7 +64,7 @@ def schema(limits: dict[str, int]):
         "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED),
         "format": (one_of(*FORMATS), "chunky"), "background": (colour, REQUIRED),
         "textures": (named(materials.texture_schema()), {}),
-        "materials": (named(materials.material_schema()), REQUIRED),
+        "materials": (named(materials.material_schema()), {}),
         **scene_space.schema(limits),
         "objects": (rows(choice(shapes, always), 1, limits["SCENE_COUNT_MAX"]), REQUIRED)})
 
@@ -81,6 +81,7 @@ def parse(path: Path) -> dict:
     except (ValueError, RecursionError) as error:
         fail(str(path), f"is not TOML: {error}")
     spec = schema(layout.load().constants)(content, where)
+    mtl_file.add(spec, path.parent, where)
     materials.check(spec, where)
     spec["objects"] = parts.split(spec["objects"], spec["materials"], where)
     for obj in spec["objects"]:
