@@ -104,6 +104,14 @@ def test_a_corner_on_a_side_is_kept():
     assert len(cuts) == 3 and all(cutting.turn(*(corners[k] for k in cut)) > 0 for cut in cuts)
 
 
+def test_bent_quadrilaterals():
+    """No quadrilateral with four corners off one plane crosses itself, though it seems so from some
+    sides: this one from x, from which it is seen as well as from z."""
+    points = np.array([(3, 1, 1.5), (4, 1, 2), (4, 2, 0.5), (3, 2, 3)])
+    made = mesh_build.build(Shape(points, [[0, 1, 2, 3]]), mesh_build.Wishes(), "mesh")
+    assert made.faces[:, 5].tolist() == [3, 3]
+
+
 @pytest.mark.parametrize("order", [[0, 2, 1, 3], [0, 2, 4, 1, 3], [0, 1, 3, 2, 4]])
 def test_faces_that_cross_themselves_are_refused(order):
     """A bow tie with unequal wings, a star, and a pentagon with two corners exchanged."""

@@ -1,4 +1,4 @@
-"""Cuts polygons into triangles, exactly: on whole numbers, in the plane of two axes.
+"""Cuts polygons into triangles, exactly: on whole numbers, as seen along an axis.
 
 A corner is (u, v), a pair of integers; polygons run counterclockwise.
 """
@@ -8,12 +8,12 @@ from itertools import combinations
 import numpy as np
 
 Corner = tuple[int, int]
+STEEP = 0.125  # cosine of a normal and an axis along which too little is seen of a polygon
 
 
-def flat(places: np.ndarray, normal: np.ndarray) -> list[Corner]:
-    """Returns a polygon's corners along the two axes on which its projection is largest, in the
-    order that makes a polygon with this normal run counterclockwise. ``places``: int64 [n, 3]."""
-    axis = int(abs(normal).argmax())
+def flat(places: np.ndarray, normal: np.ndarray, axis: int) -> list[Corner]:
+    """Returns a polygon's corners as seen along an axis, in the order that makes a polygon with this
+    normal run counterclockwise. ``places``: int64 [n, 3]."""
     u, v = (axis + 1) % 3, (axis + 2) % 3
     return list(map(tuple, places[:, [u, v] if normal[axis] > 0 else [v, u]].tolist()))
 
@@ -41,6 +41,12 @@ def is_ear(u: Corner, v: Corner, w: Corner, blunt: list[Corner]) -> bool:
         for p in blunt)
 
 
+def is_spike(u: Corner, v: Corner, w: Corner) -> bool:
+    """Returns True if the sides from a corner v to its neighbours lie on each other, or one has no
+    length."""
+    return turn(u, v, w) == 0 and (u[0] - v[0]) * (w[0] - v[0]) + (u[1] - v[1]) * (w[1] - v[1]) >= 0
+
+
 def ears(corners: list[Corner]) -> list[list[int]] | None:
     """Returns the triangles of a polygon, each by its corners' numbers, by cutting off the ear with
     the shortest cut again and again; None if the polygon crosses itself in a way that stops this."""
@@ -48,16 +54,17 @@ def ears(corners: list[Corner]) -> list[list[int]] | None:
     while len(left) >= 3:
         around = [(corners[left[k - 1]], corners[left[k]], corners[left[(k + 1) % len(left)]])
                   for k in range(len(left))]
+        spike = next((k for k, each in enumerate(around) if is_spike(*each)), None)
+        if spike is not None:
+            del left[spike]
+            continue
         blunt = [v for u, v, w in around if turn(u, v, w) <= 0]
         found = [(abs(w[0] - u[0]) + abs(w[1] - u[1]), k)
                  for k, (u, v, w) in enumerate(around) if is_ear(u, v, w, blunt)]
-        if found:
-            k = min(found)[1]
-            made.append(sorted([left[k - 1], left[k], left[(k + 1) % len(left)]]))
-        else:  # what is left may still be without area, where sides lie on each other
-            k = next((k for k, (u, v, w) in enumerate(around) if turn(u, v, w) == 0), None)
-            if k is None:
-                return None
+        if not found:
+            return None
+        k = min(found)[1]
+        made.append(sorted([left[k - 1], left[k], left[(k + 1) % len(left)]]))
         del left[k]
     return made
 
@@ -70,7 +77,19 @@ def fan(corners: int) -> list[list[int]]:
 def triangles(corners: list[Corner]) -> list[list[int]] | None:
     """Returns the triangles of a polygon: a fan if all of it runs counterclockwise, else ears; None
     if the polygon crosses itself."""
+    if crosses(corners):
+        return None
     plain = fan(len(corners))
-    if all(turn(*(corners[k] for k in each)) > 0 for each in plain):
-        return plain
-    return None if crosses(corners) else ears(corners)
+    return plain if all(turn(*(corners[k] for k in each)) > 0 for each in plain) else ears(corners)
+
+
+def triangles_in_space(places: np.ndarray, normal: np.ndarray) -> list[list[int]] | None:
+    """Returns the triangles of a polygon; None if it crosses itself. It is seen along the axis that is
+    nearest to its unit normal or, as bent ones may cross themselves there only, along another."""
+    for axis in np.argsort(-abs(normal), kind="stable").tolist():
+        if abs(normal[axis]) < STEEP:
+            break
+        found = triangles(flat(places, normal, axis))
+        if found is not None:
+            return found
+    return None

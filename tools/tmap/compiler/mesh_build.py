@@ -97,13 +97,15 @@ def unit_normal(ring: np.ndarray, at: str = "") -> np.ndarray | None:
     if length(normal) > least:
         return normal / length(normal)
     widest = max(np.cross(ring[1:-1] - ring[0], ring[2:] - ring[0]), key=length)
-    if length(widest) > least and cutting.crosses(cutting.flat(np.rint(ring * ONE).astype(np.int64), widest)):
+    seen = cutting.flat(np.rint(ring * ONE).astype(np.int64), widest, int(abs(widest).argmax()))
+    if length(widest) > least and cutting.crosses(seen):
         fail(at, "crosses itself")
     return None
 
 
 def is_convex(ring: np.ndarray, normal: np.ndarray, where: str) -> bool:
-    """Returns True if a polygon has no dent; refuses one that goes round more than once."""
+    """Returns True if a polygon has no dent; refuses a plane one that goes round more than once. A bent
+    one may only seem to, as seen along its normal."""
     sides = np.roll(ring, -1, axis=0) - ring
     before, around, dented = np.roll(sides, 1, axis=0), 0.0, False
     turns = product(np.cross(before, sides), normal)
@@ -112,9 +114,10 @@ def is_convex(ring: np.ndarray, normal: np.ndarray, where: str) -> bool:
         is_dent = turn < -max(FLAT * size_of(ring), SMALL) * (length(both) or 1.0)
         dented |= is_dent
         around += math.atan2(turn if is_dent else abs(turn), ahead)
-    if around > 3 * math.pi:  # the sum is 2 pi, or 4 pi and more: the last bits do not matter
+    once = around < 3 * math.pi  # the sum is 2 pi, or 4 pi and more: the last bits do not matter
+    if not once and not is_bent(ring, normal):
         fail(where, "crosses itself")
-    return not dented
+    return once and not dented
 
 
 def faces_of(shape: Shape, places: np.ndarray, where: str) -> tuple[list[Face], list[str]]:
@@ -204,7 +207,7 @@ def parts_of(face: Face, places: np.ndarray, wishes: Wishes) -> list[Face]:
     convex = is_convex(ring, face.normal, face.at)
     if convex and not is_cut(face, ring, wishes):
         return [face]
-    cuts = cutting.triangles(cutting.flat(places[face.points], face.normal))
+    cuts = cutting.triangles_in_space(places[face.points], face.normal)
     if cuts is None and not convex:
         fail(face.at, "crosses itself")
     cuts = cuts or cutting.fan(len(face.points))  # dents within the tolerance may cross by rounding
