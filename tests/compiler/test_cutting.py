@@ -104,6 +104,22 @@ def test_a_corner_on_a_side_is_kept():
     assert len(cuts) == 3 and all(cutting.turn(*(corners[k] for k in cut)) > 0 for cut in cuts)
 
 
+@pytest.mark.parametrize("corners, parts", [(32, 1), (33, 31), (128, 126)])
+def test_faces_of_many_corners(corners, parts):
+    """A mesh's face has up to 32 corners; a file's with more becomes triangles."""
+    angles = np.arange(corners) * 2 * np.pi / corners
+    shape = Shape(np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]), [list(range(corners))])
+    assert len(mesh_build.build(shape, mesh_build.Wishes(), "mesh").faces) == parts
+
+
+def test_too_many_triangles():
+    """4,096 at most, after cutting; the message says what is counted."""
+    points = np.array([(x, y, 0) for y in (0, 1) for x in range(65)], float)
+    face = [*range(65), *range(129, 64, -1)]
+    with pytest.raises(UserError, match="mesh: more than 4096 faces, those counted as triangles that are cut"):
+        mesh_build.build(Shape(points, [face[:128]] * 40), mesh_build.Wishes(), "mesh")
+
+
 def test_bent_quadrilaterals():
     """No quadrilateral with four corners off one plane crosses itself, though it seems so from some
     sides: this one from x, from which it is seen as well as from z."""

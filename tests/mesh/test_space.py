@@ -242,7 +242,7 @@ def obj(text: str):
     return lambda folder: (folder / "mesh.obj").write_text(text)
 
 
-RING = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(40) * np.pi / 20)
+RING = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(129) * np.pi / 64.5)
 ZIGZAG = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\n"
 STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * np.pi * 0.8)
 
@@ -302,8 +302,8 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
      "objects[1].mesh: mesh.obj: no face has an area"),
     (GOOD, obj(ZIGZAG + "f 1 3 2 4 5\n"), "objects[1].mesh: mesh.obj: line 6: crosses itself"),
     (GOOD, obj(STAR + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: line 6: crosses itself"),
-    (GOOD, obj(RING + "f " + " ".join(map(str, range(1, 41))) + "\n"),
-     "objects[1].mesh: mesh.obj: line 41: has 40 corners; 32 at most"),
+    (GOOD, obj(RING + "f " + " ".join(map(str, range(1, 130))) + "\n"),
+     "objects[1].mesh: mesh.obj: line 130: has 129 corners; 128 at most"),
     (GOOD, obj(OBJ + "f 1 2 3\n" * 4095), "mesh.obj: 4097 faces; 4096 at most"),
     (GOOD, obj("".join(f"v {k % 100} {k // 100} {k * k % 11}\n" for k in range(4098))
                + "".join(f"f {k} {k + 1} {k + 2}\n" for k in range(1, 4097))),

@@ -21,6 +21,7 @@ from tmap.scene_file.meshes import UNIT_14, UNIT_30
 FLAT = 1 / 256  # tolerance for corners off a face's plane and for dents, as a part of its size
 UNEVEN = 1 / 64  # tolerance for s and t off a plane, in their units
 ROUNDING = 1e-9  # of an angle's cosine: faces at the angle of a crease itself are smooth
+CORNERS_MAX = 128  # of a face before it is cut; the time for that grows with their cube
 SMALL = 2.0 ** -15  # length of two units: below it, points are rounded too much to judge
 
 
@@ -123,13 +124,12 @@ def is_convex(ring: np.ndarray, normal: np.ndarray, where: str) -> bool:
 def faces_of(shape: Shape, places: np.ndarray, where: str) -> tuple[list[Face], list[str]]:
     """Returns the faces, without corners at the same place as their neighbour, and the places in the
     file of those that have no area."""
-    most = layout.load().constants["MESH_CORNERS_MAX"]
     made, left_out = [], []
     for number, points in enumerate(shape.faces):
         at = shape.at(number, where)
         kept = [k for k, p in enumerate(points) if (places[p] != places[points[k - 1]]).any()]
-        if len(kept) > most:
-            fail(at, f"has {len(kept)} corners; {most} at most")
+        if len(kept) > CORNERS_MAX:
+            fail(at, f"has {len(kept)} corners; {CORNERS_MAX} at most")
         normal = unit_normal(places[[points[k] for k in kept]] / ONE, at) if len(kept) >= 3 else None
         if normal is None:
             left_out.append(at)
@@ -191,7 +191,8 @@ def is_cut(face: Face, ring: np.ndarray, wishes: Wishes) -> bool:
     """Returns True if a convex face must become triangles."""
     if len(face.points) == 3:
         return False
-    if wishes.triangles or is_bent(ring, face.normal):
+    most = layout.load().constants["MESH_CORNERS_MAX"]
+    if wishes.triangles or len(face.points) > most or is_bent(ring, face.normal):
         return True
     if not wishes.planes:
         return False
@@ -269,10 +270,13 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables | None:
     check_counts(0, len(drawn), where)
     if wishes.turns_normals:
         set_normals(faces, drawn, places, wishes)
-    made = [part for face in drawn for part in parts_of(face, places, wishes)]
+    made, most = [], limits["MESH_COUNT_MAX"]
+    for face in drawn:
+        made += parts_of(face, places, wishes)
+        if len(made) > most:
+            fail(where, f"more than {most} faces, those counted as triangles that are cut into them")
     found = tables(made, places, wishes, left_out)
     check_counts(len(found.points), len(found.faces), where)
-    most = limits["MESH_COUNT_MAX"]
     if len(found.normals) > most:
         fail(where, f"{len(found.normals)} different normals; {most} at most")
     return found
