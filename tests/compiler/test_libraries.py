@@ -92,6 +92,18 @@ def test_objects_share_a_file(folder):
     assert made.palette[made.materials[2].colour].tolist() == [255, 255, 255]
 
 
+def test_names_in_latin_1(folder):
+    """Old programs write names so; later ones in UTF-8. Names that are not text are refused."""
+    for text in ("b\xfcrste", "b\u00fcrste \u2116 2"):
+        for name, content in (("x.obj", OBJ), ("x.mtl", MTL)):
+            encoding = "utf-8" if "\u2116" in text else "latin-1"
+            (folder / "models" / name).write_bytes(content.replace("steel", text).encode(encoding))
+        assert f"models/x.obj {text}" in parse(folder / "scene.toml")["materials"]
+    (folder / "models" / "x.obj").write_text(OBJ.replace("steel", "\x1b[31m"))
+    with pytest.raises(UserError, match="models/x.obj: line 14: must be text"):
+        compile_scene(folder / "scene.toml")
+
+
 @pytest.mark.parametrize("name", ["/home/me/wall.png", "C:\\art\\wall.png", "d:wall.png", "./wall.png"])
 def test_paths_of_other_machines(folder, name):
     """Only the last part counts."""

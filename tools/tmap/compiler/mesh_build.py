@@ -184,7 +184,7 @@ def set_normals(faces: list[Face], drawn: list[Face], places: np.ndarray, wishes
     for face in drawn:
         for normal in face.normals:
             if not (np.isfinite(normal).all() and any(normal)):
-                fail(face.at, "a normal has no direction")
+                fail(face.at, "has a normal without direction")
 
 
 def is_cut(face: Face, ring: np.ndarray, wishes: Wishes) -> bool:

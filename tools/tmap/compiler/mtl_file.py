@@ -68,14 +68,13 @@ def looks(reference: str, folder: Path, where: str) -> dict[str, Look]:
     found: dict[str, Look] = {}
     look = None
     for number, statement in obj_file.statements(data):
-        word, rest = [*statement.decode("utf-8", "replace").split(None, 1), "", ""][:2]
-        at = f"{where}: line {number}"
+        word, at = b"".join(statement.split(None, 1)[:1]).decode("latin-1"), f"{where}: line {number}"
         if word == "newmtl":
-            look = found[" ".join(rest.split())] = Look(at)
+            look = found[obj_file.text_of(statement, at)] = Look(at)
         elif look and word == "Kd":
-            look.colour = colour_of(rest.split(), at)
+            look.colour = colour_of(obj_file.text_of(statement, at).split(), at)
         elif look and word == "map_Kd":
-            look.at, look.picture = at, beside(reference, picture_of(rest, at))
+            look.at, look.picture = at, beside(reference, picture_of(obj_file.text_of(statement, at), at))
     return found
 
 

@@ -58,9 +58,16 @@ def corners_of(statement: bytes, where: str) -> list[bytes]:
     return [b"/".join(index or b"" for index in each.groups()).rstrip(b"/") for each in found]
 
 
-def name_of(statement: bytes) -> str:
-    """Returns the rest of a statement, a name that may have spaces."""
-    return b" ".join(statement.split()[1:]).decode("utf-8", "replace")
+def text_of(statement: bytes, where: str) -> str:
+    """Returns the words behind a statement's first, as text with single spaces: names may have them."""
+    rest = b" ".join(statement.split()[1:])
+    try:
+        found = rest.decode()
+    except UnicodeDecodeError:
+        found = rest.decode("latin-1")
+    if not found.isprintable():
+        fail(where, "must be text")
+    return found
 
 
 def pick(table, width: int, index: list[int], noun: str, where: str):
@@ -88,10 +95,10 @@ def read(data: bytes, where: str) -> ObjFile:
             used.append(name)
             statement = b"f " + b" ".join(corners)
         elif word == [b"usemtl"]:
-            name = name_of(statement)
+            name = text_of(statement, at)
             continue
         elif word == [b"mtllib"]:
-            libraries.append(name_of(statement))
+            libraries.append(text_of(statement, at))
             continue
         else:
             continue
