@@ -232,3 +232,39 @@ def test_other_formats_are_named(folder, name, kind):
         make(folder, ARC, fields)
     assert str(caught.value) == (f"{folder / 'scene.toml'}: objects[1].mesh: {name}: is {kind}; meshes are read "
                                  "from Wavefront OBJ files (.obj)")
+
+
+def test_a_part_lit_by_a_projector(folder):
+    """One part's material has a unit with a projector's coordinates, and becomes polygons of the
+    scene; the projector is not of the other parts. A part without faces is no fault there either."""
+    unit = '[[materials.it.glide.units]]\nimage = "wall.png"\nwidth = 64\nheight = 32\nformat = "rgb565"\n'
+    (folder / "x.obj").write_text(ROOF)
+    text = f"""\
+width = 64
+height = 48
+frames = 1
+format = "rgba8888"
+background = "#102030"
+[projectors.lamp]
+eye = [1, 1, 9]
+target = [1, 1, 0]
+[camera]
+eye = [1, 1, 10]
+[materials]
+red.colour = "#ff0000"
+[materials.it.glide]
+perspective = true
+{unit}combine = {{ function = "scale_other", factor = "one" }}
+{unit}s = "clamp"
+t = "clamp"
+own = true
+[[objects]]
+mesh = "x.obj"
+projector = "lamp"
+"""
+    for fields, polygons, faces in ((THREE.format("it", "red", "red"), 1, [2]),
+                                    (THREE.format("red", "red", "red").replace("}", ', spare = "it" }'), 0, [3])):
+        (folder / "scene.toml").write_text(text + fields)
+        made = compile_scene(folder / "scene.toml")
+        scene_file.write(made)
+        assert len(made.objects) == polygons and [mesh.faces for mesh in made.meshes] == faces
