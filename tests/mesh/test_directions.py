@@ -68,5 +68,5 @@ def test_normals_of_a_file_may_have_any_length(folder, length: str) -> None:
 def test_normals_without_direction_are_refused(folder, normal: str) -> None:
     """Numbers beyond the range of floating point are read as 0 or infinity."""
     (folder / "mesh.obj").write_text(OBJ.replace("vn 0 0 2", f"vn {normal}"))
-    with pytest.raises(UserError, match=r"objects\[1\].mesh: mesh.obj: face 0 has a normal without"):
+    with pytest.raises(UserError, match=r"objects\[1\].mesh: mesh.obj: line 11: has a normal without"):
         tables(folder, on_file("glow"))

@@ -215,7 +215,7 @@ def test_too_many_corners(folder):
     far = make(folder, obj.replace(", 0]", ", -30]"))
     assert [obj.vertices for obj in far.objects] == [64]
     near = [[4.65 * x, 4.65 * y, 0] for x, y in RING]
-    with pytest.raises(UserError, match="face 0 has 36 corners on the screen in frame 0; with "
+    with pytest.raises(UserError, match=r"faces\[0\]: has 36 corners on the screen in frame 0; with "
                                         "coordinates of their own 32 at most"):
         make(folder, obj.replace(str(points), str(near)))
 
@@ -235,7 +235,7 @@ def test_too_many_corners(folder):
     (WALL + LAMP + '\nmapping = "environment"', SIDEWAYS, OWN,
      ".mapping: material 'it' has a unit with coordinates of its own, which go with"),
     (RIGHT + LAMP, SIDEWAYS, OWN,
-     ".projector: a corner of face 0 is too near the plane that 'lamp' stands on, in "
+     ".faces[0]: a corner is too near the plane that 'lamp' stands on, in "
      "frame 0: its s or t reaches 8192; clamp_w of the second unit would let it be cut there"),
     (WALL + LAMP, SIDEWAYS.replace("90", "180"), OWN, "projectors.lamp.fov: must be from 1 to 170"),
     (WALL + LAMP, SIDEWAYS.replace("target", "aim"), OWN, "projectors.lamp.aim: unknown field; "),

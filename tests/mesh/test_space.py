@@ -242,7 +242,7 @@ def obj(text: str):
     return lambda folder: (folder / "mesh.obj").write_text(text)
 
 
-RING = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(40) * np.pi / 20)
+RING = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(129) * np.pi / 64.5)
 ZIGZAG = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 1 0.5 0\nv 0 2 0\n"
 STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * np.pi * 0.8)
 
@@ -285,25 +285,25 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
     (on_file("wall"), obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
      'objects[1].mapping: "uv" needs texture coordinates at every corner'),
     (on_file("odd"), obj(OBJ.replace("vt 1 1", "vt 1.1 1")),
-     'objects[1].mesh: mapper "arbitrary" does not repeat: s must be from 0 to 256'),
+     'objects[1].mesh: mesh.obj: line 11: mapper "arbitrary" does not repeat: s must be from 0 to 256'),
     (on_file("wall"), obj(OBJ.replace("vt 1 1", "vt 900 1")), "16384 texels or more from the map's"),
     (changed('"mesh.obj"', '"none.obj"'), None, "objects[1].mesh: none.obj: no such file"),
     (changed('"mesh.obj"', '"wall.png"'), None, "objects[1].mesh: wall.png: "),
     (GOOD, obj(""), "objects[1].mesh: mesh.obj: has no faces"),
     (GOOD, obj("v 0 0 0\n"), "mesh.obj: has no faces"),
-    (GOOD, obj("v 0 0 0\nv 1 0 0\nf 1 2 9\n"), "mesh.obj: a face names a point that is not there"),
-    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 x\n"), "mesh.obj: cannot be read: Failed to parse"),
-    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1/7 2/8 3/9\n"), "names a texture coordinate that is not"),
+    (GOOD, obj("v 0 0 0\nv 1 0 0\nf 1 2 9\n"), "mesh.obj: line 3: the face names a point that is not there"),
+    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 x\n"), "mesh.obj: line 4: its corners cannot be read"),
+    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1/7 2/8 3/9\n"), "line 4: the face names a texture coordinate that is not"),
     (GOOD, obj("v 0 0 0\nv 1 0 0\nv nan 1 0\nf 1 2 3\n"),
      "objects[1].mesh: mesh.obj: line 3: its numbers cannot be read"),
     (GOOD, obj("v 0 0 0\nv 1 0 0 # x\nv 1. .5\nf 1 2 3\n"), "line 3: its numbers cannot be read"),
     (GOOD, obj("v 0 0 0\nv 1 0 0\nv 1e30 1 0\nf 1 2 3\n"), "a point is more than 2048 units"),
-    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"), "objects[1].mesh: mesh.obj: face 0: has no area"),
-    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 1 0\nf 1 2 3\nf 1 1 3\n"), "face 1: has no area"),
-    (GOOD, obj(ZIGZAG + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: face 0: is not convex"),
-    (GOOD, obj(STAR + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: face 0: crosses itself"),
-    (GOOD, obj(RING + "f " + " ".join(map(str, range(1, 41))) + "\n"),
-     "objects[1].mesh: mesh.obj: face 0: has 40 corners; 32 at most"),
+    (GOOD, obj("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n"),
+     "objects[1].mesh: mesh.obj: no face has an area"),
+    (GOOD, obj(ZIGZAG + "f 1 3 2 4 5\n"), "objects[1].mesh: mesh.obj: line 6: crosses itself"),
+    (GOOD, obj(STAR + "f 1 2 3 4 5\n"), "objects[1].mesh: mesh.obj: line 6: crosses itself"),
+    (GOOD, obj(RING + "f " + " ".join(map(str, range(1, 130))) + "\n"),
+     "objects[1].mesh: mesh.obj: line 130: has 129 corners; 128 at most"),
     (GOOD, obj(OBJ + "f 1 2 3\n" * 4095), "mesh.obj: 4097 faces; 4096 at most"),
     (GOOD, obj("".join(f"v {k % 100} {k // 100} {k * k % 11}\n" for k in range(4098))
                + "".join(f"f {k} {k + 1} {k + 2}\n" for k in range(1, 4097))),
@@ -314,7 +314,7 @@ STAR = "".join(f"v {np.cos(a):.6f} {np.sin(a):.6f} 0\n" for a in np.arange(5) * 
      "objects[0].faces[0]: must have 3 to 32 entries"),
     (changed("faces = [[0, 1, 2, 3]]\n", ""), None, "objects[0].faces: is missing"),
     (changed("faces = [[0, 1, 2, 3]]", "faces = [[0, 1, 2, 3], [0, 2, 1, 3]]"), None,
-     "objects[0].faces: face 1: "),
+     "objects[0].faces[1]: crosses itself"),
     (changed(", [0, 0]]]", "]]"), None, "objects[0].uvs[0]: must have 4 entries, one a corner of face 0"),
     (changed("uvs = [[[0, 128]", "uvs = [[[0, 0], [1, 1], [0, 1]], [[0, 128]"), None,
      "objects[0].uvs: must have 1 entries, one a face, or one for all; not 2"),
@@ -352,6 +352,21 @@ def test_too_many_points_together(folder):
     assert len(make(folder, head + mesh * 16 + polygon + mesh, 1).instances) == 17
     with pytest.raises(UserError, match=r"objects\[16\]: more than 65536 points in meshes one"):
         make(folder, head + mesh * 17, 1)
+
+
+@pytest.mark.parametrize("ending", ["\n", "\r\n", "\r"])
+def test_lines_are_counted_as_in_the_file(folder, ending):
+    """Continued statements, whose first line counts; comments, which do not continue; all endings."""
+    text = ("# made in C:\\models\\\nv 0 0 0\nv 1 0 \\\n0\n\nv 1 1 0\nv 0 1 0 # back\n"
+            "g side\nf 1 2 \\\n3 \\\n4 # all\nf 1// 2/ 3\nf -4 -3 -2\n")
+    file = folder / "mesh.obj"
+    file.write_bytes(text.replace("\n", ending).encode())
+    made = make(folder)
+    assert made.faces[made.meshes[1].face:, 5].tolist() == [4, 3, 3]
+    for face, line in (("f 1 2 9", 14), ("f 1 2 \\\n0", 14), ("\n\nf 1 2 -5", 16), ("v 1 2 \\\n\\\nx", 14)):
+        file.write_bytes((text + face).replace("\n", ending).encode())
+        with pytest.raises(UserError, match=f"mesh.obj: line {line}: "):
+            make(folder)
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -1,7 +1,7 @@
 """Converts a scene's mesh to the tables of a scene file.
 
-Faces keep their corners unless triangles are needed: for a bent face, for the material's gradients
-"polygon", or for gradients "plane" if s and t or shades are not planar.
+Faces keep their corners unless triangles are needed: for a concave or bent face, for the material's
+gradients "polygon", or for gradients "plane" if s and t or shades are not planar.
 """
 
 import math
@@ -9,16 +9,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tmap.base.elementary import cos
 from tmap.base.fields import fail
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, off_plane, product
 from tmap.build import layout
-from tmap.compiler import space
+from tmap.compiler import cutting, space
 from tmap.compiler.mesh_file import Shape, check_counts
 from tmap.scene_file.meshes import UNIT_14, UNIT_30
 
 FLAT = 1 / 256  # tolerance for corners off a face's plane and for dents, as a part of its size
 UNEVEN = 1 / 64  # tolerance for s and t off a plane, in their units
+ROUNDING = 1e-9  # of an angle's cosine: faces at the angle of a crease itself are smooth
+CORNERS_MAX = 128  # of a face before it is cut; the time for that grows with their cube
 SMALL = 2.0 ** -15  # length of two units: below it, points are rounded too much to judge
 
 
@@ -28,11 +31,13 @@ class Wishes:
 
     size: float = 1.0
     normals: str | None = None  # "file", "smooth", "faces"; None: "file", else "smooth"
+    crease: float = 180.0  # degrees; "smooth" leaves sharper edges sharp
     mapping: str = "none"  # "uv", "environment", "shade"
     light: bool = False  # corners have shades
     triangles: bool = False  # cut all faces into triangles
     planes: bool = False  # cut faces whose values are not planar
     two_sided: bool = False
+    names: tuple[str, ...] | None = None  # materials of the file whose faces are drawn; None: all
 
     @property
     def turns_normals(self) -> bool:
@@ -48,6 +53,8 @@ class Tables:
     normals: np.ndarray
     corners: np.ndarray
     faces: np.ndarray
+    sources: list[str]  # where each face is from, for messages
+    left_out: list[str]  # where faces without area are
 
     @property
     def key(self) -> tuple:
@@ -57,22 +64,21 @@ class Tables:
 
 @dataclass
 class Face:
-    """A polygon: its number in the file, and its corners in order."""
+    """A polygon with its corners in order."""
 
-    number: int
     points: list[int]
     texels: list[tuple[float, float]] | None
     normals: list[tuple[float, float, float]] | None
+    normal: np.ndarray  # unit
+    at: str  # its place in the file, for messages
+    number: int  # in the shape
 
     def part(self, kept: list[int]) -> "Face":
-        """Returns the polygon of some of the corners."""
+        """Returns the polygon of some of the corners, with the same normal."""
         def chosen(of):
             return None if of is None else [of[k] for k in kept]
-        return Face(self.number, chosen(self.points), chosen(self.texels), chosen(self.normals))
-
-    def triangles(self) -> list["Face"]:
-        """Returns a fan of triangles from the first corner."""
-        return [self.part([0, k - 1, k]) for k in range(2, len(self.points))]
+        return Face(chosen(self.points), chosen(self.texels), chosen(self.normals), self.normal, self.at,
+                    self.number)
 
 
 def newell(ring: np.ndarray) -> np.ndarray:
@@ -85,40 +91,53 @@ def size_of(ring: np.ndarray) -> float:
     return float(np.ptp(ring, axis=0).max())
 
 
-def check_face(ring: np.ndarray, where: str) -> np.ndarray:
-    """Returns the unit normal of a convex polygon; refuses other polygons."""
-    normal, size = newell(ring), size_of(ring)
-    if length(normal) <= 2 * size * SMALL:
-        fail(where, "has no area")
-    normal /= length(normal)
+def unit_normal(ring: np.ndarray, at: str = "") -> np.ndarray | None:
+    """Returns the unit normal of a polygon; None if it has no area. Refuses a polygon whose areas
+    cancel each other out because its sides cross. ``at``: its place, for messages."""
+    normal, least = newell(ring), 2 * size_of(ring) * SMALL
+    if length(normal) > least:
+        return normal / length(normal)
+    widest = max(np.cross(ring[1:-1] - ring[0], ring[2:] - ring[0]), key=length)
+    seen = cutting.flat(np.rint(ring * ONE).astype(np.int64), widest, int(abs(widest).argmax()))
+    if length(widest) > least and cutting.crosses(seen):
+        fail(at, "crosses itself")
+    return None
+
+
+def is_convex(ring: np.ndarray, normal: np.ndarray, where: str) -> bool:
+    """Returns True if a polygon has no dent; refuses a plane one that goes round more than once. A bent
+    one may only seem to, as seen along its normal."""
     sides = np.roll(ring, -1, axis=0) - ring
-    before, around = np.roll(sides, 1, axis=0), 0.0
+    before, around, dented = np.roll(sides, 1, axis=0), 0.0, False
     turns = product(np.cross(before, sides), normal)
     along = (before * sides).sum(axis=1)
     for turn, ahead, both in zip(turns.tolist(), along.tolist(), (before + sides).tolist()):
-        if turn < -max(FLAT * size, SMALL) * (length(both) or 1.0):
-            fail(where, "is not convex")
-        around += math.atan2(abs(turn), ahead)
-    if around > 3 * math.pi:  # the sum is 2 pi, or 4 pi and more: the last bits do not matter
+        is_dent = turn < -max(FLAT * size_of(ring), SMALL) * (length(both) or 1.0)
+        dented |= is_dent
+        around += math.atan2(turn if is_dent else abs(turn), ahead)
+    once = around < 3 * math.pi  # the sum is 2 pi, or 4 pi and more: the last bits do not matter
+    if not once and not is_bent(ring, normal):
         fail(where, "crosses itself")
-    return normal
+    return once and not dented
 
 
-def faces_of(shape: Shape, places: np.ndarray, where: str) -> list[Face]:
-    """Returns the faces, without corners at the same place as their neighbour."""
-    most = layout.load().constants["MESH_CORNERS_MAX"]
-    made = []
+def faces_of(shape: Shape, places: np.ndarray, where: str) -> tuple[list[Face], list[str]]:
+    """Returns the faces, without corners at the same place as their neighbour, and the places in the
+    file of those that have no area."""
+    made, left_out = [], []
     for number, points in enumerate(shape.faces):
-        face = Face(number, list(points), shape.texels and shape.texels[number],
-                    shape.normals and shape.normals[number])
+        at = shape.at(number, where)
         kept = [k for k, p in enumerate(points) if (places[p] != places[points[k - 1]]).any()]
-        at = f"{where}: face {number}"
-        if len(kept) > most:
-            fail(at, f"has {len(kept)} corners; {most} at most")
-        if len(kept) < 3:
-            fail(at, "has no area")
+        if len(kept) > CORNERS_MAX:
+            fail(at, f"has {len(kept)} corners; {CORNERS_MAX} at most")
+        normal = unit_normal(places[[points[k] for k in kept]] / ONE, at) if len(kept) >= 3 else None
+        if normal is None:
+            left_out.append(at)
+            continue
+        face = Face(list(points), shape.texels and shape.texels[number],
+                    shape.normals and shape.normals[number], normal, at, number)
         made.append(face.part(kept))
-    return made
+    return made, left_out
 
 
 def is_bent(ring: np.ndarray, normal: np.ndarray) -> bool:
@@ -132,44 +151,69 @@ def is_even(ring: np.ndarray, normal: np.ndarray, values: np.ndarray) -> bool:
     return off_plane(np.delete(ring, int(abs(normal).argmax()), 1), values) <= UNEVEN
 
 
-def smooth(faces: list[Face], places: np.ndarray) -> None:
-    """Gives each corner the mean of the normals of all faces at its place, weighted by area."""
-    sums: dict[tuple, np.ndarray] = {}
+def smooth(faces: list[Face], places: np.ndarray, crease: float) -> None:
+    """Gives each corner the mean of the normals of all faces at its place, weighted by area. Faces
+    whose normal is more than ``crease`` degrees from the corner's own face do not count."""
+    areas = np.array([newell(places[face.points] / ONE) for face in faces])
     keys = [tuple(place) for place in places.tolist()]
-    areas = [newell(places[face.points] / ONE) for face in faces]
-    for face, area in zip(faces, areas):
+    meeting: dict[tuple, list[int]] = {}  # faces at a place
+    for number, face in enumerate(faces):
         for point in face.points:
-            sums[keys[point]] = sums.get(keys[point], 0) + area
+            meeting.setdefault(keys[point], []).append(number)
+    limit = cos(math.radians(crease)) - ROUNDING if crease < 180 else -2.0
+    units = np.array([face.normal for face in faces])
+    sums = {key: areas[met].sum(axis=0) for key, met in meeting.items()}
     for face, area in zip(faces, areas):
-        mean = [sums[keys[point]] for point in face.points]
-        face.normals = [tuple(n if length(n) > 1e-6 * length(area) else area)
-                        for n in mean]
+        means = []
+        for key in (keys[point] for point in face.points):
+            near = product(units[meeting[key]], face.normal) >= limit
+            mean = sums[key] if near.all() else areas[meeting[key]][near].sum(axis=0)
+            means.append(tuple(mean if length(mean) > 1e-6 * length(area) else area))
+        face.normals = means
 
 
-def set_normals(faces: list[Face], places: np.ndarray, kind: str | None, where: str) -> None:
-    """Gives every corner its normal: the file's, the face's or a smooth one."""
+def set_normals(faces: list[Face], drawn: list[Face], places: np.ndarray, wishes: Wishes) -> None:
+    """Gives every corner of the drawn faces its normal: the file's, the face's or a smooth one, which
+    is of all faces, so that no seam shows between materials."""
+    kind = wishes.normals
     if kind == "faces":
-        for face in faces:
+        for face in drawn:
             face.normals = [tuple(newell(places[face.points] / ONE))] * len(face.points)
-    elif kind == "smooth" or faces[0].normals is None:
-        smooth(faces, places)
-    for face in faces:
+    elif kind == "smooth" or any(face.normals is None for face in drawn):
+        smooth(faces, places, wishes.crease)
+    for face in drawn:
         for normal in face.normals:
             if not (np.isfinite(normal).all() and any(normal)):
-                fail(where, f"face {face.number} has a normal without direction")
+                fail(face.at, "has a normal without direction")
 
 
-def is_cut(face: Face, ring: np.ndarray, normal: np.ndarray, wishes: Wishes) -> bool:
-    """Returns True if a face must become triangles."""
+def is_cut(face: Face, ring: np.ndarray, wishes: Wishes) -> bool:
+    """Returns True if a convex face must become triangles."""
     if len(face.points) == 3:
         return False
-    if wishes.triangles or is_bent(ring, normal):
+    most = layout.load().constants["MESH_CORNERS_MAX"]
+    if wishes.triangles or len(face.points) > most or is_bent(ring, face.normal):
         return True
     if not wishes.planes:
         return False
-    if wishes.mapping == "uv" and not is_even(ring, normal, np.array(face.texels)):
+    if wishes.mapping == "uv" and not is_even(ring, face.normal, np.array(face.texels)):
         return True
     return wishes.turns_normals and len(set(face.normals)) > 1
+
+
+def parts_of(face: Face, places: np.ndarray, wishes: Wishes) -> list[Face]:
+    """Returns the convex polygons of a face: the face, or triangles. Triangles without area are
+    left out."""
+    ring = places[face.points] / ONE
+    convex = is_convex(ring, face.normal, face.at)
+    if convex and not is_cut(face, ring, wishes):
+        return [face]
+    cuts = cutting.triangles_in_space(places[face.points], face.normal)
+    if cuts is None and not convex:
+        fail(face.at, "crosses itself")
+    cuts = cuts or cutting.fan(len(face.points))  # dents within the tolerance may cross by rounding
+    parts = [face.part(cut) for cut in cuts]
+    return [part for part in parts if unit_normal(places[part.points] / ONE) is not None]
 
 
 def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
@@ -178,7 +222,7 @@ def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
     return np.array(list(order), np.int64), [order[row] for row in rows]
 
 
-def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
+def tables(faces: list[Face], places: np.ndarray, wishes: Wishes, left_out: list[str]) -> Tables:
     """Returns the rows of the scene file."""
     points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
     turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
@@ -202,33 +246,37 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes) -> Tables:
             [*fixed, round(away / len(ring) / UNIT_30)]
         rows.append([*plane, first, len(ring)])
         first += len(ring)
-    return Tables(points, normals, np.array(corners, np.int64), np.array(rows, np.int64))
+    return Tables(points, normals, np.array(corners, np.int64), np.array(rows, np.int64),
+                  [face.at for face in faces], left_out)
 
 
-def build(shape: Shape, wishes: Wishes, where: str) -> Tables:
-    """Returns the tables of a mesh. The shape must have the coordinates that the wishes need;
-    ``where`` begins messages."""
+def build(shape: Shape, wishes: Wishes, where: str) -> Tables | None:
+    """Returns the tables of a mesh; None if it has faces, but none of the wanted materials. The shape
+    must have the coordinates that the wishes need; ``where`` begins messages."""
     limits = layout.load().constants
     scaled = shape.points * wishes.size
     used = sorted({point for face in shape.faces for point in face})
-    if not np.isfinite(scaled[used]).all() or abs(scaled[used]).max() > limits["MESH_REACH"]:
+    if not (abs(scaled[used]) <= limits["MESH_REACH"]).all():  # also catches NaN
         fail(where, f"a point is more than {limits['MESH_REACH']} units from the mesh's origin")
     kept = np.nan_to_num(scaled).clip(-limits["MESH_REACH"], limits["MESH_REACH"])  # unused ones
     places = np.rint(kept * ONE).astype(np.int64)
-    faces = faces_of(shape, places, where)
-    planes = [check_face(places[f.points] / ONE, f"{where}: face {f.number}") for f in faces]
+    faces, left_out = faces_of(shape, places, where)
+    if not faces:
+        fail(where, "no face has an area")
+    numbers = set(shape.drawn(wishes.names))
+    drawn = [face for face in faces if face.number in numbers]
+    if not drawn:
+        return None
+    check_counts(0, len(drawn), where)
     if wishes.turns_normals:
-        set_normals(faces, places, wishes.normals, where)
-    made = []
-    for face, normal in zip(faces, planes):
-        is_split = is_cut(face, places[face.points] / ONE, normal, wishes)
-        for part in face.triangles() if is_split else [face]:
-            if is_split:
-                check_face(places[part.points] / ONE, f"{where}: face {face.number}, cut up,")
-            made.append(part)
-    found = tables(made, places, wishes)
+        set_normals(faces, drawn, places, wishes)
+    made, most = [], limits["MESH_COUNT_MAX"]
+    for face in drawn:
+        made += parts_of(face, places, wishes)
+        if len(made) > most:
+            fail(where, f"more than {most} faces, those counted as triangles that are cut into them")
+    found = tables(made, places, wishes, left_out)
     check_counts(len(found.points), len(found.faces), where)
-    most = limits["MESH_COUNT_MAX"]
     if len(found.normals) > most:
         fail(where, f"{len(found.normals)} different normals; {most} at most")
     return found

@@ -1,21 +1,23 @@
 """Reads meshes as scenes name them: Wavefront OBJ files, or lists of points and faces."""
 
-import re
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import tinyobjloader
 
 from tmap.base.fields import fail
 from tmap.build import layout
+from tmap.compiler import obj_file
 from tmap.images import images
 
-NUMBER = rb"[ \t]+[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
-#: Lines of points, normals and texture coordinates. They are checked here because the parser reads
-#: a word that is not a number as 0.
-NUMBERS = re.compile(rb"[ \t]*(?:vt(?:%b){2,}|vn?(?:%b){3,})[ \t]*(?:#.*)?\r?" % (NUMBER, NUMBER))
 BYTES_MAX = 16 << 20  # of an OBJ file; a larger one is a mistake or an attack
+#: Names of other formats for meshes, by the ends of their files' names.
+OTHERS = {"glb": "glTF", "gltf": "glTF", "stl": "STL", "ply": "PLY", "3ds": "3D Studio", "max": "3ds Max",
+          "fbx": "FBX", "dae": "Collada", "blend": "Blender", "lwo": "LightWave", "lw": "LightWave",
+          "dxf": "DXF", "off": "OFF", "x3d": "X3D", "wrl": "VRML", "usd": "USD", "usda": "USD",
+          "usdc": "USD", "usdz": "USD", "c4d": "Cinema 4D", "ma": "Maya", "mb": "Maya", "md2": "Quake II",
+          "md3": "Quake III", "mtl": "a material library", "step": "STEP", "stp": "STEP", "iob": "Imagine",
+          "3mf": "3MF"}
 
 
 @dataclass
@@ -24,8 +26,18 @@ class Shape:
 
     points: np.ndarray  # (n, 3)
     faces: list[list[int]]  # a face's points
-    texels: list[list[tuple[float, float]]] | None = None  # s, t of each corner
-    normals: list[list[tuple[float, float, float]]] | None = None  # of each corner
+    texels: list[list[tuple[float, float]] | None] | None = None  # s, t of each corner
+    normals: list[list[tuple[float, float, float]] | None] | None = None  # of each corner
+    lines: list[int] | None = None  # of the faces in their file, from 1
+    materials: list[str] | None = None  # of the faces in their file; "": before the first usemtl
+
+    def at(self, face: int, where: str) -> str:
+        """Returns the place of a face for messages. ``where``: the file, or the list of faces."""
+        return f"{where}[{face}]" if self.lines is None else f"{where}: line {self.lines[face]}"
+
+    def drawn(self, names: tuple[str, ...] | None) -> list[int]:
+        """Returns the numbers of the faces whose materials in the file are these; None: of all."""
+        return [k for k in range(len(self.faces)) if names is None or self.materials[k] in names]
 
 
 def check_counts(points: int, faces: int, where: str) -> None:
@@ -36,62 +48,39 @@ def check_counts(points: int, faces: int, where: str) -> None:
             fail(where, f"{count} {noun}; {most} at most")
 
 
-def parse(data: bytes, where: str):
-    """Parses an OBJ file's bytes; returns attributes and shapes."""
-    for number, line in enumerate(data.split(b"\n"), 1):
-        if line.split(None, 1)[:1] in ([b"v"], [b"vt"], [b"vn"]) and not NUMBERS.fullmatch(line):
-            fail(where, f"line {number}: its numbers cannot be read")
-    config = tinyobjloader.ObjReaderConfig()
-    config.triangulate = False
-    reader = tinyobjloader.ObjReader()
-    if not reader.ParseFromString(data.decode("latin-1"), "", config):
-        reason = " ".join(reader.Error().split()) or "not a Wavefront OBJ file"
-        fail(where, f"cannot be read: {reason}")
-    return reader.GetAttrib(), reader.GetShapes()
+def data_of(reference: str, folder: Path, where: str) -> bytes:
+    """Returns the bytes of a file; refuses one that is larger than any mesh."""
+    path = images.locate(reference, folder, where)
+    try:
+        if path.stat().st_size > BYTES_MAX:
+            fail(f"{where}: {reference}", f"more than {BYTES_MAX} bytes")
+        return path.read_bytes()
+    except OSError as error:
+        fail(f"{where}: {reference}", error.strerror)
 
 
-def pick(table, width: int, indices: list[list[int]], noun: str, where: str):
-    """Returns rows of a table by index, face by face; None if a corner has no index."""
-    if any(index < 0 for face in indices for index in face):
-        return None
-    rows = np.array(table, float).reshape(-1, width)
-    if max((index for face in indices for index in face), default=-1) >= len(rows):
-        fail(where, f"a face names a {noun} that is not there")
-    return [[tuple(rows[index].tolist()) for index in face] for face in indices]
+def check_format(reference: str, where: str) -> None:
+    """Refuses a mesh's file whose name is that of another format."""
+    kind = OTHERS.get(reference.rpartition(".")[2].lower())
+    if kind:
+        fail(where, f"{reference}: is {kind}; meshes are read from Wavefront OBJ files (.obj)")
 
 
 def load(reference: str, folder: Path, where: str, extent: tuple[float, float]) -> Shape:
     """Returns the mesh of an OBJ file: all its objects and groups together, with polygons uncut.
 
-    Materials are not read. ``extent``: s and t at the far ends of the map; v runs upwards in the
-    file, t downwards.
+    ``extent``: s and t at the far ends of the map; v runs upwards in the file, t downwards.
     """
-    path = images.locate(reference, folder, where)
-    where = f"{where}: {reference}"
-    try:
-        if path.stat().st_size > BYTES_MAX:
-            fail(where, f"more than {BYTES_MAX} bytes")
-        data = path.read_bytes()
-    except OSError as error:
-        fail(where, error.strerror)
-    attributes, shapes = parse(data, where)
-    counts = [int(n) for shape in shapes for n in shape.mesh.num_face_vertices]
-    if not counts:
+    check_format(reference, where)
+    data, where = data_of(reference, folder, where), f"{where}: {reference}"
+    found = obj_file.read(data, where)
+    if not found.faces:
         fail(where, "has no faces")
-    points = np.array(attributes.vertices, float).reshape(-1, 3)
-    check_counts(0, len(counts), where)
-    corners = [c for shape in shapes for c in shape.mesh.indices]
-    ends = np.cumsum(counts).tolist()
-    rings = [corners[end - count:end] for end, count in zip(ends, counts)]
-    if not all(0 <= c.vertex_index < len(points) for c in corners):
-        fail(where, "a face names a point that is not there")
-    texels = pick(attributes.texcoords, 2, [[c.texcoord_index for c in r] for r in rings],
-                  "texture coordinate", where)
-    normals = pick(attributes.normals, 3, [[c.normal_index for c in r] for r in rings],
-                   "normal", where)
-    if texels:
-        texels = [[(u * extent[0], (1 - v) * extent[1]) for u, v in face] for face in texels]
-    return Shape(points, [[c.vertex_index for c in ring] for ring in rings], texels, normals)
+    most = layout.load().constants["SCENE_COUNT_MAX"]
+    if len(found.faces) > most:
+        fail(where, f"{len(found.faces)} faces; {most} at most in a file")
+    texels = [face and [(u * extent[0], (1 - v) * extent[1]) for u, v in face] for face in found.texels]
+    return Shape(found.points, found.faces, texels, found.normals, found.lines, found.materials)
 
 
 def listed(spec: dict, where: str, uvs: str = "uvs") -> Shape:

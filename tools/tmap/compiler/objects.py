@@ -13,16 +13,22 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import materials, mesh_build, mesh_file, projectors as scene_projectors, space
+from tmap.compiler import (materials, mesh_build, mesh_file, mtl_file, parts,
+                           projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
 from tmap.scene_file.textures import UNITS
 
-#: Mappings that a mapper takes; all other mappers take "uv" or "environment".
-MAPPINGS = {"gouraud": ("shade",), "flat": ("none",), "arbitrary": ("uv",)}
 FACTOR_BITS = 7  # fraction bits of the factors that normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, in s or t
+
+
+def materials_of_parts(value, where):
+    """A table from the file's materials to the scene's, or the word for the file's own."""
+    if isinstance(value, str) and value != mtl_file.FILE:
+        fail(where, f'must be a table or "{mtl_file.FILE}"')
+    return value if isinstance(value, str) else named(text)(value, where)
 
 
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:
@@ -38,10 +44,10 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
         "size": (number(1e-6, 1e6), 1.0), "axis": (rows(number(-1, 1), 3, 3), [0.0, 1.0, 0.0]),
         "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, space.KEYS_MAX), None),
         "mapping": (one_of("uv", "environment", "shade", "none"), None),
-        "normals": (one_of("file", "smooth", "faces"), None),
+        "normals": (one_of("file", "smooth", "faces"), None), "crease": (number(0, 180), None),  # degrees
         "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
     uvs = rows(rows(texel, 3, corners), 1, most), None
-    return {"mesh": {"mesh": (text, REQUIRED)} | placing,
+    return {"mesh": {"mesh": (text, REQUIRED), "materials": (materials_of_parts, None)} | placing,
             "points": {"points": (rows(rows(reach, 3, 3), 3, most), REQUIRED),
                        "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED),
                        "uvs": uvs, "uvs1": uvs} | placing}
@@ -55,11 +61,6 @@ def schema(limits: dict[str, int]) -> dict:
                    "ambient": (number(0, 1), 0.25)})
     return {"camera": (camera, None), "projectors": (named(scene_projectors.schema(limits)), {}),
             "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
-
-
-def has_light(material: dict) -> bool:
-    """Returns True if a material takes shades."""
-    return materials.mapper_of(material) == "gouraud" or materials.has_shades(material)
 
 
 def is_mesh(obj: dict) -> bool:
@@ -110,14 +111,18 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
     check_length(obj["axis"], f"{where}.axis")
     fill_keys(obj, ("position", "rotation"), where)
     scene_projectors.check_object(obj, material, projectors, where)
-    mapper, name = materials.mapper_of(material), obj["material"]
-    allowed = MAPPINGS.get(mapper, ("uv", "environment"))
+    allowed, name = parts.mappings_of(material), obj["material"]
     obj["mapping"] = obj["mapping"] or allowed[0]
     if obj["mapping"] not in allowed:
         fail(f"{where}.mapping", f'"{obj["mapping"]}", but material {name!r} takes '
                                  f"{' or '.join(allowed)}")
-    if obj["normals"] and obj["mapping"] != "environment" and not has_light(material):
-        fail(f"{where}.normals", f"material {name!r} has no use for them")
+    for field in ("normals", "crease"):
+        if obj[field] is not None and not parts.takes_normals(material, obj["mapping"]):
+            fail(f"{where}.{field}", f"material {name!r} has no use for them")
+    if obj["crease"] is not None and obj["normals"] not in (None, "smooth"):
+        fail(f"{where}.crease", f'goes with normals "smooth", not "{obj["normals"]}"')
+    if obj["crease"] is not None:
+        obj["normals"] = "smooth"
 
 
 def check(spec: dict, where: str) -> None:
@@ -128,13 +133,16 @@ def check(spec: dict, where: str) -> None:
     for name, projector in spec["projectors"].items():
         check_view(projector, join(f"{where}projectors", name))
     check_length(spec["light"]["direction"], f"{where}light.direction")
-    for i, obj in enumerate(spec["objects"]):
-        if not is_mesh(obj):
-            continue
+    for obj in filter(is_mesh, spec["objects"]):
         if not spec["camera"]:
-            fail(f"{where}camera", f"is missing; objects[{i}] has a mesh")
-        check_object(obj, spec["materials"][obj["material"]], spec["projectors"],
-                     f"{where}objects[{i}]")
+            fail(f"{where}camera", f"is missing; {obj['at'].removeprefix(where)} has a mesh")
+        parts.settle(obj, spec["materials"])
+        check_object(obj, spec["materials"][obj["material"]], spec["projectors"], obj["at"])
+
+
+def complete(values: list | None, drawn: list[int]) -> bool:
+    """Returns True if each of these faces has values at its corners."""
+    return values is not None and all(values[k] is not None for k in drawn)
 
 
 def rounded(values, bits: int) -> list[int]:
@@ -151,6 +159,8 @@ class Space:
         self.meshes: list[Mesh] = []
         self.asked: dict[str, int] = {}  # number of the mesh by wishes
         self.known: dict[tuple, int] = {}  # number of the mesh by content
+        self.shapes: dict[tuple, mesh_file.Shape] = {}  # by file and extent of the map
+        self.notes: dict[str, str] = {}  # what users should know, by mesh
         self.instances: list[Instance] = []
         self.views: list[list[int]] = []
         self.limits = layout.load().constants
@@ -163,24 +173,30 @@ class Space:
         """Returns how an object's mesh is drawn."""
         mapper = materials.mapper_of(material)
         return Wishes(
-            obj["size"], obj["normals"], obj["mapping"], has_light(material),
+            obj["size"], obj["normals"], 180.0 if obj["crease"] is None else obj["crease"], obj["mapping"],
+            parts.has_light(material),
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
-            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"])
+            mapper != "flat" and material["gradients"] == "plane", obj["two_sided"],
+            obj["names"])
 
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
-                  ) -> mesh_build.Tables:
-        """Returns the tables of an object with a Glide unit, with the coordinates of one field."""
+                  ) -> mesh_build.Tables | None:
+        """Returns the tables of an object with a Glide unit, with the coordinates of one field; None if
+        it has no faces."""
         return self.build(obj, "glide", map_of(material, None), self.wishes_of(obj, material),
                           where, uvs)
 
-    def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int:
-        """Returns the number of an object's mesh. Equal meshes have the same number."""
+    def mesh_of(self, obj: dict, material: dict, texture: dict | None, where: str) -> int | None:
+        """Returns the number of an object's mesh; None if it has no faces. Equal meshes have the
+        same number."""
         mapper, shown = materials.mapper_of(material), map_of(material, texture)
         wishes = self.wishes_of(obj, material)
         source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
         key = repr((source, shown, mapper in ("arbitrary", *UNITS), wishes))
         if key not in self.asked:
             made = self.build(obj, mapper, shown, wishes, where)
+            if made is None:
+                return None
             if mapper == "arbitrary":
                 made.corners[:, 2:4] = inside_map(made.corners[:, 2:4], texture)
             if made.key not in self.known:
@@ -188,22 +204,37 @@ class Space:
             self.asked[key] = self.known[made.key]
         return self.asked[key]
 
+    def shape_of(self, reference: str, at: str, extent: tuple[float, float]) -> mesh_file.Shape:
+        """Returns the mesh of an OBJ file, which is read once."""
+        if (reference, extent) not in self.shapes:
+            self.shapes[reference, extent] = mesh_file.load(reference, self.folder, at, extent)
+        return self.shapes[reference, extent]
+
     def build(self, obj: dict, mapper: str, shown: Map, wishes: Wishes, where: str,
-              uvs: str = "uvs") -> mesh_build.Tables:
-        """Builds the tables of an object's mesh; refuses one that the material cannot draw.
-        ``uvs``: the field with s and t."""
+              uvs: str = "uvs") -> mesh_build.Tables | None:
+        """Builds the tables of an object's mesh, None if it is a part without faces; refuses one that
+        the material cannot draw. ``uvs``: the field with s and t."""
         at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
-        shape = mesh_file.load(obj["mesh"], self.folder, at, shown.extent) if "mesh" in obj else \
+        file = f"{at}: {obj['mesh']}" if "mesh" in obj else at
+        shape = self.shape_of(obj["mesh"], at, shown.extent) if "mesh" in obj else \
             mesh_file.listed(obj, where, uvs)
-        if obj["normals"] == "file" and shape.normals is None:
+        if obj["names"] is not None:
+            parts.check_names(obj, shape, where)
+        drawn = shape.drawn(obj["names"])
+        if obj["normals"] == "file" and not complete(shape.normals, drawn):
             fail(f"{where}.normals", '"file", but not every corner has a normal there')
         if obj["mapping"] == "uv":
-            if shape.texels is None:
+            if not complete(shape.texels, drawn):
                 fail(f"{where}.mapping", '"uv" needs texture coordinates at every corner')
-            texels_at = at if "mesh" in obj else f"{where}.{uvs}"
-            for face in shape.texels:
-                check_corners([(0, 0, *texel) for texel in face], mapper, shown, texels_at)
-        return mesh_build.build(shape, wishes, f"{at}: {obj['mesh']}" if "mesh" in obj else at)
+            for k in drawn:
+                texels_at = shape.at(k, file) if "mesh" in obj else f"{where}.{uvs}"
+                check_corners([(0, 0, *texel) for texel in shape.texels[k]], mapper, shown, texels_at)
+        made = mesh_build.build(shape, wishes, file)
+        if made and made.left_out:
+            count = len(made.left_out)
+            self.notes[obj.get("mesh", where)] = f"{made.left_out[0]}: has no area and is left out" \
+                                                 + f", the first of {count} such faces" * (count > 1)
+        return made
 
     def store(self, made: mesh_build.Tables, where: str) -> int:
         """Appends a mesh; returns its number."""
@@ -256,7 +287,7 @@ class Space:
         number, material, texture, ramp = look
         mesh = self.mesh_of(obj, material, texture, where)
         lives = lives_of(obj, self.count)
-        if lives < 1:
+        if lives < 1 or mesh is None:
             return
         self.check_together(self.meshes[mesh], before, where)
         flags = ENVIRONMENT * (obj["mapping"] == "environment") | LIT * (ramp is not None)

@@ -100,7 +100,7 @@ class Faces:
         self.extent = extent_of((unit["width"], unit["height"]))
         self.first = made.tables_of(obj, material, where)
         self.second = self.first
-        if not self.projector:
+        if self.first is not None and not self.projector:
             self.second = made.tables_of(obj, material, where, "uvs1")
             if not np.array_equal(self.first.faces, self.second.faces):  # one of them is not planar
                 obj = obj | {"triangles": True}
@@ -132,12 +132,12 @@ class Faces:
     def shown(self, face: np.ndarray, number_: int, frame: int) -> list[np.ndarray]:
         """Returns a face, or the parts of it whose coordinates the units can draw."""
         if len(face) > self.most:
-            fail(self.where, f"face {number_} has {len(face)} corners on the screen in frame "
-                             f"{frame}; with coordinates of their own {self.most} at most")
+            fail(self.first.sources[number_], f"has {len(face)} corners on the screen in frame {frame}; "
+                                              f"with coordinates of their own {self.most} at most")
         if fits(face):
             return [face]
         if not self.clamp_w:
-            fail(f"{self.where}.projector", f"a corner of face {number_} is too near the plane "
+            fail(self.first.sources[number_], "a corner is too near the plane "
                  f"that {self.obj['projector']!r} stands on, in frame {frame}: its s or t reaches "
                  f"{REACH}; clamp_w of the second unit would let it be cut there")
         parts = []
@@ -166,6 +166,8 @@ class Faces:
     def polygons(self, frame: int, age: int) -> list[np.ndarray]:
         """Returns a frame's polygons, the farthest first, by each face's greatest depth. Faces seen
         from the back are left out unless the object shows both sides."""
+        if self.first is None:
+            return []
         view = self.space.view(self.obj, age, frame, 0.0, self.where)
         points = mesh.transform(self.scene, self.first.points[:, :3].tolist(), view)
         corners, found = self.corners(points, frame, age), []

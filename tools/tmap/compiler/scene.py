@@ -5,6 +5,7 @@ motion starts at the frame where it appears, and ``turns``, ``orbit`` and ``scal
 per ``frames`` of the scene.
 """
 
+import sys
 import tomllib
 from pathlib import Path
 
@@ -15,8 +16,8 @@ from tmap.base.fields import (REQUIRED, choice, colour, fail, integer, named, nu
 from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
 from tmap.build import layout
-from tmap.compiler import (glide, glide_build, materials, n64_build, objects as scene_space,
-                           primitives, projectors, views16)
+from tmap.compiler import (glide, glide_build, materials, mtl_file, n64_build, objects as scene_space,
+                           parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
 from tmap.scene_file.scene_file import IDENTITY, Object, Scene
@@ -55,7 +56,7 @@ def schema(limits: dict[str, int]):
         | placing,
         "rectangle": primitives.rectangle_fields(far) | placing}
     shapes |= scene_space.object_schema(limits)
-    always = {"material": (text, REQUIRED), "first": (frame, 0), "last": (frame, None)}
+    always = {"material": (text, None), "first": (frame, 0), "last": (frame, None)}
     side = limits["FRAME_SIDE_MAX"]
     return table({
         "title": (text, ""), "width": (integer(4, side, 4), REQUIRED),
@@ -63,7 +64,7 @@ def schema(limits: dict[str, int]):
         "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED),
         "format": (one_of(*FORMATS), "chunky"), "background": (colour, REQUIRED),
         "textures": (named(materials.texture_schema()), {}),
-        "materials": (named(materials.material_schema()), REQUIRED),
+        "materials": (named(materials.material_schema()), {}),
         **scene_space.schema(limits),
         "objects": (rows(choice(shapes, always), 1, limits["SCENE_COUNT_MAX"]), REQUIRED)})
 
@@ -80,11 +81,11 @@ def parse(path: Path) -> dict:
     except (ValueError, RecursionError) as error:
         fail(str(path), f"is not TOML: {error}")
     spec = schema(layout.load().constants)(content, where)
+    mtl_file.add(spec, path.parent, where)
     materials.check(spec, where)
-    for i, obj in enumerate(spec["objects"]):
-        at = f"{where}objects[{i}]"
-        if obj["material"] not in spec["materials"]:
-            fail(f"{at}.material", f"there is no material {obj['material']!r}")
+    spec["objects"] = parts.split(spec["objects"], spec["materials"], where)
+    for obj in spec["objects"]:
+        at = obj["at"]
         if not obj["first"] < spec["frames"]:
             fail(f"{at}.first", f"the scene ends with frame {spec['frames'] - 1}")
         if obj["last"] is not None and not obj["first"] <= obj["last"] < spec["frames"]:
@@ -120,8 +121,8 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
     limits = layout.load().constants
     material_number = {name: i for i, name in enumerate(spec["materials"])}
     objects, vertices, poses = [], [], []
-    for i, obj in enumerate(spec["objects"]):
-        at = f"{where}objects[{i}]"
+    for obj in spec["objects"]:
+        at = obj["at"]
         material = spec["materials"][obj["material"]]
         texture = spec["textures"].get(material.get("texture"))
         lives = scene_space.lives_of(obj, count)
@@ -155,7 +156,7 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
-    the same speed.
+    the same speed. Prints on stderr what the scene's author should know.
     """
     path = Path(path)
     where = f"{path}: "
@@ -175,4 +176,6 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
                  **engine_tables, **pipe_tables)
+    for note in space.notes.values():
+        print(f"tmap: {note}", file=sys.stderr)
     return views16.add(made)
