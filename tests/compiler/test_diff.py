@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tmap.__main__ import main
 from tmap.run import diff
 from tmap.run.diff import GAP, MARK, compare
 
@@ -48,7 +49,7 @@ def test_compare():
 
 def test_equal(two, tmp_path, capsys):
     assert diff.command(*two, tmp_path / "out") == 0
-    assert capsys.readouterr().out == "1 frame: 0 different\n"
+    assert capsys.readouterr().out == "1 frame: 0 different in index, for want of two palettes\n"
     assert not (tmp_path / "out").exists()
 
 
@@ -59,7 +60,8 @@ def test_different(two, tmp_path, capsys):
     was = (1 * WIDTH + 5) % 251
     assert lines == [
         f"frame_000: 2 pixels differ, in x 5 to 9, y 1 to 3; first (5, 1): {was} / 0; "
-        f"largest difference {max(was, 255 - (3 * WIDTH + 9) % 251)}", "1 frame: 1 different"]
+        f"largest difference {max(was, 255 - (3 * WIDTH + 9) % 251)}",
+        "1 frame: 1 different in index, for want of two palettes"]
     panels = np.array(Image.open(tmp_path / "out" / "frame_000_diff.png"))
     assert panels.shape == (HEIGHT, 3 * WIDTH + 2 * GAP, 3)
     third = panels[:, 2 * (WIDTH + GAP):]
@@ -91,14 +93,14 @@ def test_16_bits_a_pixel(tmp_path, capsys):
             {"width": 8, "height": 4, "format": "rgb565", "palette": None}))
     assert diff.command(tmp_path / "a", tmp_path / "a") == 0
     assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path) == 1
-    assert "first (5, 2): 2048 / 2016; largest difference 32" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert "first (5, 2): 2048 / 2016; largest difference 32" in out and "1 different in colour\n" in out
     panels = np.array(Image.open(tmp_path / "frame_000_diff.png"))
     assert panels[2, 5].tolist() == [8, 0, 0] and panels[2, 5 + 8 + GAP].tolist() == [0, 255, 0]
     half = tmp_path / "c" / "frame_000.chunky"
     dump(half, size=(4, 8))
     half.with_name("run.json").write_text('{"width": 8}')
-    assert diff.command(tmp_path / "a" / "frame_000.chunky", half) == 2
-    assert "rgb565 and chunky" in capsys.readouterr().err
+    assert "rgb565 and chunky" in refused([tmp_path / "a" / "frame_000.chunky", half], capsys)
 
 
 def test_pngs(tmp_path, capsys):
@@ -119,13 +121,71 @@ def test_directories(tmp_path, capsys):
             dump(tmp_path / run / f"frame_{i:03}.chunky", changes)
     assert diff.command(tmp_path / "a", tmp_path / "b", tmp_path / "out") == 1
     out = capsys.readouterr().out.splitlines()
-    assert out[0].startswith("frame_002: 1 pixels") and out[1:] == ["4 frames: 1 different"]
+    assert out[0].startswith("frame_002: 1 pixels") and out[1:] == [
+        "4 frames: 1 different in index, for want of two palettes"]
     assert [p.name for p in (tmp_path / "out").iterdir()] == ["frame_002_diff.png"]
-    (tmp_path / "b" / "frame_003.chunky").unlink()
-    assert diff.command(tmp_path / "a", tmp_path / "b") == 2
+
+
+def refused(arguments, capsys) -> str:
+    """The error line of ``tmap diff`` that refuses; it prints nothing else."""
+    assert main(["diff", *map(str, arguments)]) == 2
     caught = capsys.readouterr()
-    assert caught.out.splitlines()[1:] == ["4 frames: 1 different, 1 unusable"]
-    assert caught.err == f"diff: {tmp_path / 'b' / 'frame_003.chunky'}: no such file\n"
+    assert caught.out == "" and caught.err.startswith("tmap: ") and caught.err.count("\n") == 1
+    return caught.err
+
+
+def run_of(folder, palette, frames):
+    """Writes a run directory: a palette, uint8 (256, 3), and frames of the same size, uint8 (h, w)."""
+    folder.mkdir()
+    for number, frame in enumerate(frames):
+        (folder / f"frame_{number:03}.chunky").write_bytes(frame.tobytes())
+    (folder / "run.json").write_text(json.dumps(
+        {"width": frame.shape[1], "height": frame.shape[0], "palette": palette.tolist()}))
+    return folder
+
+
+def test_palettes_that_differ(tmp_path, capsys):
+    """Pictures are compared, not numbers: the same colours are equal, the same indices may differ."""
+    random = np.random.default_rng(5)
+    palette = random.permutation(np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1))
+    order = random.permutation(256)
+    frame = random.integers(0, 256, (6, 8)).astype(np.uint8)
+    a = run_of(tmp_path / "a", palette, [frame, frame])
+    same = run_of(tmp_path / "same", palette[order], [np.argsort(order).astype(np.uint8)[frame]] * 2)
+    assert diff.command(a, same, tmp_path / "out") == 0
+    assert capsys.readouterr().out == "2 frames: 0 different in colour; 2 of the same colours by other indices\n"
+    changed = palette.copy()
+    changed[frame[2, 3]] ^= 255
+    assert diff.command(a, run_of(tmp_path / "other", changed, [frame, frame]), tmp_path / "out") == 1
+    lines = capsys.readouterr().out.splitlines()
+    y, x = np.argwhere(frame == frame[2, 3])[0]
+    index, was = frame[2, 3], int(palette[frame[2, 3], 0])
+    assert f"first ({x}, {y}): {index} = {[was] * 3} / {index} = {[255 - was] * 3}; " in lines[0]
+    assert lines[2:] == ["2 frames: 2 different in colour"]
+    panels = np.array(Image.open(tmp_path / "out" / "frame_001_diff.png"))
+    marked = (panels[:, 2 * (8 + GAP):] == MARK).all(axis=2)
+    assert np.array_equal(marked, frame == frame[2, 3])
+
+
+def test_paths_that_cannot_be_compared(two, tmp_path, capsys):
+    """Missing, no run directory, another number of frames or other ones: one line, no picture."""
+    a, b, empty, missing = (tmp_path / name for name in ("a", "b", "empty", "missing"))
+    empty.mkdir()
+    dump(two[1], [(5, 1, 0)])
+    for number in (1, 2):
+        dump(a / f"frame_{number:03}.chunky")
+    for other, message in ((missing, "missing: no such file or directory"), (b, f"{a} and {b}: 3 and 1 frames"),
+                           (empty, "empty: is no run directory: it has no frame_*.chunky")):
+        for pair in ((a, other), (other, a)):
+            wanted = message if other != b or pair[0] == a else f"{b} and {a}: 1 and 3 frames"
+            assert wanted in refused([*pair, "-o", tmp_path / "out"], capsys)
+    for number in (1, 3):
+        dump(b / f"frame_{number:03}.chunky")
+    assert "frame_002.chunky is in one only" in refused([a, b, "-o", tmp_path / "out"], capsys)
+    dump(b / "frame_002.chunky", size=(HEIGHT + 1, WIDTH))
+    (b / "frame_003.chunky").unlink()
+    assert "320x6 and 320x7 pixels" in refused([a, b, "-o", tmp_path / "out"], capsys)
+    assert not (tmp_path / "out").exists()
 
 
 def about(text):
@@ -134,7 +194,7 @@ def about(text):
 
 
 @pytest.mark.parametrize("spoil, message", [
-    (lambda a, b: b.unlink(), "frame_000.chunky: no such file"),
+    (lambda a, b: b.unlink(), "frame_000.chunky: no such file or directory"),
     (lambda a, b: b.write_bytes(b""), "0 bytes is not 320x? pixels"),
     (lambda a, b: b.write_bytes(bytes(321)), "321 bytes is not 320x1 pixels"),
     (lambda a, b: dump(b, size=(HEIGHT + 1, WIDTH)), "320x6 and 320x7 pixels"),
@@ -153,9 +213,7 @@ def about(text):
 ])
 def test_unusable(two, tmp_path, capsys, spoil, message):
     spoil(*two)
-    assert diff.command(*two, tmp_path / "out") == 2
-    error = capsys.readouterr().err
-    assert message in error and error.count("\n") == 1
+    assert message in refused([*two, "-o", tmp_path / "out"], capsys)
     assert not (tmp_path / "out").exists()
 
 
@@ -165,7 +223,7 @@ def test_unusable(two, tmp_path, capsys, spoil, message):
     ("a/frame_000.chunky", "x.gif", "x.gif: neither a .chunky dump nor a .png frame"),
     ("a/frame_000.chunky", "x.png", "one is a dump, the other a picture"),
     ("a/frame_000.chunky", "b", "one is a directory, the other is not"),
-    ("empty", "empty", "neither has a frame_*.chunky"),
+    ("empty", "empty", "empty: is no run directory"),
 ])
 def test_unlike_things(two, tmp_path, capsys, first, second, message):
     (tmp_path / "cut.png").write_bytes(b"\x89PNG\r\n\x1a\n\0\0")
@@ -173,14 +231,14 @@ def test_unlike_things(two, tmp_path, capsys, first, second, message):
     (tmp_path / "x.gif").write_bytes(b"GIF89a")
     (tmp_path / "empty").mkdir()
     Image.new("RGB", (WIDTH, HEIGHT)).save(tmp_path / "x.png")
-    assert diff.command(tmp_path / first, tmp_path / second) == 2
-    assert message in capsys.readouterr().err
+    assert message in refused([tmp_path / first, tmp_path / second], capsys)
 
 
 def test_output_that_cannot_be_written(two, tmp_path, capsys):
     """Without a place for pictures none are written."""
     dump(two[1], [(0, 0, 9)])
     (tmp_path / "out").write_text("in the way")
-    assert diff.command(*two) == 1 and diff.command(*two, tmp_path / "out") == 2
-    assert capsys.readouterr().err.count("\n") == 1
+    assert diff.command(*two) == 1
+    capsys.readouterr()
+    assert "out: is not a directory" in refused([*two, "-o", tmp_path / "out"], capsys)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["a", "b", "out"]

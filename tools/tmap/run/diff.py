@@ -1,7 +1,9 @@
-"""Compares frames: dumps of the chunky buffer, PNGs, or whole run directories."""
+"""Compares frames: dumps of the chunky buffer, PNGs, or whole run directories.
+
+Dumps of indices are compared by the colours of their palettes, or by index if one has no palette.
+"""
 
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,6 +11,7 @@ import numpy as np
 from PIL import Image
 
 from tmap.base.errors import UserError
+from tmap.base.outputs import check_directory, replaced
 from tmap.base.pixel_formats import FORMATS, PixelFormat
 
 DEFAULT_WIDTH = 320  # pixels of a dump without a run.json beside it
@@ -24,7 +27,7 @@ class Difference:
     count: int  # differing pixels
     box: tuple[int, int, int, int]  # left, top, right, bottom; all inside
     first: tuple[int, int]  # x, y of the first in reading order
-    values: tuple  # of a and b at that pixel: index, or [r, g, b]
+    values: tuple  # of a and b at that pixel: value, [r, g, b], or index and colour in words
     largest: int  # difference of a value or channel
 
     def __str__(self) -> str:
@@ -52,6 +55,13 @@ class Frame:
         return (greys if self.palette is None else self.palette)[self.values]
 
 
+def comparable(a: Frame, b: Frame) -> tuple[np.ndarray, np.ndarray]:
+    """Returns what is compared of two frames: colours if both have palettes, otherwise pixels as they are."""
+    if a.palette is None or b.palette is None:
+        return a.values, b.values
+    return a.picture(), b.picture()
+
+
 def differing(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Returns bool (h, w): pixels that differ in any value."""
     different = a != b
@@ -71,11 +81,12 @@ def compare(a: np.ndarray, b: np.ndarray) -> Difference:
         (a[y[0], x[0]].tolist(), b[y[0], x[0]].tolist()), int(largest))
 
 
-def panels(a: Frame, b: Frame) -> np.ndarray:
-    """Returns A, B, and A in dark grey with the differing pixels marked, side by side."""
+def panels(a: Frame, b: Frame, different: np.ndarray) -> np.ndarray:
+    """Returns A, B, and A in dark grey with the pixels marked that are ``different``, bool (h, w), side by
+    side."""
     left, right = a.picture(), b.picture()
     marked = np.repeat((left.mean(axis=2, keepdims=True) / 3).astype(np.uint8), 3, axis=2)
-    marked[differing(a.values, b.values)] = MARK
+    marked[different] = MARK
     gap = np.full((left.shape[0], GAP, 3), 255, np.uint8)
     return np.concatenate([left, gap, right, gap, marked], axis=1)
 
@@ -135,44 +146,85 @@ def load_pair(a: Path, b: Path) -> tuple[Frame, Frame]:
     return frames
 
 
+def frames_of(folder: Path) -> list[str]:
+    """Returns the names of a run directory's dumps."""
+    names = sorted(path.name for path in folder.glob(FRAMES))
+    if not names:
+        raise UserError(f"{folder}: is no run directory: it has no {FRAMES}")
+    return names
+
+
 def pairs(a: Path, b: Path) -> list[tuple[Path, Path]]:
-    """Returns the frames to compare: a and b, or those of the same name in both directories."""
+    """Returns the frames to compare: a and b, or those of two run directories, which have the same names."""
+    for path in (a, b):
+        if not path.exists():
+            raise UserError(f"{path}: no such file or directory")
     if a.is_dir() != b.is_dir():
         raise UserError(f"{a} and {b}: one is a directory, the other is not")
     if not a.is_dir():
         return [(a, b)]
-    names = {path.name for path in (*a.glob(FRAMES), *b.glob(FRAMES))}
-    if not names:
-        raise UserError(f"{a} and {b}: neither has a {FRAMES}")
-    return [(a / name, b / name) for name in sorted(names)]
+    names, others = frames_of(a), frames_of(b)
+    if len(names) != len(others):
+        raise UserError(f"{a} and {b}: {len(names)} and {len(others)} frames")
+    for name, other in zip(names, others):
+        if name != other:
+            raise UserError(f"{a} and {b}: {min(name, other)} is in one only")
+    return [(a / name, b / name) for name in names]
+
+
+@dataclass
+class Compared:
+    """The differences of two runs, or of two frames."""
+
+    different: list[tuple[Path, Path]]
+    lines: list[str]  # one for each that differs
+    others: int = 0  # frames of the same colours with other indices
+    kind: str = "colour"  # what was compared
+
+    def summary(self, count: int) -> str:
+        """The last line. ``count``: of frames."""
+        others = f"; {self.others} of the same colours by other indices" if self.others else ""
+        return f"{count} frame{'s' if count > 1 else ''}: {len(self.different)} different in {self.kind}{others}"
+
+
+def compare_all(work: list[tuple[Path, Path]]) -> Compared:
+    """Compares pairs of frames; refuses all if one cannot be compared."""
+    done = Compared([], [])
+    for one, other in work:
+        a, b = load_pair(one, other)
+        values = comparable(a, b)
+        if values[0].ndim == 2 and not a.pixel.colours:
+            done.kind = "index, for want of two palettes"
+        elif a.pixel.channels == "RGBA":
+            done.kind = "colour or alpha"
+        found = compare(*values)
+        if found.count:
+            if a.values.ndim == 2 and values[0].ndim == 3:
+                x, y = found.first
+                found.values = tuple(f"{frame.values[y, x]} = {value}"
+                                     for frame, value in zip((a, b), found.values))
+            done.different.append((one, other))
+            done.lines.append(f"{one.stem}: {found}")
+        else:
+            done.others += bool(differing(a.values, b.values).any())
+    return done
 
 
 def command(a: Path, b: Path, out: Path | None = None) -> int:
-    """``tmap diff``: prints how two dumps, PNGs or run directories differ.
+    """``tmap diff``: prints how two dumps, PNGs or run directories differ; raises UserError.
 
     Every differing frame's panels go to ``out`` as ``NAME_diff.png``, if given.
-    Returns 0: equal, 1: different, 2: something could not be compared.
+    Returns 0: equal, 1: different.
     """
-    different = unusable = 0
-    try:
-        work = pairs(a, b)
-    except UserError as error:
-        print(f"diff: {error}", file=sys.stderr)
-        return 2
-    for one, other in work:
-        try:
-            frames = load_pair(one, other)
-            found = compare(frames[0].values, frames[1].values)
-            if not found.count:
-                continue
-            different += 1
-            print(f"{one.stem}: {found}")
-            if out is not None:
-                out.mkdir(parents=True, exist_ok=True)
-                Image.fromarray(panels(*frames)).save(out / f"{one.stem}_diff.png")
-        except (UserError, OSError) as error:
-            print(f"diff: {error}", file=sys.stderr)
-            unusable += 1
-    counts = f"{len(work)} frame{'s' if len(work) > 1 else ''}: {different} different"
-    print(counts + (f", {unusable} unusable" if unusable else ""))
-    return 2 if unusable else 1 if different else 0
+    if out is not None:
+        check_directory(out)
+    work = pairs(a, b)
+    done = compare_all(work)
+    if out is not None and done.different:
+        with replaced(out, (), "") as folder:
+            for one, other in done.different:
+                frames = load_pair(one, other)
+                picture = panels(*frames, differing(*comparable(*frames)))
+                Image.fromarray(picture).save(folder / f"{one.stem}_diff.png")
+    print("\n".join([*done.lines, done.summary(len(work))]))
+    return 1 if done.different else 0

@@ -8,7 +8,7 @@ from PIL import Image
 from tmap.base.fixed import M32, ONE, signed
 from tmap.base.paths import BUILD
 from tmap.model import model
-from tmap.run.diff import Frame, compare, panels
+from tmap.run.diff import Frame, compare, differing, panels
 from tmap.scene_file.scene_file import Scene, vertices_at
 
 
@@ -43,6 +43,6 @@ def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, agai
         picture = BUILD / "failed" / (re.sub(r"\W+", "_", what)[:60].strip("_") + ".png")
         picture.parent.mkdir(parents=True, exist_ok=True)
         both = Frame(right, scene.palette, scene.pixel), Frame(found, scene.palette, scene.pixel)
-        Image.fromarray(panels(*both)).save(picture)
+        Image.fromarray(panels(*both, differing(right, found))).save(picture)
         lines.append(f"  picture (expected, found, difference): {picture}")
     return "\n".join([*lines, f"  again: {again}"])
