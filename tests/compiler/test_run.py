@@ -11,10 +11,11 @@ from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
 from tmap.__main__ import FORMS, main
 from tmap.base.errors import UserError
+from tmap.base.outputs import save_animation
 from tmap.base.paths import ROOT, SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.guest import emulator
-from tmap.guest.emulator import CYCLES_PER_TICK
+from tmap.guest.emulator import CLOCK_HZ, CYCLES_PER_TICK
 from tmap.model import model
 from tmap.run import run
 
@@ -137,15 +138,52 @@ def test_pixel_counts_are_the_models(counted):
         assert figures["pixels"] == sum(polygon.pixels for polygon in polygons), f"frame {number}"
 
 
-def test_how_long_animations_show_a_frame():
-    """1.6 seconds in total, with 40 to 200 ms a frame."""
-    assert [run.gif_frame_ms(frames) for frames in (1, 8, 12, 16, 40, 1000)] \
-        == [200, 200, 130, 100, 40, 40]
+def figures_of(*milliseconds) -> list[dict]:
+    """Figures of frames that take so long."""
+    return [{"cycles": round(ms * CLOCK_HZ / 1000)} for ms in milliseconds]
+
+
+@pytest.mark.parametrize("takes, times, factor", [
+    ([100, 200, 160], [100, 200, 160], 1),
+    ([33.3] * 6, [30, 40, 30, 30, 40, 30], 1.001),  # rounded, but not all to the same side
+    ([5, 35], [20, 20], 1),  # the second makes up for the first
+    ([10] * 4, [20] * 4, 2),  # as browsers would not show them
+    ([400_000] * 2, [327_670] * 2, 0.819)])
+def test_animations_play_at_the_machines_speed(takes, times, factor):
+    """As far as a GIF can; the factor tells how far."""
+    assert run.animation(figures_of(*takes)) == {"times_ms": times, "factor": factor}
+
+
+def test_a_single_frame_has_no_animation():
+    assert run.animation(figures_of(100)) is None
+
+
+def test_equal_frames_of_a_long_animation(tmp_path):
+    """They become one, which is shown as long as all."""
+    pictures = [Image.new("L", (8, 8), value) for value in [9] * 50 + [5]]
+    times = run.gif_times(figures_of(*[20_000] * 51))
+    save_animation(tmp_path / "long.gif", pictures, times)
+    with Image.open(tmp_path / "long.gif") as moving:
+        assert moving.n_frames == 2 and moving.info["duration"] == 50 * times[0] > 600_000
+
+
+@pytest.mark.parametrize("factor, words", [
+    (1.004, "at the estimated speed"),
+    (2, "takes 2.00 times as long as estimated: a frame is shown for 20 ms at least"),
+    (0.819, "takes 0.82 times as long as estimated: all frames are shown for 655 s at most")])
+def test_summary_tells_the_animations_speed(out, capsys, factor, words):
+    about = json.loads((out / "run.json").read_text())
+    about["animation"]["factor"] = factor
+    run.print_report(about, out)
+    line = capsys.readouterr().out.splitlines()[-2]
+    assert line.startswith("animation ") and words in line
 
 
 def test_pictures_are_the_dumps(out):
     """Each frame as PNG, and all as an animation that repeats without end."""
-    palette = np.array(json.loads((out / "run.json").read_text())["palette"], np.uint8)
+    about = json.loads((out / "run.json").read_text())
+    palette, times = np.array(about["palette"], np.uint8), about["animation"]["times_ms"]
+    assert abs(sum(times) - max(60, 1000 * about["totals"]["cycles"] / CLOCK_HZ)) <= 5
     assert names(out) == ["animation.gif", *(f"frame_{n:03}.{end}" for n in range(3)
                                              for end in ("chunky", "png")), "run.json"]
     with Image.open(out / "animation.gif") as animation:
@@ -156,7 +194,7 @@ def test_pictures_are_the_dumps(out):
                 assert picture.mode == "P"
                 assert (np.array(picture.convert("RGB")) == colours).all()
             animation.seek(number)
-            assert animation.info["duration"] == 200
+            assert animation.info["duration"] == times[number]
             assert (np.array(animation.convert("RGB")) == colours).all()
 
 

@@ -60,7 +60,7 @@ def show(name: str, machine: str, folder: Path) -> Shown:
     if any(len(np.unique(frame)) == 1 for frame in drawn.frames):
         raise UserError(f"{name}: a frame of one colour")
     pictures = [run.picture_of(frame, scene) for frame in drawn.frames]
-    save_animation(folder / f"{name}.gif", pictures, run.gif_frame_ms(scene.frames))
+    save_animation(folder / f"{name}.gif", pictures, run.gif_times(drawn.figures))
     return name, run.total(drawn.figures), scene.frames, errors_of(scene)
 
 

@@ -58,7 +58,8 @@ def replaced(out: Path, old: Iterable[str], last: str) -> Iterator[Path]:
         raise UserError(f"{error.filename or out}: {error.strerror or error}") from None
 
 
-def save_animation(path: Path, pictures: Iterable[Image.Image], frame_ms: int, **options) -> None:
-    """Saves a GIF that repeats without end. ``options``: Pillow's."""
+def save_animation(path: Path, pictures: Iterable[Image.Image], frame_ms: int | list[int], **options) -> None:
+    """Saves a GIF that repeats without end. ``frame_ms``: of all frames, or of each; ``options``:
+    Pillow's."""
     first, *others = pictures
     first.save(path, save_all=True, append_images=others, duration=frame_ms, loop=0, **options)

@@ -21,8 +21,9 @@ from tmap.scene_file.scene_file import Scene, write
 
 CYCLES_UNIT = (f"CPU cycles, {CLOCK_HZ / 1e6} MHz, from the background to the last polygon, "
                f"DMA and interrupts off; measured in colour clocks of {CYCLES_PER_TICK} cycles")
-GIF_FRAME_MS = 40
-GIF_LEAST_MS, GIF_SLOWEST_MS = 1600, 200  # shortest animation, and slowest frame to reach it
+GIF_STEP_MS = 10
+GIF_LEAST_MS = 20  # of a frame: browsers show a shorter one for 100 ms
+GIF_MOST_MS = 65535 * GIF_STEP_MS  # of an animation: equal frames become one, whose time is 16 bits
 ROWS_MAX = 10  # frames listed one by one, at most
 #: Files that a run writes and the next one replaces. run.json is first: it describes the rest.
 WRITTEN = ("run.json", "animation.gif", "frame_[0-9][0-9][0-9].chunky", "frame_[0-9][0-9][0-9].png")
@@ -154,9 +155,26 @@ def picture_of(frame: np.ndarray, scene: Scene) -> Image.Image:
     return picture
 
 
-def gif_frame_ms(frames: int) -> int:
-    """Returns the time of a frame in an animation; GIFs count hundredths of a second."""
-    return max(GIF_FRAME_MS, min(GIF_LEAST_MS // frames // 10 * 10, GIF_SLOWEST_MS))
+def gif_times(figures: list[dict]) -> list[int]:
+    """Returns for how many ms an animation shows each frame: as long as the machine draws it, as far as
+    GIFs can. What is rounded off a frame is added to the next. ``figures``: of each frame."""
+    most = GIF_MOST_MS // len(figures) // GIF_STEP_MS * GIF_STEP_MS
+    times, left = [], 0.0
+    for frame in figures:
+        left += 1000 * frame["cycles"] / CLOCK_HZ
+        times.append(min(max(GIF_STEP_MS * round(left / GIF_STEP_MS), GIF_LEAST_MS), most))
+        left -= times[-1]
+    return times
+
+
+def animation(figures: list[dict]) -> dict | None:
+    """Returns an animation's times, ms of each frame, and its factor: how many times as long as on the
+    machine it takes. None of a single frame, which has no animation."""
+    if len(figures) < 2:
+        return None
+    times = gif_times(figures)
+    seconds = sum(frame["cycles"] for frame in figures) / CLOCK_HZ
+    return {"times_ms": times, "factor": round(sum(times) / 1000 / seconds, 3)}
 
 
 def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> None:
@@ -168,9 +186,8 @@ def save(folder: Path, frames: list[np.ndarray], scene: Scene, about: dict) -> N
         dump = frame.astype(frame.dtype.newbyteorder(">")).tobytes()
         (folder / f"frame_{number:03}.chunky").write_bytes(dump)
         pictures.append(picture)
-    if len(pictures) > 1:
-        save_animation(folder / "animation.gif", pictures, gif_frame_ms(len(pictures)),
-                       optimize=False)
+    if about["animation"]:
+        save_animation(folder / "animation.gif", pictures, about["animation"]["times_ms"], optimize=False)
     (folder / "run.json").write_text(as_json(about))
 
 
@@ -218,6 +235,12 @@ def print_report(about: dict, out: Path) -> None:
                                "without display",
             "spans used": ", ".join(f"{kind} {pixels:,} pixels" for kind, pixels
                                     in totals["spans"].items()) or "none"}
+    if about["animation"]:
+        factor = about["animation"]["factor"]
+        limit = f"a frame is shown for {GIF_LEAST_MS} ms at least" if factor > 1 \
+            else f"all frames are shown for {GIF_MOST_MS // 1000} s at most"
+        rows["animation"] = "at the estimated speed" if f"{factor:.2f}" == "1.00" \
+            else f"takes {factor:.2f} times as long as estimated: {limit}"
     last = f" to frame_{count - 1:03}.png, animation.gif" if count > 1 else ""
     rows["pictures"] = f"{out}/frame_000.png{last}"
     for name, text in rows.items():
@@ -249,7 +272,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
              "format": scene.format, "lowering": lowering,
              "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
-             "frames": done.figures, "totals": total(done.figures)}
+             "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
     with replaced(out, WRITTEN, WRITTEN[0]) as folder:
         save(folder, done.frames, scene, about)
     return about
