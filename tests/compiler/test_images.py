@@ -116,6 +116,25 @@ def test_picture_is_cut_to_the_shape_of_its_map(tmp_path, width, height, dark):
     assert np.array_equal(turned.transpose(1, 0, 2), found)
 
 
+@pytest.mark.parametrize("mode, opaque, clear", [
+    ("RGBA", (9, 9, 9, 255), (9, 9, 9, 254)), ("LA", (9, 255), (9, 0)), ("P", 7, 8), ("RGB", (9, 9, 9), (9, 9, 8)),
+    ("L", 9, 8), ("1", 0, 1)])
+def test_transparent_pixels(tmp_path, mode, opaque, clear):
+    """One is found, in every kind of PNG, unless the map's shape cuts it off; an alpha of opaque pixels is
+    none. In modes without alpha one value stands for transparency."""
+    key = {} if mode in ("RGBA", "LA") else {"transparency": clear}
+    image = Image.new(mode, (90, 30), opaque)
+    if mode == "P":
+        image.putpalette(range(30))
+    for at, found in ((None, False), ((45, 29), True), ((2, 2), False)):
+        shown = image.copy()
+        if at:
+            shown.putpixel(at, clear)
+        shown.save(tmp_path / "wall.png", **key)
+        assert images.is_transparent("wall.png", tmp_path, WHERE) == found, at
+    assert images.is_transparent("wall.png", tmp_path, WHERE, 96, 32)
+
+
 def test_picture_in_a_package():
     portrait = "package:matplotlib/mpl-data/sample_data/grace_hopper.jpg"
     loaded = images.load(portrait, None, WHERE)

@@ -107,6 +107,30 @@ def test_picture_is_upright_and_not_mirrored(folder):
     assert left[0] == 10 * ONE and left[2] == 0
 
 
+UNITS = ('wall.glide.units = [{ image = "wall.png", format = "argb4444", width = 64, height = 64 }]',
+         'wall.n64.tiles = [{ image = "wall.png", format = "ia8", width = 32, height = 32 }]')
+
+
+@pytest.mark.parametrize("alpha, old, new, count", [
+    (0, "", "", 1), (254, "", "", 1), (255, "", "", 0), (None, "", "", 0),
+    (0, 'wall.texture = "wall"', 'wall.texture = "wall"\nother.texture = "wall"', 1),
+    (0, 'wall.texture = "wall"', 'wall.colour = "#00ff00"', 0),  # the texture is not used
+    (0, "frames = 8", 'frames = 8\nformat = "rgba8888"', 1),  # its pixels have alpha, which shows nowhere
+    *((0, 'wall.texture = "wall"', unit, 0) for unit in UNITS)])
+def test_alpha_that_does_not_show_is_said(folder, capsys, alpha, old, new, count):
+    """In one line, of the textures of plain mappers alone."""
+    if alpha is not None:
+        with Image.open(folder / "wall.png") as picture:
+            changing = picture.convert("RGBA")
+        changing.putpixel((30, 20), (9, 9, 9, alpha))
+        changing.save(folder / "wall.png")
+    frames = "\nformat = \"rgba5551\"" if "n64" in new else "\nformat = \"rgb565\"" if "glide" in new else ""
+    make(folder, changed(old, new).replace("frames = 8", "frames = 8" + frames))
+    assert capsys.readouterr().err == (
+        f"tmap: {folder / 'scene.toml'}: textures.wall.image: wall.png has transparent pixels, which are "
+        "drawn as they are\n") * count
+
+
 def test_map_turn_turns_the_map_clockwise(folder):
     """map_turn is in degrees; map_radius is the size of the visible part."""
     text = changed("radius = 20", "radius = 20\nmap_turn = 90\nmap_radius = 64")

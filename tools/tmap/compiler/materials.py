@@ -202,6 +202,17 @@ def load_pictures(spec: dict, used: set[str], folder: Path, where: str) -> dict[
     return {name: picture for name, picture in pictures.items() if name in used}
 
 
+def transparent(spec: dict, folder: Path, where: str) -> list[str]:
+    """Returns a note on each texture in use that has transparent pixels: no mapper blends them, not even
+    in frames that have alpha. Texture units read their own pictures."""
+    notes = []
+    for name in dict.fromkeys(m["texture"] for m in spec["materials"].values() if "texture" in m):
+        texture, at = spec["textures"][name], join(f"{where}textures", name) + ".image"
+        if images.is_transparent(texture["image"], folder, at, texture["width"], texture["height"]):
+            notes.append(f"{at}: {texture['image']} has transparent pixels, which are drawn as they are")
+    return notes
+
+
 def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
           where: str) -> tuple[np.ndarray, list[Texture], list[Material]]:
     """Returns the palette, uint8 (256, 3), the textures, one for each layout in use, and the

@@ -176,6 +176,6 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
                  **engine_tables, **pipe_tables)
-    for note in space.notes.values():
+    for note in (*space.notes.values(), *materials.transparent(spec, path.parent, where)):
         print(f"tmap: {note}", file=sys.stderr)
     return views16.add(made)

@@ -77,17 +77,31 @@ def picture(reference: str, folder: Path, where: str, mode: str = "RGB") -> Imag
         raise UserError(f"{where}: {reference}: cannot be read: {text}") from None
 
 
-def load(reference: str, folder: Path, where: str, width: int = SIDE,
-         height: int = SIDE, mode: str = "RGB") -> np.ndarray:
-    """Returns the middle of a ``picture`` as uint8 (height, width, channels), row 0 on top.
-
-    It is cut to the shape of width x height, then resized by Pillow, in integers with weights of 22
-    bits. A sine's last bit can change a weight only if the exact one is halfway between two.
-    """
-    image = picture(reference, folder, where, mode)
+def middle(image: Image.Image, width: int, height: int) -> Image.Image:
+    """Returns the middle of a picture, cut to the shape of width x height."""
     wide, high = image.size
     cut_wide = max(1, min(wide, high * width // height))
     cut_high = max(1, min(high, wide * height // width))
     left, top = (wide - cut_wide) // 2, (high - cut_high) // 2
-    middle = image.crop((left, top, left + cut_wide, top + cut_high))
-    return np.array(middle.resize((width, height), Image.Resampling.LANCZOS))
+    return image.crop((left, top, left + cut_wide, top + cut_high))
+
+
+def load(reference: str, folder: Path, where: str, width: int = SIDE,
+         height: int = SIDE, mode: str = "RGB") -> np.ndarray:
+    """Returns the ``middle`` of a ``picture`` as uint8 (height, width, channels), row 0 on top.
+
+    It is resized by Pillow, in integers with weights of 22 bits. A sine's last bit can change a weight
+    only if the exact one is halfway between two.
+    """
+    image = middle(picture(reference, folder, where, mode), width, height)
+    return np.array(image.resize((width, height), Image.Resampling.LANCZOS))
+
+
+def is_transparent(reference: str, folder: Path, where: str, width: int = SIDE, height: int = SIDE) -> bool:
+    """Returns true if pixels are not opaque in the part of a picture that ``load`` takes. It is a picture
+    that ``load`` does not refuse."""
+    with opened(locate(reference, folder, where)) as image:
+        if not image.has_transparency_data:  # most have none and need not be decoded again
+            return False
+    part = middle(picture(reference, folder, where, "RGBA"), width, height)
+    return part.getchannel("A").getextrema()[0] < 255
