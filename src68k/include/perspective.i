@@ -106,7 +106,7 @@ walk_turn
 
 ; d1 = d0:d1 / \2, cut towards zero and clamped to the range of \1, u or v. Uses d0/d2. A
 ; comparison finds quotients that do not fit 32 bits, except for the last bit, which V
-; shows: FS-UAE gives 0 without V from 2^32 on. \3, if given, is a routine for a quotient d1 that fits and is too high.
+; shows: FS-UAE gives 0 without V from 2^32 on.
 quotient macro
         move.l  d0,d2
         minus   <not.l d2>
@@ -119,9 +119,6 @@ quotient macro
         blt.s   .low\@
         cmp.l   perspective_plan_\1_high(a6),d1
         ble.s   .inside\@
-        ifnb    \3
-        bsr     \3
-        endc
 .high\@ move.l  perspective_plan_\1_high(a6),d1
         bra.s   .inside\@
 .far\@  tst.l   d0
