@@ -16,7 +16,7 @@ static int32 is_gentle(const struct number64 *gradient)
 
 /* Returns the units that a plane may be off after so many pixels. Its gradient, in 48.16, is off by
    2^-31 of itself and 3 / 2^16. */
-static inline int32 error_part(const struct number64 *gradient, int32 pixels)
+static int32 error_part(const struct number64 *gradient, int32 pixels)
 {
     int32 steep = perspective_steepness(gradient);
 
@@ -74,7 +74,7 @@ static void find_q(struct perspective_plan *plan, const struct screen_plane *q, 
 }
 
 /* Returns the units that a plane may be off after so many pixels and lines, and 2 more. */
-static inline int32 plane_error(const struct screen_plane *plane, int32 right, int32 down)
+static int32 plane_error(const struct screen_plane *plane, int32 right, int32 down)
 {
     return 2 + error_part(&plane->dx, right) + error_part(&plane->dy, down);
 }

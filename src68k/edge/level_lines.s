@@ -26,8 +26,12 @@
         movea.l a1,a5
         lea     walk_sizeof-level_sizeof(sp),sp
         walk_open
-        make_step step_u,s
-        make_step step_v,t
+        lea     perspective_plan_s+screen_plane_dx(a6),a0
+        lea     step_u(sp),a1
+        bsr     level_make
+        lea     perspective_plan_t+screen_plane_dx(a6),a0
+        lea     step_v(sp),a1
+        bsr     level_make
         moveq   #0,d0
         move.l  d0,taken_u(sp)
         move.l  d0,taken_v(sp)
@@ -69,4 +73,5 @@
 
         others  0
         others  1
+        level_calls
         walk_turns

@@ -20,23 +20,6 @@ step_hi equ     0
 step_lo equ     4
 step_up equ     8
 
-; Makes the step \1(sp) of the plane \2, s or t. Uses d0-d2.
-make_step macro
-        movem.l perspective_plan_\2+screen_plane_dx(a6),d0-d1
-        move.l  d0,d2
-        bmi.s   .falls\@
-        or.l    d1,d2
-        beq.s   .made\@
-        moveq   #1,d2
-        sub.l   d2,d1
-        bcc.s   .made\@
-        subq.l  #1,d0
-        bra.s   .made\@
-.falls\@
-        moveq   #0,d2
-.made\@ movem.l d0-d2,\1(sp)
-        endm
-
 ; Steps the walk to the line a0: d2-d5 = s and t, d0 = q.hi of its first pixel, a4 its x, a5 the next line's if the
 ; side goes on as it does. Goes to .empty\1 if the line has no pixels. Uses d6/a2.
 advance macro
@@ -66,14 +49,30 @@ advance macro
         bgt     .empty\1
         endm
 
-; The walk turns by d6 pixels at a vertex.
-turn    macro
-.turn\1 movem.l d0-d5,-(sp)
-        lea     6*4(sp),a2
+; The routines that make the step at a1 of the gradient at a0, by d0-d2, and turn the walk by d6 pixels at a vertex.
+level_calls macro
+level_make
+        movem.l (a0),d0-d1
+        move.l  d0,d2
+        bmi.s   .falls
+        or.l    d1,d2
+        beq.s   .made
+        moveq   #1,d2
+        sub.l   d2,d1
+        bcc.s   .made
+        subq.l  #1,d0
+        bra.s   .made
+.falls  moveq   #0,d2
+.made   movem.l d0-d2,(a1)
+        rts
+
+level_turn
+        movem.l d0-d5,-(sp)
+        lea     7*4(sp),a2              ; behind the caller's place
         move.l  d6,d0
         bsr     walk_turn
         movem.l (sp)+,d0-d5
-        bra     .step\1
+        rts
         endm
 
 ; \4 = \1, u or v, of the line's first pixel less its base: \2:\3 / d1, cut towards zero, held in the range. A
@@ -106,7 +105,6 @@ hold    macro
 .zero_\1\3
         move.l  \2,d6
         minus   <not.l d6>
-        tst.l   d6
         beq     .fits_\1\3
 .far_\1\3
         tst.l   \2
@@ -131,7 +129,6 @@ over    macro
 .none_\1
         move.l  step_\1+step_hi(sp),d6
         minus   <not.l d6>
-        tst.l   d6
         beq     .fit_\1
 .over_\1
         moveq   #0,d7
@@ -213,12 +210,15 @@ lines   macro
 .next\1 lea     scanline_sizeof(a0),a0
         cmpa.l  a3,a0
         bne     .line\1
+        ifeq    \1
         bra     .stop
+        endc
         endm
 
 ; Parts of the loop that lines seldom reach.
 others  macro
-        turn    \1
+.turn\1 bsr     level_turn
+        bra     .step\1
         hold    u,d2,\1
         hold    v,d4,\1
         ifeq    \1
