@@ -116,7 +116,7 @@ static enum chain chain_of(const struct setup *s)
         return m->gradients == GRADIENTS_PLANE ? CHAIN_SHADES : CHAIN_NONE;
     if (m->mapper == MAPPER_LIT_GOURAUD)
         return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
-    if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT
+    if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT && m->mapper != MAPPER_KEYED
         && (m->mapper != MAPPER_GENERATED || s->kind == SPAN_GENERATED))
         return CHAIN_NONE;
     if (m->gradients != GRADIENTS_PLANE || m->start != START_SUBTEXEL)

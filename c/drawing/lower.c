@@ -153,6 +153,9 @@ void lower_by_steps(struct setup *s)
         LOWER(NO_WRAP_LIT, LIT_WRAP, LIT, !s->texturing.wraps)
         LOWER(SHORT_LIT, LIT, LIT_SHORT, width <= SHORT_LIT)
         LOWER(SHORT_LIT_WRAP, LIT_WRAP, LIT_SHORT_WRAP, width <= SHORT_LIT_WRAP)
+    } else if (kind == SPAN_KEYED_WRAP) {
+        LOWER(STILL_V_KEYED, KEYED_WRAP, KEYED_ROW, STEP_IS_STILL(span->dvdx) && STEP_IS_SLOW(span->dudx))
+        LOWER(NO_WRAP_KEYED, KEYED_WRAP, KEYED, !s->texturing.wraps)
     } else if (kind == SPAN_GOURAUD) {
         LOWER(SHORT_GOURAUD, GOURAUD, GOURAUD_SHORT, width <= SHORT_GOURAUD)
     } else if (kind == SPAN_AFFINE_16_WRAP) {

@@ -31,6 +31,8 @@
     /* as affine, sample points moved by up to 3/8 texel: see span_dithered */ \
     MAPPER(DITHERED, dithered, MAP_PAGE, 1 + 2 + 4, MAPPER_PLANE, \
            SPAN_DITHERED_WRAP, SPAN_DITHERED_16_WRAP, SPAN_DITHERED_32_WRAP) \
+    /* as affine, without the pixels whose texel is 0 */ \
+    MAPPER(KEYED, keyed, MAP_PAGE, 1, MAPPER_PLANE, SPAN_KEYED_WRAP, 0, 0) \
     /* drawn by the material's texture unit or Glide pipe, not by polygon_draw */ \
     MAPPER(N64, n64, MAP_LAYOUTS, 2 + 4, MAPPER_UNIT, 0, 0, 0) \
     MAPPER(GLIDE, glide, MAP_LAYOUTS, 2 + 4, MAPPER_UNIT, 0, 0, 0)

@@ -54,6 +54,9 @@
     SPAN(DITHERED_16_WRAP, dithered_16_wrap, ADDX) \
     SPAN(DITHERED_32, dithered_32, ADDX) \
     SPAN(DITHERED_32_WRAP, dithered_32_wrap, ADDX) \
+    SPAN(KEYED, keyed, ADDX) \
+    SPAN(KEYED_WRAP, keyed_wrap, ADDX) \
+    SPAN(KEYED_ROW, keyed_row, ADDX) \
     OTHER(TRIANGLES_FLAT, triangles_flat) \
     OTHER(TRIANGLES_GOURAUD, triangles_gouraud) \
     OTHER(TRIANGLES_AFFINE, triangles_affine) \
@@ -82,6 +85,8 @@
     RULE(NO_WRAP, no_wrap)                 /* v wraps once in a line at most */ \
     RULE(NO_WRAP_LIT, no_wrap_lit)         /* the same with light */ \
     RULE(NO_WRAP_DITHERED, no_wrap_dithered) /* the same for v moved by dithering */ \
+    RULE(STILL_V_KEYED, still_v_keyed)     /* STILL_V, NO_WRAP where texels may be transparent */ \
+    RULE(NO_WRAP_KEYED, no_wrap_keyed) \
     RULE(SHORT, short)                     /* unrolled code for all pixels fits the cache */ \
     RULE(SHORT_WRAP, short_wrap) \
     RULE(SHORT_ROW, short_row) \

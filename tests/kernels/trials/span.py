@@ -34,7 +34,7 @@ MOST = {f"span_{name}": layout.load().constants[f"SHORT_{constant}"] for name, c
     ("affine_row_short", "AFFINE_ROW"), ("gouraud_short", "GOURAUD"), ("lit_short", "LIT"),
     ("lit_short_wrap", "LIT_WRAP"))}
 #: The chain of two registers: v wraps at most once in a line.
-ONCE_WRAPPING = ("span_affine_addx", "span_affine_short", "span_affine_16", "span_affine_32")
+ONCE_WRAPPING = ("span_affine_addx", "span_affine_short", "span_affine_16", "span_affine_32", "span_keyed")
 OWN_STEPS = ("_scanline", "_level")  # endings of kernels' names whose lines have steps of their own
 COLOURS = (0, 0xFF, 0x5C, 0x12345601, 0xFFFFFF00)
 TURN = 1 << 24  # u and v repeat after 256 texels
@@ -60,6 +60,15 @@ def ground_of(seed: int, stored: bytes, picture: np.ndarray, at: int = 0,
 def picture_ground() -> Ground:
     """What most spans are drawn on and from: the page ``texture``."""
     return ground_of(3, texture().tobytes(), texture())
+
+
+@cache
+def holed_ground() -> Ground:
+    """A page for spans with transparent texels: half of them are 0, in runs of all lengths."""
+    rng = np.random.default_rng(257)
+    holes = np.repeat(rng.integers(0, 2, 1 << 16), rng.integers(1, 24, 1 << 16))[:1 << 16].reshape(256, 256)
+    picture = np.where(holes, 0, texture()).astype(np.uint8)
+    return ground_of(4, picture.tobytes(), picture)
 
 
 def sizes(kernel: str) -> tuple:
@@ -213,7 +222,8 @@ def span_trials(kernel: str, rng) -> list[Trial]:
     if kernel == "span_affine_c":  # any compiler's product: what matters is the routines
         steps = steps[::2]
     long_steps = [*PAIRS[:8], *(steps[k] for k in rng.choice(len(steps), 24, replace=False))]
-    return [span_trial(kernel, *pair, 0, size, rng, upwards=k % 8 == 7)
+    ground = holed_ground() if "keyed" in kernel else None
+    return [span_trial(kernel, *pair, 0, size, rng, k % 8 == 7, ground)
             for size, chosen in zip(sizes(kernel), (steps, long_steps))
             for k, pair in enumerate(chosen)]
 
@@ -221,10 +231,11 @@ def span_trials(kernel: str, rng) -> list[Trial]:
 def trials() -> list[Trial]:
     names = ("span_fill", "span_affine_addx", "span_affine_addx_wrap", "span_affine_swap",
              "span_affine_c", "span_affine_scanline", "span_affine_level", "span_fill_16", "span_affine_short",
-             "span_affine_short_wrap")
+             "span_affine_short_wrap", "span_keyed", "span_keyed_wrap")
     made = [trial for seed, name in enumerate(names)
             for trial in span_trials(name, np.random.default_rng([3, seed]))]
     alone = "span_affine_row", "span_affine_column", "span_affine_row_short"
     made += [trial for seed, name in enumerate(alone)
              for trial in alone_trials(name, np.random.default_rng([4, seed]))]
+    made += alone_trials("span_keyed_row", np.random.default_rng([4, 102]), holed_ground())
     return made + copy_trials(np.random.default_rng([4, 100])) + upright_trials(np.random.default_rng([4, 101]))

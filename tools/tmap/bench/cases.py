@@ -49,7 +49,8 @@ def span_calls(length: int) -> dict[str, Call]:
             | {f"dithered{end}": dithered.dithered_case(f"span_dithered{end}", bytes_, length)
                for end, bytes_ in dithered.NAMES.items()}
             | {"affine_row": span_case("span_affine_row", "addx", length, dv=0),
-               "affine_column": span_case("span_affine_column", "addx", length, du=0)}
+               "affine_column": span_case("span_affine_column", "addx", length, du=0),
+               "keyed_row": span_case("span_keyed_row", "addx", length, dv=0)}
             | {name: mapper_case(name, length) for name in ("gouraud", "arbitrary", "generated")}
             | {name: perspective.span_case(*how, length) for name, how in perspective.SPANS.items()}
             | {name: far.span_case(*how, length) for name, how in far.SPANS.items()}

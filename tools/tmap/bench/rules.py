@@ -31,6 +31,7 @@ FLAT = Material("flat", colour=77)
 DEEP = Material("affine", perspective="pixel", texture=0)
 ARBITRARY = Material("arbitrary", texture=2)
 DITHERED = Material("dithered", texture=0)
+KEYED = Material("keyed", texture=0)
 
 #: Triangles inside the frame: of many pixels, and high ones of at most 8 and 16 pixels a line.
 WIDE = [(20.3, 10.6), (140.7, 50.2), (60.1, 120.4)]
@@ -93,6 +94,8 @@ CASES = (
     Case("no_wrap", AFFINE, WIDE, TURNED, "affine_addx", "affine_addx_wrap"),
     Case("no_wrap_lit", LIT, WIDE, TURNED, "lit", "lit_wrap"),
     Case("no_wrap_dithered", DITHERED, WIDE, TURNED, "dithered", "dithered_wrap"),
+    Case("still_v_keyed", KEYED, WIDE, (TURNED[0], heights(WIDE)), "keyed_row", "keyed"),
+    Case("no_wrap_keyed", KEYED, WIDE, TURNED, "keyed", "keyed_wrap"),
     Case("short", AFFINE, NARROW, TURNED, "affine_short", "affine_addx"),
     Case("short_wrap", AFFINE, NARROW, WRAPPED, "affine_short_wrap", "affine_addx_wrap"),
     Case("short_row", AFFINE, NARROW, (TURNED[0], heights(NARROW)), "affine_row_short",

@@ -24,7 +24,8 @@ SPANS = (("affine_addx", "addx"), ("affine_addx_wrap", "addx"), ("affine_scanlin
          ("affine_level", "addx"), ("affine_16_level", "addx"),
          ("affine_32_level", "addx"), ("affine_level_upright", "addx"),
          ("affine_swap", "plain"), ("affine_c", "plain"), ("tiled", "plain"), ("columns", "plain"),
-         ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat"))
+         ("columns_16", "plain"), ("fill", "flat"), ("fill_16", "flat"), ("keyed", "addx"),
+         ("keyed_wrap", "addx"))
 #: Of the spans for short lines and of the copying one: kernel, steps, lengths.
 SPECIAL = (("affine_copy", 1 << 16, 0, (256, 64, 16, 4, 1)), ("affine_short", DU, DV, (16, 4, 1)),
            ("affine_short_wrap", DU, DV, (16, 4, 1)), ("affine_row_short", DU, 0, (24, 16, 4, 1)))
@@ -151,7 +152,10 @@ def span_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Are
         if kernel.startswith("span_fill"):
             return np.full(count, colour & (1 << 8 * picture.itemsize) - 1, picture.dtype)
         steps = own_steps[k] if own_steps else (dudx, dvdx)
-        return texels(picture, u, v, *steps, count, cut, kernel.endswith("_level"))
+        seen = texels(picture, u, v, *steps, count, cut, kernel.endswith("_level"))
+        if "keyed" in kernel:
+            return np.where(seen, seen, np.frombuffer(ground.arena.data, np.uint8, count, at))
+        return seen
 
     return table_trial(kernel, form, lines, pitch, arena, ground, drawn, title, blocks=blocks,
                        dudx=dudx, dvdx=dvdx, colour=colour, **more)

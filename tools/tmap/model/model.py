@@ -46,8 +46,9 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
                 texels = texture[repeated(v, height), repeated(u, width)]
             frame[y, line.left:line.right] = lit(line, texels, light) if polygon.mapper in LIT else texels
         elif line.right > line.left:
-            frame[y, line.left:line.right] = pixels(line, polygon.mapper, texture, light, y) \
-                if polygon.textured else colour
+            seen = frame[y, line.left:line.right]
+            made = pixels(line, polygon.mapper, texture, light, y) if polygon.textured else colour
+            seen[:] = np.where(made, made, seen) if polygon.mapper == "keyed" else made
 
 
 def prepare_polygon(scene, number: int, vertices) -> Polygon | None:

@@ -8,7 +8,7 @@ from tmap.base.fixed import (M32, ONE, ceil16, cut_quotient, mul, mul_div, quoti
 from tmap.setup.edges import Edge
 
 #: Mappers whose u and v share an addx chain.
-CHAINED = ("affine", "lit")
+CHAINED = ("affine", "keyed", "lit")
 #: Texels per pixel from which on the shortfall of a step without a plane is not compensated.
 STEEP_256 = 256
 #: Bits of the fraction of gentle gradients.
