@@ -57,12 +57,16 @@ def between(first: np.ndarray, second: np.ndarray, part: float) -> np.ndarray:
 
 def camera_fields(limits: dict[str, int], target) -> dict:
     """Returns the fields of a camera or a projector; ``target``: the default, or REQUIRED."""
-    place = rows(number(-AWAY, AWAY), 3, 3)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-                 "eye": (place, None), "target": (place, None)})
-    return {"eye": (place, REQUIRED), "target": (place, target), "up": (place, [0.0, 1.0, 0.0]),
-            "fov": (number(1, 170), 60.0),  # degrees, across the picture's width
-            "keys": (rows(key, 1, KEYS_MAX), None)}
+    place = rows(number(-AWAY, AWAY, "units"), 3, 3)
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED, "the scene's frame of this key"),
+                 "eye": (place, None, "`eye` in this frame; without it, the one above the keys"),
+                 "target": (place, None, "`target` in this frame; without it, the one above the keys")})
+    return {"eye": (place, REQUIRED, "where it is: x, y, z"),
+            "target": (place, target, "the point that is in the middle of its picture"),
+            "up": (place, [0, 1, 0], "a direction that is upright in its picture"),
+            "fov": (number(1, 170, "degrees"), 60, "the angle of view across the picture's width"),
+            "keys": (rows(key, 1, KEYS_MAX), None, "a motion: between keys it is interpolated, before the first "
+                                                   "and after the last it rests; without keys it does not move")}
 
 
 def at_key(keys: list[dict], frame: float) -> tuple[dict, dict, float]:
