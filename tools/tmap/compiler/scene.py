@@ -5,6 +5,7 @@ motion starts at the frame where it appears, and ``turns``, ``orbit`` and ``scal
 per ``frames`` of the scene.
 """
 
+import re
 import sys
 import tomllib
 from pathlib import Path
@@ -15,6 +16,7 @@ from tmap.base.fields import (REQUIRED, Reader, choice, colour, fail, integer, n
                               real, rows, table, text)
 from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
+from tmap.base.toml_lines import located, with_line
 from tmap.build import layout
 from tmap.compiler import (glide, glide_build, materials, mtl_file, n64_build, objects as scene_space,
                            parts, primitives, projectors, views16)
@@ -85,17 +87,39 @@ def schema(limits: dict[str, int]) -> Reader:
                     "what is drawn, in this order")})
 
 
-def parse(path: Path) -> dict:
-    """Returns the checked content of a scene's TOML with every default filled in."""
-    where = f"{path}: "
+def text_of(path: Path) -> str:
+    """Returns the text of a scene's file."""
     try:
-        content = tomllib.loads(path.read_bytes().decode())
+        return path.read_bytes().decode()
     except OSError as error:
         fail(str(path), error.strerror)
     except UnicodeDecodeError:
         fail(str(path), "is not UTF-8 text")
+
+
+def content_of(text: str, path: Path) -> dict:
+    """Returns the content of a TOML file."""
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        said, _, place = str(error).partition(" (at ")
+        line = re.match(r"line (\d+)", place)  # else it is the end of the file
+        fail(f"{path}:{line[1] if line else text.rstrip().count(chr(10)) + 1}", f"is not TOML: {said}")
     except (ValueError, RecursionError) as error:
         fail(str(path), f"is not TOML: {error}")
+
+
+def parse(path: Path) -> dict:
+    """Returns the checked content of a scene's TOML with every default filled in."""
+    text = text_of(path)
+    content = content_of(text, path)
+    with located(str(path), text):
+        return checked(content, path)
+
+
+def checked(content: dict, path: Path) -> dict:
+    """Returns a scene's content, checked and with every default filled in."""
+    where = f"{path}: "
     spec = schema(layout.load().constants)(content, where)
     mtl_file.add(spec, path.parent, where)
     materials.check(spec, where)
@@ -175,8 +199,18 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     the same speed. Prints on stderr what the scene's author should know.
     """
     path = Path(path)
+    text = text_of(path)
+    content = content_of(text, path)
+    with located(str(path), text):
+        made, notes = compiled(checked(content, path), path, frames)
+    for note in notes:
+        print(f"tmap: {with_line(note, str(path), text)}", file=sys.stderr)
+    return made
+
+
+def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[str]]:
+    """Returns a scene from its checked content, and notes for its author."""
     where = f"{path}: "
-    spec = parse(path)
     limits = layout.load().constants
     if frames is not None:
         integer(1, limits["SCENE_FRAMES_MAX"])(frames, "frames")
@@ -192,6 +226,4 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
                  **engine_tables, **pipe_tables)
-    for note in (*space.notes.values(), *materials.transparent(spec, path.parent, where)):
-        print(f"tmap: {note}", file=sys.stderr)
-    return views16.add(made)
+    return views16.add(made), [*space.notes.values(), *materials.transparent(spec, path.parent, where)]
