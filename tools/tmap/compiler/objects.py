@@ -94,11 +94,14 @@ def lives_of(obj: dict, count: int) -> int:
     return last - obj["first"] + 1
 
 
-def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
-    """Fills in fields that keys leave out; refuses keys that are not in order."""
-    for key in spec["keys"] or []:
+def fill_keys(spec: dict, names: tuple[str, ...], where: str) -> None:
+    """Fills in fields that keys leave out; refuses keys that are not in order, and fields that are
+    missing in both places."""
+    for key, at in space.stops(spec, where):
         for name in names:
             key[name] = spec[name] if key[name] is None else key[name]
+            if key[name] is None:
+                fail(f"{at}.{name}", "is missing" + " here and beside keys" * (key is not spec))
     space.check_keys(spec["keys"], f"{where}.keys")
 
 
@@ -111,18 +114,21 @@ def check_length(vector: list[float], where: str) -> None:
 def check_view(spec: dict, where: str) -> None:
     """Refuses a camera or projector with invalid keys or upward direction; fills in fields that
     keys leave out."""
-    fill_keys(spec, ("eye", "target"), where)
     check_length(spec["up"], f"{where}.up")
+    fill_keys(spec, space.LENS, where)
+    for stop, at in space.stops(spec, where):
+        check_length(stop["up"], f"{at}.up")
 
 
 def check_camera(camera: dict, width: int, where: str) -> None:
     """Refuses a camera whose field of view is too narrow for a frame of this width."""
     check_view(camera, where)
-    focal = space.focal_length(width, camera["fov"])
     most = 1 << layout.load().constants["GUARD_MAX"]
-    if focal > most:
-        fail(f"{where}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
-                             f"pixels; {most} at most")
+    for stop, at in space.stops(camera, where):
+        focal = space.focal_length(width, stop["fov"])
+        if focal > most:
+            fail(f"{at}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
+                              f"pixels; {most} at most")
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
@@ -184,10 +190,11 @@ class Space:
         self.instances: list[Instance] = []
         self.views: list[list[int]] = []
         self.limits = layout.load().constants
-        self.focal = self.guard = 0
+        self.guard = 0
         if spec["camera"]:
-            self.focal = space.focal_length(spec["width"], spec["camera"]["fov"])
-            self.guard = space.guard_bits(spec["width"], spec["height"], self.focal)
+            narrowest = min(stop["fov"] for stop, _ in space.stops(spec["camera"], ""))
+            self.guard = space.guard_bits(spec["width"], spec["height"],
+                                          space.focal_length(spec["width"], narrowest))
 
     def wishes_of(self, obj: dict, material: dict) -> Wishes:
         """Returns how an object's mesh is drawn."""
@@ -274,9 +281,10 @@ class Space:
         the eye in the mesh's space; factors of normals for s, t and shade. ``shades``: the
         difference of bright and dark."""
         spec, guard = self.spec, 2.0 ** self.guard
-        axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
+        axes, eye, fov = space.camera_at(spec["camera"], frame, f"{self.where}camera")
         turn, position = space.placed_at(obj, age, spec["frames"])
-        lens = np.array([self.focal / guard, self.focal / guard, 1.0])
+        focal = space.focal_length(spec["width"], fov) / guard
+        lens = np.array([focal, focal, 1.0])
         seen = product(axes, turn)
         light = product(turn.T, -space.unit(spec["light"]["direction"])) * shades
         return (lens[:, None] * seen, lens * product(axes, position - eye),
