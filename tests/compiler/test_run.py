@@ -261,8 +261,8 @@ def refused(arguments, capsys) -> str:
 
 @pytest.mark.parametrize("text, options, message", [
     (None, [], "bad.toml: No such file or directory"),
-    ("width = [", [], "bad.toml: is not TOML: "),
-    (SMALL.replace("title", "titel"), [], "bad.toml: titel: unknown field"),
+    ("width = 1\nheight", [], "bad.toml:2: is not TOML: "),
+    (SMALL.replace("title", "titel"), [], "bad.toml:1: titel: unknown field"),
     (SMALL.replace("wall.png", "roof.png"), [], "textures.wall.image: roof.png: no such file"),
     (SMALL.replace('"wall.png"', '"small.toml"'), [], "small.toml: not a PNG or JPEG picture"),
     (SMALL, ["--frames", "0"], "frames: must be from 1 to 1000"),

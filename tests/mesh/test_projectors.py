@@ -247,3 +247,21 @@ def test_too_many_corners(folder):
 def test_refused(folder, obj, projector, unit, message):
     place = "" if message.startswith("projectors") else "objects[0]"
     check_refused(folder, text_of(obj, projector, unit), place + message)
+
+
+def test_projectors_cut_and_zoom(folder):  # noqa: F811
+    """Each frame of a projector with a cut and another lens has the coordinates of one that rests there;
+    it needs no eye or target beside its keys."""
+    places = ("eye = [0, 0, 1]\ntarget = [1, 0, 1]\nfov = 90\n",
+              "eye = [0, 0, 2]\ntarget = [0.5, 0, 0]\nfov = 50\nup = [1, 1, 0]\n")
+    keys = ", ".join(f"{{ frame = {n}, cut = true, {place.strip()} }}".replace("\n", ", ")
+                     for n, place in enumerate(places))
+    moving = make(folder, RIGHT + LAMP, f"[projectors.lamp]\nkeys = [{keys}]\n", CLAMPED, frames=2)
+    for frame, place in enumerate(places):
+        still = make(folder, RIGHT + LAMP, "[projectors.lamp]\n" + place, CLAMPED)
+        found, wanted = (np.concatenate([half for obj in scene.objects if obj.first_frame == at
+                                         for half in halves(scene, obj)])
+                         for scene, at in ((moving, frame), (still, 0)))
+        check_equal(found, wanted, f"frame {frame}: corner, value")
+    check_refused(folder, text_of(RIGHT + LAMP, "[projectors.lamp]\neye = [0, 0, 1]\n"),
+                  "projectors.lamp.target: is missing")

@@ -5,6 +5,7 @@ import pytest
 from PIL import Image
 
 from tests.helpers.arrays import check_within
+from tests.helpers.refusals import without_line
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.compiler import objects, space
@@ -327,8 +328,7 @@ def test_refused(folder, text, prepare, message):
         prepare(folder)
     with pytest.raises(UserError) as caught:
         make(folder, text)
-    said = str(caught.value)
-    assert said.startswith(f"{folder / 'scene.toml'}: ") and message in said and "\n" not in said
+    assert message in without_line(str(caught.value), folder / "scene.toml")
 
 
 def test_too_many_views(folder, monkeypatch):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.helpers.refusals import without_line
 from tmap.base import maps
 from tmap.base.errors import UserError
 from tmap.compiler.scene import compile_scene
@@ -51,9 +52,7 @@ def make(folder, material: str, objects: str = TRIANGLE, head: str = HEAD):
 def refusal(folder, *text: str) -> str:
     with pytest.raises(UserError) as caught:
         make(folder, *text)
-    message = str(caught.value)
-    assert "\n" not in message
-    return message.removeprefix(str(folder) + "/scene.toml: ")
+    return without_line(str(caught.value), folder / "scene.toml").removeprefix(str(folder) + "/scene.toml: ")
 
 
 def shaped(line: str, sides: int = 3) -> str:

@@ -1,16 +1,47 @@
 """Checks for the fields of TOML files, as data; refusals name the field's path.
 
-A check is a function of a value and its path (``scene.toml: objects[2].radius``)
-that returns the value for the program or raises UserError.
+A reader is called with a value and its path (``scene.toml: objects[2].radius``) and returns the value
+for the program or raises UserError. It also says which values it takes, for the reference page
+(tmap.report.readme_reference), so that a range is stated once.
 """
 
 import re
+from collections.abc import Callable
+from dataclasses import dataclass, field as attribute
+from typing import NamedTuple
 
 from tmap.base.errors import UserError
 
 REQUIRED = object()
 NOUNS = {bool: "true or false", int: "a number", float: "a number", str: "text",
          list: "a list", dict: "a table"}
+
+
+class Field(NamedTuple):
+    """A key of a table. ``default`` is a value as in TOML, REQUIRED, or None: no value."""
+
+    reader: "Reader"
+    default: object
+    says: str  # what the key does, for the reference page
+
+
+@dataclass(frozen=True)
+class Reader:
+    """A check, and what the reference page says of it."""
+
+    check: Callable
+    says: str  # the values that it takes
+    unit: str = ""
+    element: "Reader | None" = None  # of a list, or of a table with any names
+    groups: dict[str, dict[str, Field]] = attribute(default_factory=dict)  # a table's keys by alternative
+
+    def __call__(self, value, where: str):
+        return self.check(value, where)
+
+
+def reader(says: str, unit: str = "", **parts):
+    """Decorates a check, which becomes a Reader."""
+    return lambda check: Reader(check, says, unit, **parts)
 
 
 def fail(where: str, message: str):
@@ -21,7 +52,7 @@ def fail(where: str, message: str):
 def join(where: str, key: str) -> str:
     """Returns the path of a field inside a table; odd keys are quoted to stay on one line."""
     name = key if re.fullmatch(r"[\w-]+", key) else repr(key)
-    return f"{where}{'' if where.endswith(': ') else '.'}{name}"
+    return f"{where}{'' if not where or where.endswith(': ') else '.'}{name}"
 
 
 def expect(value, where: str, kinds: tuple, noun: str):
@@ -30,14 +61,21 @@ def expect(value, where: str, kinds: tuple, noun: str):
         fail(where, f"must be {noun}, not {NOUNS.get(type(value), 'a date or time')}")
 
 
+def figure(value: float) -> str:
+    """Returns a number as pages show it."""
+    return f"{value:,.15g}"
+
+
+@reader("number")
 def real(value, where):
     """Any number; another check limits it."""
     expect(value, where, (int, float), "a number")
     return value
 
 
-def number(low: float, high: float):
+def number(low: float, high: float, unit: str = "") -> Reader:
     """A number from low to high."""
+    @reader(f"number, {figure(low)} to {figure(high)}", unit)
     def check(value, where):
         if not low <= real(value, where) <= high:  # also catches NaN
             fail(where, f"must be from {low:.15g} to {high:.15g}")
@@ -45,17 +83,20 @@ def number(low: float, high: float):
     return check
 
 
-def integer(low: int, high: int, multiple: int = 1):
+def integer(low: int, high: int, multiple: int = 1, unit: str = "") -> Reader:
     """A whole number from low to high."""
+    step = f" and a multiple of {multiple}" if multiple > 1 else ""
+
+    @reader(f"whole number, {low:,} to {high:,}{step}", unit)
     def check(value, where):
         expect(value, where, (int,), "a whole number")
         if not low <= value <= high or value % multiple:
-            step = f" and a multiple of {multiple}" if multiple > 1 else ""
             fail(where, f"must be from {low} to {high}{step}")
         return value
     return check
 
 
+@reader("text")
 def text(value, where):
     """Text that fits a line of a message."""
     expect(value, where, (str,), "text")
@@ -64,6 +105,7 @@ def text(value, where):
     return value
 
 
+@reader("`true` or `false`")
 def flag(value, where):
     """True or false."""
     if type(value) is not bool:
@@ -71,8 +113,9 @@ def flag(value, where):
     return value
 
 
-def one_of(*names: str):
+def one_of(*names: str) -> Reader:
     """One of these words."""
+    @reader(", ".join(f'`"{name}"`' for name in names))
     def check(value, where):
         text(value, where)
         if value not in names:
@@ -81,6 +124,7 @@ def one_of(*names: str):
     return check
 
 
+@reader('colour, `"#rrggbb"`')
 def colour(value, where):
     """``#rrggbb`` to (red, green, blue)."""
     text(value, where)
@@ -89,46 +133,72 @@ def colour(value, where):
     return tuple(bytes.fromhex(value[1:]))
 
 
-def rows(element, low: int, high: int):
+def rows(element: Reader, low: int, high: int) -> Reader:
     """A list of low to high elements."""
+    count = f"{low}{f' to {high}' if high > low else ''}"
+
+    @reader(f"list of {low:,}{f' to {high:,}' if high > low else ''}: {element.says}", element.unit, element=element)
     def check(value, where):
         expect(value, where, (list,), "a list")
         if not low <= len(value) <= high:
-            fail(where, f"must have {low}{f' to {high}' if high > low else ''} entries, "
-                        f"not {len(value)}")
+            fail(where, f"must have {count} entries, not {len(value)}")
         return [element(entry, f"{where}[{i}]") for i, entry in enumerate(value)]
     return check
 
 
-def table(fields: dict):
-    """A table with exactly these fields: name to (check, default or REQUIRED)."""
+def one_or_rows(element: Reader, low: int, high: int, says: str) -> Reader:
+    """A value, or a list of low to high of them; always returns a list. ``says``: when a list is meant."""
+    several = rows(element, low, high)
+
+    @reader(f"{element.says}; or {says}, a list of {low:,}{f' to {high:,}' if high > low else ''}", element.unit)
     def check(value, where):
-        expect(value, where, (dict,), "a table")
-        for key in value:
-            if key not in fields:
-                fail(join(where, key), f"unknown field; known are {', '.join(fields)}")
-        for key, (_, default) in fields.items():
-            if default is REQUIRED and key not in value:
-                fail(join(where, key), "is missing")
-        return {key: field(value[key], join(where, key)) if key in value else default
-                for key, (field, default) in fields.items()}
+        return several(value, where) if isinstance(value, list) else [element(value, where)]
     return check
 
 
-def named(element):
+def read(fields: dict[str, Field], value, where: str) -> dict:
+    """Returns the values of a table with exactly these fields."""
+    expect(value, where, (dict,), "a table")
+    for key in value:
+        if key not in fields:
+            fail(join(where, key), f"unknown field; known are {', '.join(fields)}")
+    for key, (_, default, _) in fields.items():
+        if default is REQUIRED and key not in value:
+            fail(join(where, key), "is missing")
+    filled = {key: value.get(key, default) for key, (_, default, _) in fields.items()}
+    return {key: None if given is None else fields[key].reader(given, join(where, key))
+            for key, given in filled.items()}
+
+
+def settled(fields: dict[str, tuple]) -> dict[str, Field]:
+    """Returns the fields of a table, which may be written as plain tuples."""
+    return {key: Field(*each) for key, each in fields.items()}
+
+
+def table(fields: dict[str, tuple]) -> Reader:
+    """A table with exactly these fields."""
+    known = settled(fields)
+    return Reader(lambda value, where: read(known, value, where), "table", groups={"": known})
+
+
+def named(element: Reader) -> Reader:
     """A table whose keys may be any names."""
+    @reader(f"table of names: {element.says}", element=element)
     def check(value, where):
         expect(value, where, (dict,), "a table")
         return {key: element(entry, join(where, key)) for key, entry in value.items()}
     return check
 
 
-def choice(alternatives: dict[str, dict], common: dict):
+def choice(alternatives: dict[str, dict], common: dict) -> Reader:
     """A table with the common fields and those of the one alternative whose key it has."""
+    groups = {key: settled(fields | common) for key, fields in alternatives.items()}
+
+    @reader("table", groups=groups)
     def check(value, where):
         expect(value, where, (dict,), "a table")
-        chosen = [key for key in alternatives if key in value]
+        chosen = [key for key in groups if key in value]
         if len(chosen) != 1:
-            fail(where, f"needs exactly one of {', '.join(alternatives)}")
-        return table(alternatives[chosen[0]] | common)(value, where)
+            fail(where, f"needs exactly one of {', '.join(groups)}")
+        return read(groups[chosen[0]], value, where)
     return check

@@ -5,7 +5,7 @@ Names and values follow Glide where possible; c/glide/glide.h explains them.
 
 import numpy as np
 
-from tmap.base.fields import REQUIRED, fail, flag, integer, number, one_of, rows, table, text
+from tmap.base.fields import REQUIRED, Reader, fail, flag, integer, number, one_of, reader, rows, table, text
 from tmap.base.fixed import ONE, fix_all
 from tmap.glide.state import LAST_LEVEL, REACH, SIDE, SUBDIVISIONS, W_MAX
 from tmap.glide.words import FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, WRAPS
@@ -26,6 +26,7 @@ def quarters(low: float, high: float):
     """Returns the check of a multiple of 1/4 within limits."""
     limits = number(low, high)
 
+    @reader(f"{limits.says}, a multiple of 1/4")
     def check(value, where):
         found = limits(value, where)
         if found * 4 % 1:
@@ -38,34 +39,50 @@ def combine_schema():
     """Returns the check of a unit's functions and factors. Those of alpha default to the
     colour's."""
     function, factor = one_of(*FUNCTIONS), one_of(*FACTORS)
-    return table({"function": (function, "local"), "factor": (factor, "zero"),
-                  "alpha_function": (function, None), "alpha_factor": (factor, None),
-                  "invert": (flag, False), "invert_alpha": (flag, False)})
+    return table({"function": (function, "local", "what is made of local, the unit's own, and other, the next unit's"),
+                  "factor": (factor, "zero", "the factor in it"),
+                  "alpha_function": (function, None, "the same for alpha; without it, `function`"),
+                  "alpha_factor": (factor, None, "the same for alpha; without it, `factor`"),
+                  "invert": (flag, False, "inverts the colour's bits"),
+                  "invert_alpha": (flag, False, "inverts alpha's bits")})
 
 
-def unit_schema():
+def unit_schema() -> Reader:
     """Returns the check of a unit."""
-    combined, level = combine_schema(), integer(0, LAST_LEVEL)
-    detail = table({"bias": (integer(-32, 31), 0), "scale": (integer(0, 7), 0),
-                    "max": (number(0, 1), 1.0)})
-    axis, wrap = one_of(*WRAPS), "wrap"
+    level, side = integer(0, LAST_LEVEL), integer(1, SIDE, unit="texels")
+    detail = table({"bias": (integer(-32, 31), 0, "the level below which the factor grows"),
+                    "scale": (integer(0, 7), 0, "how often its growth is doubled"),
+                    "max": (number(0, 1), 1, "its limit")})
+    axis = one_of(*WRAPS)
     return table({
-        "image": (text, REQUIRED), "format": (one_of(*FORMATS), REQUIRED),
-        "width": (integer(1, SIDE), None), "height": (integer(1, SIDE), None),
-        "mipmap": (one_of(NO_MIPMAP, *MIPMAP_FILTERS), "box"),
-        "min": (one_of(*FILTERS), "point"), "mag": (one_of(*FILTERS), "point"),
-        "s": (axis, wrap), "t": (axis, wrap), "dither": (flag, False),
-        "lod_bias": (quarters(-8, 7.75), 0.0), "min_level": (level, None),
-        "max_level": (level, None), "detail": (detail, detail({}, "")),
-        "levels": (one_of(*LEVELS), "both"), "trilinear": (flag, False),
-        "combine": (combined, combined({}, "")), "weights": (one_of_numbers(4, 8), 4),
-        "bilinear": (one_of(*BILINEAR), BILINEAR[0]),
-        "subdivision": (one_of_numbers(*SUBDIVISIONS), 0),
-        "clamp_w": (flag, False), "own": (flag, False)})
+        "image": (text, REQUIRED, "a picture, as of `[textures]`"),
+        "format": (one_of(*FORMATS), REQUIRED, "of its texels"),
+        "width": (side, None, "a power of two; cuts and scales the picture; without it, the picture's own"),
+        "height": (side, None, "the same for its height; one side is at most 8 times the other"),
+        "mipmap": (one_of(NO_MIPMAP, *MIPMAP_FILTERS), "box", "filter that makes the levels; or one level only"),
+        "min": (one_of(*FILTERS), "point", "filter where the map is reduced"),
+        "mag": (one_of(*FILTERS), "point", "filter where the map is enlarged"),
+        "s": (axis, "wrap", "what is beyond the map's left and right sides"),
+        "t": (axis, "wrap", "what is beyond its upper and lower sides"),
+        "dither": (flag, False, "spreads the choice of levels"),
+        "lod_bias": (quarters(-8, 7.75), 0, "added to each pixel's level"),
+        "min_level": (level, None, "the largest level that is drawn; 0 is 256 texels long"),
+        "max_level": (level, None, "the smallest level that is drawn"),
+        "detail": (detail, {}, "the detail factor"),
+        "levels": (one_of(*LEVELS), "both", "which of the map's levels the unit holds"),
+        "trilinear": (flag, False, "another unit blends the other levels in"),
+        "combine": (combine_schema(), {}, "what the unit passes on"),
+        "weights": (one_of_numbers(4, 8), 4, "bits of the bilinear filter's weights; Voodoo 2 has 8"),
+        "bilinear": (one_of(*BILINEAR), BILINEAR[0],
+                     "the filter, or [points](../../c/polygon/README.md#dithered-points) where they can replace it"),
+        "subdivision": (one_of_numbers(*SUBDIVISIONS), 0, "pixels from one divide by w to the next; 0: all are exact"),
+        "clamp_w": (flag, False, "makes s and t 0 where w is negative"),
+        "own": (flag, False, "the second unit has s and t of its own")})
 
 
 def one_of_numbers(*numbers: int):
     """Returns the check of one of these whole numbers."""
+    @reader(", ".join(map(str, numbers)))
     def check(value, where):
         if type(value) is not int or value not in numbers:
             fail(where, "must be " + " or ".join(map(str, numbers)))
@@ -73,21 +90,25 @@ def one_of_numbers(*numbers: int):
     return check
 
 
-def schema():
+def schema() -> Reader:
     """Returns the check of a material's ``glide``."""
-    return table({"perspective": (flag, False),
-                  "blend": (one_of(*BLENDS), BLENDS[0]),
-                  "prefilter": (integer(0, PREFILTER_MOST), PREFILTER_KB),
-                  "units": (rows(unit_schema(), 1, 2), REQUIRED)})
+    return table({"perspective": (flag, False, "corners have w, a depth"),
+                  "blend": (one_of(*BLENDS), BLENDS[0], "drawn pixels replace the frame's, or are added to them"),
+                  "prefilter": (integer(0, PREFILTER_MOST, unit="KB"), PREFILTER_KB,
+                                "memory for prefiltered tiles; 0: none"),
+                  "units": (rows(unit_schema(), 1, 2), REQUIRED, "the units, the first nearest the frame")})
 
 
 def coordinates_fields(corners: int) -> dict:
     """Returns the fields of a polygon for its corners' coordinates of the second unit, and for
     moving coordinates."""
     place, depth = number(-REACH + 1 / 256, REACH - 1 / 256), number(-W_MAX, W_MAX)
-    way = rows(place, 2, 2), None
-    return {"st1": (rows(rows(place, 2, 2), 3, corners // 2), None),
-            "w1": (rows(depth, 3, corners // 2), None), "slide": way, "slide1": way}
+    way = rows(place, 2, 2)
+    return {"st1": (rows(rows(place, 2, 2), 3, corners // 2), None,
+                    "s and t of each corner for a second Glide unit with `own`"),
+            "w1": (rows(depth, 3, corners // 2), None, "w of each corner for that unit, also negative; without it, w"),
+            "slide": (way, None, "motion of s and t from frame to frame, of Glide materials"),
+            "slide1": (way, None, "the same for a second unit with `own`")}
 
 
 def has_own(material: dict) -> bool:

@@ -1,6 +1,6 @@
 """The colours of a scene: textures, materials, ramps and the palette they share."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -24,24 +24,38 @@ SHADES = 256  # of a vertex: from 0 to 255
 
 def texture_schema():
     """Returns the check of a texture."""
-    side = integer(1, SIDE_MAX)
-    return table({"image": (text, REQUIRED), "width": (side, images.SIDE),
-                  "height": (side, images.SIDE)})
+    side = integer(1, SIDE_MAX, unit="texels")
+    return table({"image": (text, REQUIRED, "a PNG or JPEG file beside the scene, or `package:NAME/path`, a file of an "
+                                            "installed Python package"),
+                  "width": (side, images.SIDE, "the map's width; the picture's middle is cut to its shape and scaled"),
+                  "height": (side, images.SIDE, f"the map's height; at most {TEXELS_MAX:,} texels together")})
+
+
+#: What the settings of a material do.
+SAYS = {"edges": "which pixels are inside; without it `\"snapped\"` if triangle routines draw all such materials, else "
+                 "`\"exact\"`",
+        "gradients": "where steps of s, t and shades come from: each line, the polygon (triangles only), or its plane",
+        "start": "first texel of a line: of the pixel as cut, or at its centre",
+        "clip": "how what is off the screen is cut: line by line, or polygon by polygon",
+        "perspective": "none, or exact at each pixel or every 8 or 16 with lines between; `fine` has the least error"}
 
 
 def material_schema():
     """Returns the check of a material."""
-    settings = {name: (one_of(*SETTINGS[name]), getattr(Material, name))
+    settings = {name: (one_of(*SETTINGS[name]), None if name == "edges" else getattr(Material, name), SAYS[name])
                 for name in SETTINGS if name != "mapper"} \
-        | {"tolerance": (number(0, 1), 0), "edges": (one_of(*SETTINGS["edges"]), "")}
+        | {"tolerance": (number(0, 1, "texels"), 0, "error that cheaper perspective may cause")}
     mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
     check = choice({
-        "texture": {"texture": (text, REQUIRED), "mapper": (one_of(*mappers), "affine")},
-        "colour": {"colour": (colour, REQUIRED)},
-        "n64": {"n64": (n64.schema(), REQUIRED), "mapper": (one_of("n64"), "n64")},
-        "glide": {"glide": (glide.schema(), REQUIRED),
-                  "mapper": (one_of("glide"), "glide")},
-        "shades": {"shades": (rows(colour, 2, 2), REQUIRED), "steps": (integer(2, 128), 64)}},
+        "texture": {"texture": (text, REQUIRED, "a name of `[textures]`"),
+                    "mapper": (one_of(*mappers), "affine", "[the loop that draws it](../../c/polygon/README.md)")},
+        "colour": {"colour": (colour, REQUIRED, "one flat colour")},
+        "n64": {"n64": (n64.schema(), REQUIRED, "[the N64's texture engine](../../c/n64/README.md)"),
+                "mapper": (one_of("n64"), "n64", "may be left out")},
+        "glide": {"glide": (glide.schema(), REQUIRED, "[Glide's texture units](../../c/glide/README.md)"),
+                  "mapper": (one_of("glide"), "glide", "may be left out")},
+        "shades": {"shades": (rows(colour, 2, 2), REQUIRED, "colours of shade 0 and of shade 255"),
+                   "steps": (integer(2, 128), 64, "palette entries of the ramp between them")}},
         settings)
 
     def with_new_words(value, where):
@@ -50,7 +64,7 @@ def material_schema():
         if isinstance(value, dict) and value.get("mapper") == "unit":
             fail(f"{where}.mapper", '"unit" is called "n64" now')
         return check(value, where)
-    return with_new_words
+    return replace(check, check=with_new_words)
 
 
 def mapper_of(material: dict) -> str:

@@ -6,8 +6,8 @@ Names and values follow the N64 manual where possible; c/n64/n64.h explains them
 import re
 from dataclasses import dataclass
 
-from tmap.base.fields import (REQUIRED, colour, expect, fail, flag, integer, number, one_of, rows,
-                              table, text)
+from tmap.base.fields import (REQUIRED, Reader, colour, expect, fail, flag, integer, number, one_of, one_or_rows,
+                              reader, rows, table, text)
 from tmap.n64.combiner import ABSENT, ALPHA_NAMES, RGB_NAMES
 from tmap.n64.state import CI, I, IA, REACH, RGBA, TILES, YUV
 from tmap.n64.words import CONVERTS, DETAILS, FILTERS, TLUTS, Cycle
@@ -52,6 +52,7 @@ PRESETS = {
 }
 
 
+@reader('colour, `"#rrggbb"` or `"#rrggbbaa"`')
 def colour_and_alpha(value, where):
     """Converts ``#rrggbb``, opaque, or ``#rrggbbaa`` to (red, green, blue, alpha)."""
     text(value, where)
@@ -62,6 +63,7 @@ def colour_and_alpha(value, where):
 
 def four(names: tuple):
     """Returns the check of a cycle's inputs A, B, C, D, given the names that each may have."""
+    @reader("list of 4 inputs")
     def check(value, where):
         found = rows(text, 4, 4)(value, where)
         for i, (name, letter, known) in enumerate(zip(found, "ABCD", names)):
@@ -73,11 +75,13 @@ def four(names: tuple):
     return check
 
 
+@reader("a preset's name, a list of two, or a table: "
+        "`{ rgb = [[A, B, C, D]], alpha = [[A, B, C, D]] }`")
 def combine(value, where) -> list[Cycle]:
     """Checks a preset, two presets, or lists of inputs; returns one cycle for each."""
     if isinstance(value, dict):
-        found = table({"rgb": (rows(four(RGB_NAMES), 1, 2), REQUIRED),
-                       "alpha": (rows(four(ALPHA_NAMES), 1, 2), REQUIRED)})(value, where)
+        found = table({"rgb": (rows(four(RGB_NAMES), 1, 2), REQUIRED, "a list of inputs a cycle"),
+                       "alpha": (rows(four(ALPHA_NAMES), 1, 2), REQUIRED, "the same for alpha")})(value, where)
         if len(found["rgb"]) != len(found["alpha"]):
             fail(f"{where}.alpha", f"must have {len(found['rgb'])} entries, as rgb has")
         return [Cycle(*both) for both in zip(found["rgb"], found["alpha"])]
@@ -87,28 +91,29 @@ def combine(value, where) -> list[Cycle]:
     return [PRESETS[name] for name in names]
 
 
-def palette(value, where) -> list[int]:
-    """Checks a palette's number, or one for each frame, repeated; always returns a list."""
-    one = integer(0, 15)
-    return rows(one, 1, 1000)(value, where) if isinstance(value, list) else [one(value, where)]
-
-
-def tile_schema():
-    """Returns the check of a tile. Lengths are texels; None: depends on the picture."""
-    edge = number(0, REACH - 0.25)
-    axis = table({"wrap": (one_of(*WRAPS), "wrap"), "mask": (integer(0, 10), None),
-                  "shift": (integer(0, 15), 0), "low": (edge, 0.0), "high": (edge, None)})
-    plain = axis({}, "")
+def tile_schema() -> Reader:
+    """Returns the check of a tile. None: depends on the picture."""
+    edge = number(0, REACH - 0.25, "texels")
+    axis = table({"wrap": (one_of(*WRAPS), "wrap", "what is beyond the picture"),
+                  "mask": (integer(0, 10), None, "bits of a texel's number that count; without it, as it needs"),
+                  "shift": (integer(0, 15), 0, "1 to 10: halves s or t so often; 15 to 11: doubles it 1 to 5 times"),
+                  "low": (edge, 0, "the first texel that is shown"),
+                  "high": (edge, None, "the last one; without it, the picture's")})
     return table({
-        "image": (text, REQUIRED), "format": (one_of(*TEXELS), REQUIRED),
-        "width": (integer(1, 1024), None), "height": (integer(1, 256), None),
-        "s": (axis, plain), "t": (axis, plain), "palette": (palette, [0]),
-        "colours": (integer(0, 15), None),
-        "levels": (integer(1, TILES), 1), "load": (one_of("block", "tile"), None),
-        "tmem": (integer(0, 511), None),
-        "slide": (rows(number(-REACH, REACH), 2, 2), [0.0, 0.0])})
+        "image": (text, REQUIRED, "a picture, as of `[textures]`"),
+        "format": (one_of(*TEXELS), REQUIRED, "of its texels"),
+        "width": (integer(1, 1024, unit="texels"), None, "cuts and scales the picture; without it, the picture's own"),
+        "height": (integer(1, 256, unit="texels"), None, "the same for its height"),
+        "s": (axis, {}, "how the tile continues to the right"), "t": (axis, {}, "the same downwards"),
+        "palette": (one_or_rows(integer(0, 15), 1, 1000, "one a frame"), 0, "row of the palettes for `ci4` texels"),
+        "colours": (integer(0, 15), None, "the row that `ci4` texels are made for; without it, the first `palette`"),
+        "levels": (integer(1, TILES), 1, "levels of a mipmap, a tile each, of means of 2x2 texels"),
+        "load": (one_of("block", "tile"), None, "the command that loads it; without it, a block if that can"),
+        "tmem": (integer(0, 511, unit="TMEM words"), None, "its place; without it, the first where it fits"),
+        "slide": (rows(number(-REACH, REACH, "texels a frame"), 2, 2), [0, 0], "motion of the picture along s and t")})
 
 
+@reader('1, 2 or `"copy"`')
 def cycle_type(value, where):
     """Checks the number of cycles a pixel, or copy mode."""
     if isinstance(value, str):
@@ -116,20 +121,27 @@ def cycle_type(value, where):
     return integer(1, 2)(value, where)
 
 
-def schema():
+def schema() -> Reader:
     """Returns the check of a material's ``n64``."""
-    black, fraction = (0, 0, 0, 255), integer(0, 255)
+    presets = ", ".join(f"`{name}`" for name in PRESETS)
     return table({
-        "cycles": (cycle_type, 1), "combine": (combine, [PRESETS["decal"]]),
-        "perspective": (flag, False), "filter": (one_of(*FILTERS), "point"),
-        "convert": (one_of(*CONVERTS), "filter"),
-        "k": (rows(integer(-256, 255), 6, 6), [175, -43, -89, 222, 114, 42]),
-        "lod": (flag, False), "detail": (one_of(*DETAILS), "clamp"),
-        "min_level": (integer(0, 31), 0), "max_level": (integer(0, 7), None),
-        "tlut": (one_of(*TLUTS), None), "palettes": (text, None),
-        "primitive": (colour_and_alpha, black), "environment": (colour_and_alpha, black),
-        "primitive_lod_fraction": (fraction, 0), "tile": (integer(0, 7), 0),
-        "tiles": (rows(tile_schema(), 1, TILES), REQUIRED)})
+        "cycles": (cycle_type, 1, "cycles a pixel; two for two texels or levels; `copy` is for rectangles"),
+        "combine": (combine, "decal", f"(A - B) * C + D of each cycle; presets: {presets}"),
+        "perspective": (flag, False, "corners have w, a depth"),
+        "filter": (one_of(*FILTERS), "point", "one texel; a mean of three; of four in the middle"),
+        "convert": (one_of(*CONVERTS), "filter", "what the cycles do with texels: filter, or convert YUV"),
+        "k": (rows(integer(-256, 255), 6, 6), [175, -43, -89, 222, 114, 42], "k0 to k5 of the conversion"),
+        "lod": (flag, False, "chooses tiles by the level of detail"),
+        "detail": (one_of(*DETAILS), "clamp", "what is drawn where the texture is magnified"),
+        "min_level": (integer(0, 31), 0, "least level, in 1/32, for detail and sharpening"),
+        "max_level": (integer(0, 7), None, "the last level; without it, that of the last tile"),
+        "tlut": (one_of(*TLUTS), None, "format of palettes; without it, `rgba16` for `ci` tiles, else none"),
+        "palettes": (text, None, "a picture of palettes, 16 colours a row; without it, they are made from the tiles"),
+        "primitive": (colour_and_alpha, "#000000", "the combiner's colour `primitive`"),
+        "environment": (colour_and_alpha, "#000000", "the combiner's colour `environment`"),
+        "primitive_lod_fraction": (integer(0, 255), 0, "the combiner's number of this name"),
+        "tile": (integer(0, 7), 0, "the first tile that is drawn"),
+        "tiles": (rows(tile_schema(), 1, TILES), REQUIRED, "tiles with their pictures")})
 
 
 def copies(engine: dict) -> bool:

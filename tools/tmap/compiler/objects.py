@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number, one_of, rows,
+from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number, one_of, reader, rows,
                               table, text)
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
@@ -24,6 +24,7 @@ FACTOR_BITS = 7  # fraction bits of the factors that normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, in s or t
 
 
+@reader(f'table of names: text; or `"{mtl_file.FILE}"`')
 def materials_of_parts(value, where):
     """A table from the file's materials to the scene's, or the word for the file's own."""
     if isinstance(value, str) and value != mtl_file.FILE:
@@ -34,33 +35,52 @@ def materials_of_parts(value, where):
 def object_schema(limits: dict[str, int]) -> dict[str, dict]:
     """Returns the fields of objects in space, by the field that identifies their kind."""
     most, corners = limits["MESH_COUNT_MAX"], limits["MESH_CORNERS_MAX"]
-    reach, angles = number(-1e6, 1e6), rows(number(-3600, 3600), 3, 3)
-    place = rows(number(-space.AWAY, space.AWAY), 3, 3)
+    reach, angles = number(-1e6, 1e6, "units"), rows(number(-3600, 3600, "degrees"), 3, 3)
+    place = rows(number(-space.AWAY, space.AWAY, "units"), 3, 3)
     texel = rows(number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1), 2, 2)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-                 "position": (place, None), "rotation": (angles, None)})
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED,
+                           "the key's frame, counted from the object's `first`"),
+                 "position": (place, None, "`position` in this frame; without it, the object's"),
+                 "rotation": (angles, None, "`rotation` in this frame; without it, the object's")})
     placing = {
-        "position": (place, [0.0, 0.0, 0.0]), "rotation": (angles, [0.0, 0.0, 0.0]),
-        "size": (number(1e-6, 1e6), 1.0), "axis": (rows(number(-1, 1), 3, 3), [0.0, 1.0, 0.0]),
-        "turns": (number(-1000, 1000), 0.0), "keys": (rows(key, 1, space.KEYS_MAX), None),
-        "mapping": (one_of("uv", "environment", "shade", "none"), None),
-        "normals": (one_of("file", "smooth", "faces"), None), "crease": (number(0, 180), None),  # degrees
-        "triangles": (flag, False), "two_sided": (flag, False), "projector": (text, None)}
-    uvs = rows(rows(texel, 3, corners), 1, most), None
-    return {"mesh": {"mesh": (text, REQUIRED), "materials": (materials_of_parts, None)} | placing,
-            "points": {"points": (rows(rows(reach, 3, 3), 3, most), REQUIRED),
-                       "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED),
-                       "uvs": uvs, "uvs1": uvs} | placing}
+        "position": (place, [0, 0, 0], "where the mesh's origin is: x, y, z"),
+        "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z, the fixed axes of space"),
+        "size": (number(1e-6, 1e6), 1, "factor of all points, before rotation and position"),
+        "axis": (rows(number(-1, 1), 3, 3), [0, 1, 0], "the fixed axis about which `turns` turns; any length but 0"),
+        "turns": (number(-1000, 1000, "turns"), 0, "steady turns about `axis` in the scene's frames, after `rotation`"),
+        "keys": (rows(key, 1, space.KEYS_MAX), None,
+                 "a motion: between keys positions move straight and rotations by the shortest way"),
+        "mapping": (one_of("uv", "environment", "shade", "none"), None,
+                    "where s and t come from: the corners, or, in a mirror of its surroundings, the normals; without "
+                    "it, what the material takes"),
+        "normals": (one_of("file", "smooth", "faces"), None,
+                    "normals for light and mirrors; without it, the file's, or else smooth ones"),
+        "crease": (number(0, 180, "degrees"), None, "edges that are sharper stay sharp among smooth normals"),
+        "triangles": (flag, False, "cuts all faces into triangles"),
+        "two_sided": (flag, False, "draws faces seen from behind too"),
+        "projector": (text, None, "the one of `[projectors]` that throws the material's second Glide unit")}
+    uvs = rows(rows(texel, 3, corners), 1, most)
+    return {"mesh": {"mesh": (text, REQUIRED, "an OBJ file, [with limits](README.md#models), beside the scene"),
+                     "materials": (materials_of_parts, None, "the scene's materials for those of the file, in place of "
+                                                             "`material`; or the file's own")} | placing,
+            "points": {"points": (rows(rows(reach, 3, 3), 3, most), REQUIRED, "places: x, y, z"),
+                       "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED,
+                                 "polygons: numbers of their points from 0, counterclockwise seen from the front"),
+                       "uvs": (uvs, None, "s and t at each corner of each face; one entry alone is for all faces"),
+                       "uvs1": (uvs, None, "the same for a second Glide unit with `own`")} | placing}
 
 
 def schema(limits: dict[str, int]) -> dict:
     """Returns the fields of a scene for camera, projectors and light."""
-    camera = table(space.camera_fields(limits, [0.0, 0.0, 0.0])
-                   | {"near": (number(limits["W_MIN"] / ONE, 1000), 0.125)})
-    light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED),
-                   "ambient": (number(0, 1), 0.25)})
-    return {"camera": (camera, None), "projectors": (named(scene_projectors.schema(limits)), {}),
-            "light": (light, {"direction": [0.5, -1.0, -1.0], "ambient": 0.25})}
+    camera = table(space.camera_fields(limits, [0, 0, 0])
+                   | {"near": (number(limits["W_MIN"] / ONE, 1000, "units"), 0.125,
+                               "what is nearer than this is cut off")})
+    light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED,
+                                 "the way that it shines; any length but 0"),
+                   "ambient": (number(0, 1), 0.25, "brightness of faces that turn away from it")})
+    return {"camera": (camera, None, "where objects in space are seen from; they need it"),
+            "light": (light, {"direction": [0.5, -1, -1], "ambient": 0.25}, "light on objects in space"),
+            "projectors": (named(scene_projectors.schema(limits)), {}, "pictures thrown on objects in space")}
 
 
 def is_mesh(obj: dict) -> bool:
@@ -74,11 +94,14 @@ def lives_of(obj: dict, count: int) -> int:
     return last - obj["first"] + 1
 
 
-def fill_keys(spec: dict, names: tuple[str, str], where: str) -> None:
-    """Fills in fields that keys leave out; refuses keys that are not in order."""
-    for key in spec["keys"] or []:
+def fill_keys(spec: dict, names: tuple[str, ...], where: str) -> None:
+    """Fills in fields that keys leave out; refuses keys that are not in order, and fields that are
+    missing in both places."""
+    for key, at in space.stops(spec, where):
         for name in names:
             key[name] = spec[name] if key[name] is None else key[name]
+            if key[name] is None:
+                fail(f"{at}.{name}", "is missing" + " here and beside keys" * (key is not spec))
     space.check_keys(spec["keys"], f"{where}.keys")
 
 
@@ -91,18 +114,21 @@ def check_length(vector: list[float], where: str) -> None:
 def check_view(spec: dict, where: str) -> None:
     """Refuses a camera or projector with invalid keys or upward direction; fills in fields that
     keys leave out."""
-    fill_keys(spec, ("eye", "target"), where)
     check_length(spec["up"], f"{where}.up")
+    fill_keys(spec, space.LENS, where)
+    for stop, at in space.stops(spec, where):
+        check_length(stop["up"], f"{at}.up")
 
 
 def check_camera(camera: dict, width: int, where: str) -> None:
     """Refuses a camera whose field of view is too narrow for a frame of this width."""
     check_view(camera, where)
-    focal = space.focal_length(width, camera["fov"])
     most = 1 << layout.load().constants["GUARD_MAX"]
-    if focal > most:
-        fail(f"{where}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
-                             f"pixels; {most} at most")
+    for stop, at in space.stops(camera, where):
+        focal = space.focal_length(width, stop["fov"])
+        if focal > most:
+            fail(f"{at}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
+                              f"pixels; {most} at most")
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
@@ -164,10 +190,11 @@ class Space:
         self.instances: list[Instance] = []
         self.views: list[list[int]] = []
         self.limits = layout.load().constants
-        self.focal = self.guard = 0
+        self.guard = 0
         if spec["camera"]:
-            self.focal = space.focal_length(spec["width"], spec["camera"]["fov"])
-            self.guard = space.guard_bits(spec["width"], spec["height"], self.focal)
+            narrowest = min(stop["fov"] for stop, _ in space.stops(spec["camera"], ""))
+            self.guard = space.guard_bits(spec["width"], spec["height"],
+                                          space.focal_length(spec["width"], narrowest))
 
     def wishes_of(self, obj: dict, material: dict) -> Wishes:
         """Returns how an object's mesh is drawn."""
@@ -254,9 +281,10 @@ class Space:
         the eye in the mesh's space; factors of normals for s, t and shade. ``shades``: the
         difference of bright and dark."""
         spec, guard = self.spec, 2.0 ** self.guard
-        axes, eye = space.camera_at(spec["camera"], frame, f"{self.where}camera")
+        axes, eye, fov = space.camera_at(spec["camera"], frame, f"{self.where}camera")
         turn, position = space.placed_at(obj, age, spec["frames"])
-        lens = np.array([self.focal / guard, self.focal / guard, 1.0])
+        focal = space.focal_length(spec["width"], fov) / guard
+        lens = np.array([focal, focal, 1.0])
         seen = product(axes, turn)
         light = product(turn.T, -space.unit(spec["light"]["direction"])) * shades
         return (lens[:, None] * seen, lens * product(axes, position - eye),

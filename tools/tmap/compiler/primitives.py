@@ -19,15 +19,19 @@ KEPT = {"angle": 0.0, "turns": 0.0, "scale": [1.0, 1.0]}  # fields that a rectan
 
 def colours_field(corners: int) -> dict:
     """Returns the field of a polygon for its corners' colours."""
-    return {"colours": (rows(colour_and_alpha, 1, corners), None)}
+    return {"colours": (rows(colour_and_alpha, 1, corners), None,
+                        "a colour a corner, for an N64 material that reads shade")}
 
 
 def rectangle_fields(far: int) -> dict:
     """Returns the fields of a texture rectangle."""
-    steps = number(-STEP_MAX, STEP_MAX - 1 / STEP)
-    return {"rectangle": (rows(integer(-far, far), 4, 4), REQUIRED),
-            "texel": (rows(number(-REACH, REACH - 1 / TEXEL), 2, 2), [0.0, 0.0]),
-            "step": (rows(steps, 2, 2), [1.0, 1.0]), "flip": (flag, False)}
+    steps = number(-STEP_MAX, STEP_MAX - 1 / STEP, "texels a pixel")
+    return {"rectangle": (rows(integer(-far, far, unit="pixels"), 4, 4), REQUIRED,
+                          "left, top, right, bottom; the last two are not drawn"),
+            "texel": (rows(number(-REACH, REACH - 1 / TEXEL, "texels"), 2, 2), [0, 0],
+                      f"s and t at the upper left pixel, multiples of 1/{TEXEL}"),
+            "step": (rows(steps, 2, 2), [1, 1], f"s to the right and t downwards, multiples of 1/{STEP}"),
+            "flip": (flag, False, "s downwards and t to the right instead")}
 
 
 def kind_of(obj: dict) -> str:

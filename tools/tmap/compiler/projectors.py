@@ -17,7 +17,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from tmap.base.elementary import tan
-from tmap.base.fields import REQUIRED, fail, table
+from tmap.base.fields import fail, table
 from tmap.base.fixed import ONE, fix, fix_all
 from tmap.base.linear import product
 from tmap.compiler import space
@@ -36,7 +36,7 @@ CONE = 4000  # limit of s and t at which a face is cut if one of its corners is 
 
 def schema(limits: dict[str, int]):
     """Returns the check of a projector: a camera's fields without the near plane."""
-    return table(space.camera_fields(limits, REQUIRED))
+    return table(space.camera_fields(limits, None))
 
 
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
@@ -111,11 +111,11 @@ class Faces:
         """Returns S Q, T Q and Q of all points."""
         name, spec = self.obj["projector"], self.space.spec
         turn, position = space.placed_at(self.obj, age, spec["frames"])
-        axes, eye = space.camera_at(self.projector, frame, f"{self.space.where}projectors.{name}")
+        axes, eye, fov = space.camera_at(self.projector, frame, f"{self.space.where}projectors.{name}")
         places = product(self.first.points[:, :3] / ONE, turn.T) + position
         x, y, depth = product(axes, (places - eye).T)
         wide, high = self.extent
-        scale = wide / 2 / tan(math.radians(self.projector["fov"]) / 2)
+        scale = wide / 2 / tan(math.radians(fov) / 2)
         return np.column_stack([wide / 2 * depth + scale * x, high / 2 * depth + scale * y, depth])
 
     def corners(self, points: list[mesh.Point], frame: int, age: int) -> list[tuple]:

@@ -5,16 +5,18 @@ motion starts at the frame where it appears, and ``turns``, ``orbit`` and ``scal
 per ``frames`` of the scene.
 """
 
+import re
 import sys
 import tomllib
 from pathlib import Path
 
 import numpy as np
 
-from tmap.base.fields import (REQUIRED, choice, colour, fail, integer, named, number, one_of, real,
-                              rows, table, text)
+from tmap.base.fields import (REQUIRED, Reader, choice, colour, fail, integer, named, number, one_of, reader,
+                              real, rows, table, text)
 from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
+from tmap.base.toml_lines import located, with_line
 from tmap.build import layout
 from tmap.compiler import (glide, glide_build, materials, mtl_file, n64_build, objects as scene_space,
                            parts, primitives, projectors, views16)
@@ -24,62 +26,100 @@ from tmap.scene_file.scene_file import IDENTITY, Object, Scene
 from tmap.setup import planarity
 
 
+@reader("number, 0 to 256, or list of 2")
 def scaling(value, where):
     """Checks a size, or [from, to]; always returns a pair."""
     size = number(0, 256)
     return rows(size, 2, 2)(value, where) if isinstance(value, list) else [size(value, where)] * 2
 
 
-def schema(limits: dict[str, int]):
-    """Returns the check of a whole scene. Lengths are pixels, or texels where noted."""
+def placing_fields(far: int) -> dict:
+    """Returns the fields that move an object on the screen, at most ``far`` pixels away."""
+    pair = rows(number(-far, far, "pixels"), 2, 2)
+    turns = number(-1000, 1000, "turns")
+    orbit = table({"radius": (pair, REQUIRED, "of the ellipse, across and down"),
+                   "turns": (turns, REQUIRED, "times around in the scene's `frames`, clockwise"),
+                   "phase": (turns, 0, "where it begins: 0 is the right end, 0.25 the lower one")})
+    return {"centre": (pair, [0, 0], "where the object's own 0, 0 is: x to the right, y down"),
+            "move": (rows(number(-far, far, "pixels a frame"), 2, 2), [0, 0], "steady motion of the centre"),
+            "orbit": (orbit, {"radius": [0, 0], "turns": 0}, "motion of the centre on an ellipse"),
+            "angle": (number(-3600, 3600, "degrees"), 0, "turns the object about its centre, clockwise"),
+            "turns": (turns, 0, "further turns about its centre in the scene's `frames`, clockwise"),
+            "scale": (scaling, 1, "its size; two numbers: from the first to the second and back in `frames`")}
+
+
+def schema(limits: dict[str, int]) -> Reader:
+    """Returns the reader of a whole scene."""
     far = limits["POLYGON_FAR"] - 1
     corners = limits["POLYGON_VERTICES_MAX"]
     frame = integer(0, limits["SCENE_FRAMES_MAX"] - 1)
-    place = number(-far, far)
-    pair = rows(place, 2, 2)
-    turns = number(-1000, 1000)
-    orbit = table({"radius": (pair, REQUIRED), "turns": (turns, REQUIRED), "phase": (turns, 0.0)})
-    placing = {
-        "centre": (pair, [0.0, 0.0]), "move": (pair, [0.0, 0.0]),  # pixels a frame
-        "orbit": (orbit, {"radius": [0.0, 0.0], "turns": 0.0, "phase": 0.0}),
-        "angle": (number(-3600, 3600), 0.0),  # degrees
-        "turns": (turns, 0.0), "scale": (scaling, [1.0, 1.0])}
+    placing = placing_fields(far)
     colours = primitives.colours_field(corners) | glide.coordinates_fields(corners)
     shapes = {
-        "sides": {"sides": (integer(3, corners), REQUIRED),
-                  "radius": (number(0.01, far), REQUIRED),
-                  "map_radius": (number(0, far - MAP_CENTRE), 128.0),  # texels
-                  "map_turn": (number(-360, 360), 0.0),  # degrees
-                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None)}
+        "sides": {"sides": (integer(3, corners), REQUIRED, "corners of a regular polygon, clockwise from the top"),
+                  "radius": (number(0.01, far, "pixels"), REQUIRED, "from its centre to its corners"),
+                  "map_radius": (number(0, far - MAP_CENTRE), 128,
+                                 "the same on the map, around its middle, in s and t"),
+                  "map_turn": (number(-360, 360, "degrees"), 0, "turns the map on the polygon, clockwise"),
+                  "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None,
+                             "brightness of the corners, repeated in turn; without it, it rises down the polygon")}
         | colours | placing,
-        "vertices": {"vertices": (rows(rows(real, 2, 6), 3, corners), REQUIRED)} | colours
+        "vertices": {"vertices": (rows(rows(real, 2, 6), 3, corners), REQUIRED,
+                                  "corners in order, [values that the material needs](#corners) for each")} | colours
         | placing,
         "rectangle": primitives.rectangle_fields(far) | placing}
     shapes |= scene_space.object_schema(limits)
-    always = {"material": (text, None), "first": (frame, 0), "last": (frame, None)}
+    always = {"material": (text, None, "a name of `[materials]`; required, but for meshes with `materials`"),
+              "first": (frame, 0, "the frame in which it appears and its motion starts"),
+              "last": (frame, None, "the last frame that shows it; without it, the scene's last")}
     side = limits["FRAME_SIDE_MAX"]
     return table({
-        "title": (text, ""), "width": (integer(4, side, 4), REQUIRED),
-        "height": (integer(1, side), REQUIRED),
-        "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-        "format": (one_of(*FORMATS), "chunky"), "background": (colour, REQUIRED),
-        "textures": (named(materials.texture_schema()), {}),
-        "materials": (named(materials.material_schema()), {}),
+        "title": (text, "", "a line about the scene"),
+        "width": (integer(4, side, 4, "pixels"), REQUIRED, "the picture's width"),
+        "height": (integer(1, side, unit="pixels"), REQUIRED, "the picture's height"),
+        "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED, "number of pictures; then the first one follows"),
+        "format": (one_of(*FORMATS), "chunky", "pixels: entries of a palette of 256 colours, or colours"),
+        "background": (colour, REQUIRED, "colour of pixels that no object covers"),
+        "textures": (named(materials.texture_schema()), {}, "pictures for materials"),
+        "materials": (named(materials.material_schema()), {}, "looks of objects"),
         **scene_space.schema(limits),
-        "objects": (rows(choice(shapes, always), 1, limits["SCENE_COUNT_MAX"]), REQUIRED)})
+        "objects": (rows(choice(shapes, always), 1, limits["SCENE_COUNT_MAX"]), REQUIRED,
+                    "what is drawn, in this order")})
 
 
-def parse(path: Path) -> dict:
-    """Returns the checked content of a scene's TOML with every default filled in."""
-    where = f"{path}: "
+def text_of(path: Path) -> str:
+    """Returns the text of a scene's file."""
     try:
-        content = tomllib.loads(path.read_bytes().decode())
+        return path.read_bytes().decode()
     except OSError as error:
         fail(str(path), error.strerror)
     except UnicodeDecodeError:
         fail(str(path), "is not UTF-8 text")
+
+
+def content_of(text: str, path: Path) -> dict:
+    """Returns the content of a TOML file."""
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        said, _, place = str(error).partition(" (at ")
+        line = re.match(r"line (\d+)", place)  # else it is the end of the file
+        fail(f"{path}:{line[1] if line else text.rstrip().count(chr(10)) + 1}", f"is not TOML: {said}")
     except (ValueError, RecursionError) as error:
         fail(str(path), f"is not TOML: {error}")
+
+
+def parse(path: Path) -> dict:
+    """Returns the checked content of a scene's TOML with every default filled in."""
+    text = text_of(path)
+    content = content_of(text, path)
+    with located(str(path), text):
+        return checked(content, path)
+
+
+def checked(content: dict, path: Path) -> dict:
+    """Returns a scene's content, checked and with every default filled in."""
+    where = f"{path}: "
     spec = schema(layout.load().constants)(content, where)
     mtl_file.add(spec, path.parent, where)
     materials.check(spec, where)
@@ -159,8 +199,18 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
     the same speed. Prints on stderr what the scene's author should know.
     """
     path = Path(path)
+    text = text_of(path)
+    content = content_of(text, path)
+    with located(str(path), text):
+        made, notes = compiled(checked(content, path), path, frames)
+    for note in notes:
+        print(f"tmap: {with_line(note, str(path), text)}", file=sys.stderr)
+    return made
+
+
+def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[str]]:
+    """Returns a scene from its checked content, and notes for its author."""
     where = f"{path}: "
-    spec = parse(path)
     limits = layout.load().constants
     if frames is not None:
         integer(1, limits["SCENE_FRAMES_MAX"])(frames, "frames")
@@ -176,6 +226,4 @@ def compile_scene(path: Path, frames: int | None = None) -> Scene:
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
                  **engine_tables, **pipe_tables)
-    for note in (*space.notes.values(), *materials.transparent(spec, path.parent, where)):
-        print(f"tmap: {note}", file=sys.stderr)
-    return views16.add(made)
+    return views16.add(made), [*space.notes.values(), *materials.transparent(spec, path.parent, where)]

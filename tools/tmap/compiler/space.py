@@ -5,17 +5,27 @@ y, then z, counterclockwise when the axis points at the viewer, in degrees.
 """
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
 from tmap.base.elementary import atan2, cos, sin, tan
-from tmap.base.fields import REQUIRED, fail, integer, number, rows, table
+from tmap.base.fields import REQUIRED, fail, flag, integer, number, rows, table
 from tmap.base.linear import length, product
 from tmap.build import layout
 
 AWAY = 1e5  # units: limit of distances from the origin
 KEYS_MAX = 1000
+LENS = ("eye", "target", "up", "fov")  # what a camera's keys may set
 GUARD_EDGE = 16  # pixels of the guard band around the frame, at least
+
+
+class View(NamedTuple):
+    """A camera or projector in a frame."""
+
+    axes: np.ndarray  # rows: right, down, forward
+    eye: np.ndarray
+    fov: float  # degrees
 
 
 def scaled(vector) -> np.ndarray:
@@ -55,21 +65,28 @@ def between(first: np.ndarray, second: np.ndarray, part: float) -> np.ndarray:
     return product(about(axis, part * angle), first)
 
 
-def camera_fields(limits: dict[str, int], target) -> dict:
-    """Returns the fields of a camera or a projector; ``target``: the default, or REQUIRED."""
-    place = rows(number(-AWAY, AWAY), 3, 3)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED),
-                 "eye": (place, None), "target": (place, None)})
-    return {"eye": (place, REQUIRED), "target": (place, target), "up": (place, [0.0, 1.0, 0.0]),
-            "fov": (number(1, 170), 60.0),  # degrees, across the picture's width
-            "keys": (rows(key, 1, KEYS_MAX), None)}
+def camera_fields(limits: dict[str, int], target: list | None) -> dict:
+    """Returns the fields of a camera or a projector; ``target``: the default, or None."""
+    place, angle = rows(number(-AWAY, AWAY, "units"), 3, 3), number(1, 170, "degrees")
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED, "the scene's frame of this key"),
+                 "cut": (flag, False, "jumps to this key; until its frame the view stays that of the key before"),
+                 **{name: (each, None, f"`{name}` in this frame; without it, the one beside `keys`")
+                    for name, each in (("eye", place), ("target", place), ("up", place), ("fov", angle))}})
+    return {"eye": (place, None, "where it is: x, y, z; needed unless each key has one"),
+            "target": (place, target, "the point that is in the middle of its picture"
+                                      + "; needed unless each key has one" * (target is None)),
+            "up": (place, [0, 1, 0], "a direction that is upright in its picture"),
+            "fov": (angle, 60, "the angle of view across the picture's width"),
+            "keys": (rows(key, 1, KEYS_MAX), None, "a motion: the view changes evenly from key to key, or at cuts; "
+                                                   "before the first and after the last it rests")}
 
 
 def at_key(keys: list[dict], frame: float) -> tuple[dict, dict, float]:
-    """Returns the keys before and after a frame, and the frame's position between them, 0 to 1."""
+    """Returns the keys before and after a frame, and the frame's position between them, 0 to 1. They
+    are the same key before the first, behind the last and before a cut."""
     before = [key for key in keys if key["frame"] <= frame]
     after = [key for key in keys if key["frame"] > frame]
-    if not before or not after:
+    if not before or not after or after[0].get("cut"):
         only = (before or after[:1])[-1]
         return only, only, 0.0
     a, b = before[-1], after[0]
@@ -78,6 +95,8 @@ def at_key(keys: list[dict], frame: float) -> tuple[dict, dict, float]:
 
 def mixed(a: dict, b: dict, name: str, part: float) -> np.ndarray:
     """Interpolates a value linearly between two keys."""
+    if a[name] == b[name]:
+        return np.array(a[name])
     return np.array(a[name]) * (1 - part) + np.array(b[name]) * part
 
 
@@ -88,22 +107,27 @@ def check_keys(keys: list[dict] | None, where: str) -> None:
             fail(f"{where}[{i}].frame", f"must be above {a['frame']}, the key's before")
 
 
-def camera_at(spec: dict, frame: int, where: str) -> tuple[np.ndarray, np.ndarray]:
-    """Returns a camera's axes (rows: right, down, forward) and its eye in a frame."""
-    eye, target = np.array(spec["eye"]), np.array(spec["target"])
-    if spec["keys"]:
-        a, b, part = at_key(spec["keys"], frame)
-        eye, target = (mixed(a, b, name, part) for name in ("eye", "target"))
+def stops(spec: dict, where: str) -> list[tuple[dict, str]]:
+    """Returns the views between which a camera or projector changes, and their places for messages."""
+    if not spec["keys"]:
+        return [(spec, where)]
+    return [(key, f"{where}.keys[{i}]") for i, key in enumerate(spec["keys"])]
+
+
+def camera_at(spec: dict, frame: int, where: str) -> View:
+    """Returns the view of a camera or projector in a frame."""
+    a, b, part = at_key(spec["keys"], frame) if spec["keys"] else (spec, spec, 0.0)
+    eye, target, up, fov = (mixed(a, b, name, part) for name in LENS)
     forward = target - eye
     if length(forward) < 1e-6:
         fail(where, f"eye and target are in one place in frame {frame}")
-    forward, up = scaled(forward), scaled(spec["up"])
+    forward, up = scaled(forward), scaled(up)
     right = np.cross(forward, up)
-    if length(right) < 1e-6 * length(forward) * length(up):
+    if length(right) <= 1e-6 * length(forward) * length(up):
         fail(where, f"eye, target and up are on one line in frame {frame}")
     forward /= length(forward)
     right /= length(right)
-    return np.array([right, np.cross(forward, right), forward]), eye
+    return View(np.array([right, np.cross(forward, right), forward]), eye, float(fov))
 
 
 def placed_at(spec: dict, age: int, loop: int) -> tuple[np.ndarray, np.ndarray]:
