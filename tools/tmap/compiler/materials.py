@@ -19,6 +19,7 @@ from tmap.setup.shading import LIT
 
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20
+KEYED = "keyed"  # the mapper
 SHADES = 256  # of a vertex: from 0 to 255
 
 
@@ -28,7 +29,9 @@ def texture_schema():
     return table({"image": (text, REQUIRED, "a PNG or JPEG file beside the scene, or `package:NAME/path`, a file of an "
                                             "installed Python package"),
                   "width": (side, images.SIDE, "the map's width; the picture's middle is cut to its shape and scaled"),
-                  "height": (side, images.SIDE, f"the map's height; at most {TEXELS_MAX:,} texels together")})
+                  "height": (side, images.SIDE, f"the map's height; at most {TEXELS_MAX:,} texels together"),
+                  "key": (colour, None, "colour of pixels that the mapper `keyed` leaves out, beside those whose alpha is "
+                                        "below a half")})
 
 
 #: What the settings of a material do.
@@ -70,6 +73,11 @@ def material_schema():
 def mapper_of(material: dict) -> str:
     """Returns the mapper of a checked material."""
     return material.get("mapper", "gouraud" if "shades" in material else "flat")
+
+
+def is_keyed(material: dict) -> bool:
+    """Returns true if a checked material has transparent texels."""
+    return mapper_of(material) == KEYED
 
 
 def has_shades(material: dict) -> bool:
@@ -184,7 +192,8 @@ def pixels(spec: dict) -> Pixels:
     ramps = {name: (0, SHADES) for name, m in materials.items() if has_shades(m)}
     if FORMATS[spec["format"]].numbers:
         return Pixels(dict(zip(flat, FORMATS[spec["format"]].flat(flat))), ramps)
-    made = Pixels({rgb: i for i, rgb in enumerate(flat)}, ramps, list(flat))
+    clear = [(0, 0, 0)] * any(map(is_keyed, materials.values()))  # texels of 0 are transparent
+    made = Pixels({rgb: i for i, rgb in enumerate(flat, len(clear))}, ramps, clear + flat)
     known = {}
     for name, material in materials.items():
         if "shades" not in material:
@@ -206,21 +215,31 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
-def load_pictures(spec: dict, used: set[str], folder: Path, where: str) -> dict[str, np.ndarray]:
-    """Returns the pictures of the textures in use, uint8 (height, width, channels). Unused ones are
-    loaded too, to find their faults."""
-    pictures = {name: images.load(texture["image"], folder,
-                                  join(f"{where}textures", name) + ".image", texture["width"],
-                                  texture["height"], FORMATS[spec["format"]].channels)
-                for name, texture in spec["textures"].items()}
-    return {name: picture for name, picture in pictures.items() if name in used}
+def load_pictures(spec: dict, used: set[tuple[str, bool]], folder: Path, where: str
+                  ) -> tuple[dict[tuple[str, bool], np.ndarray], dict[int, np.ndarray]]:
+    """Returns the pictures in use, uint8 (height, width, channels), by texture and whether some of it is transparent,
+    and of the latter by their numbers which pixels are opaque. Unused ones are loaded too, to find their faults."""
+    pictures, opaque = {}, {}
+    for name, texture in spec["textures"].items():
+        at = join(f"{where}textures", name) + ".image"
+        source = texture["image"], folder, at, texture["width"], texture["height"]
+        picture = images.load(*source, FORMATS[spec["format"]].channels)
+        if (name, False) in used:
+            pictures[name, False] = picture
+        if (name, True) in used:
+            pictures[name, True], mask = images.cut_out(*source, texture["key"])
+            opaque[len(pictures) - 1] = mask
+            if not mask.any():
+                fail(at, f"{texture['image']} has no opaque pixel")
+    return pictures, opaque
 
 
 def transparent(spec: dict, folder: Path, where: str) -> list[str]:
-    """Returns a note on each texture in use that has transparent pixels: no mapper blends them, not even
-    in frames that have alpha. Texture units read their own pictures."""
+    """Returns a note on each texture in use that has transparent pixels, but is drawn as it is: no mapper blends them,
+    not even in frames that have alpha. Texture units read their own pictures."""
     notes = []
-    for name in dict.fromkeys(m["texture"] for m in spec["materials"].values() if "texture" in m):
+    for name in dict.fromkeys(m["texture"] for m in spec["materials"].values()
+                              if "texture" in m and not is_keyed(m)):
         texture, at = spec["textures"][name], join(f"{where}textures", name) + ".image"
         if images.is_transparent(texture["image"], folder, at, texture["width"], texture["height"]):
             notes.append(f"{at}: {texture['image']} has transparent pixels, which are drawn as they are")
@@ -232,16 +251,16 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
     """Returns the palette, uint8 (256, 3), the textures, one for each layout in use, and the
     materials. ``engines``: numbers of materials' engines or pipes."""
     textured = [m for m in spec["materials"].values() if "texture" in m]
-    wanted = {(m["texture"], MAPPER_LAYOUT[m["mapper"]]) for m in textured}
-    lit = {m["texture"] for m in textured if m["mapper"] in LIT}
-    pictures = load_pictures(spec, {name for name, _ in wanted}, folder, where)
+    wanted = {((m["texture"], is_keyed(m)), MAPPER_LAYOUT[m["mapper"]]) for m in textured}
+    lit = {(m["texture"], False) for m in textured if m["mapper"] in LIT}
+    pictures, opaque = load_pictures(spec, {name for name, _ in wanted}, folder, where)
     pixel = FORMATS[spec["format"]]
     if pixel.numbers:
         colours = np.zeros((256, 3), np.uint8)
         texels = [pixel.numbers(picture).astype(pixel.dtype) for picture in pictures.values()]
     else:
         colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials",
-                                        [pictures[name] for name in pictures if name in lit])
+                                        [pictures[name] for name in pictures if name in lit], opaque)
     stored, number = [], {}
     for name, array in zip(pictures, texels):
         for layout in LAYOUTS:
@@ -253,7 +272,7 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
         stored.append(Texture(palette.light(colours), "light"))
     return colours, stored, [
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
-                 number[m["texture"], MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
+                 number[(m["texture"], is_keyed(m)), MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
                  light if mapper_of(m) in LIT else -1, fix(m["tolerance"]),
                  engines.get(name, -1), m.get("primitive", "polygons"))

@@ -97,6 +97,20 @@ def load(reference: str, folder: Path, where: str, width: int = SIDE,
     return np.array(image.resize((width, height), Image.Resampling.LANCZOS))
 
 
+def cut_out(reference: str, folder: Path, where: str, width: int = SIDE, height: int = SIDE,
+            key: tuple[int, int, int] | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Returns the picture that ``load`` returns, and which of its pixels are at least half opaque, bool
+    (height, width). ``key``: a colour whose pixels are transparent. Colours are weighted by their alpha, so that
+    those of transparent pixels do not show at the edges."""
+    image = picture(reference, folder, where, "RGBA")
+    if key:
+        pixels = np.array(image)
+        pixels[(pixels[..., :3] == key).all(axis=-1), 3] = 0
+        image = Image.fromarray(pixels)
+    made = np.array(middle(image, width, height).resize((width, height), Image.Resampling.LANCZOS))
+    return made[..., :3], made[..., 3] >= 128
+
+
 def is_transparent(reference: str, folder: Path, where: str, width: int = SIDE, height: int = SIDE) -> bool:
     """Returns true if pixels are not opaque in the part of a picture that ``load`` takes. It is a picture
     that ``load`` does not refuse."""

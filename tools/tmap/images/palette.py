@@ -50,12 +50,13 @@ def light(palette: np.ndarray) -> np.ndarray:
 
 
 def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: str,
-          lit: list[np.ndarray] = ()) -> tuple[np.ndarray, list[np.ndarray]]:
+          lit: list[np.ndarray] = (), opaque: dict[int, np.ndarray] = {}) -> tuple[np.ndarray, list[np.ndarray]]:
     """Returns the palette, uint8 (256, 3), and the textures, uint8 (height, width) each.
 
     ``exact`` colours get the first entries, in their order. The pictures, uint8
     (height, width, 3), share the rest and are mapped without dithering; ``lit`` ones are
-    also counted in less light. Unused entries are black.
+    also counted in less light. Unused entries are black. ``opaque``: which pixels of a picture, by its number, are
+    opaque; if there are such pictures, entry 0 is that of their other pixels alone.
     """
     most = EXACT_MAX if pictures else COLOURS
     if len(exact) > most:
@@ -65,7 +66,7 @@ def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: 
     palette[:len(exact)] = np.array(exact, np.uint8).reshape(-1, 3)
     if not pictures:
         return palette, []
-    samples = [sample(picture) for picture in pictures]
+    samples = [picture[opaque[k]] if k in opaque else sample(picture) for k, picture in enumerate(pictures)]
     samples += [np.rint(sample(picture) * part).astype(np.uint8) for picture in lit
                 for part in DIMMED]
     together = Image.fromarray(np.concatenate(samples)[None])
@@ -74,4 +75,8 @@ def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: 
     shared = np.array(reduced.getpalette(), np.uint8).reshape(-1, 3)[:COLOURS - len(exact)]
     used = len(exact) + len(shared)
     palette[len(exact):used] = shared
-    return palette, [nearest(picture, palette[:used]) for picture in pictures]
+    first = 1 if opaque else 0
+    texels = [nearest(picture, palette[first:used]) + np.uint8(first) for picture in pictures]
+    for k, mask in opaque.items():
+        texels[k][~mask] = 0
+    return palette, texels
