@@ -13,7 +13,7 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (materials, mesh_build, mesh_file, mtl_file, parts,
+from tmap.compiler import (hierarchy, materials, mesh_build, mesh_file, mtl_file, parts,
                            projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
@@ -42,7 +42,7 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
                            "the key's frame, counted from the object's `first`"),
                  "position": (place, None, "`position` in this frame; without it, the object's"),
                  "rotation": (angles, None, "`rotation` in this frame; without it, the object's")})
-    placing = {
+    placing = hierarchy.FIELDS | {
         "position": (place, [0, 0, 0], "where the mesh's origin is: x, y, z"),
         "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z, the fixed axes of space"),
         "size": (number(1e-6, 1e6), 1, "factor of all points, before rotation and position"),
@@ -200,7 +200,7 @@ class Space:
         """Returns how an object's mesh is drawn."""
         mapper = materials.mapper_of(material)
         return Wishes(
-            obj["size"], obj["normals"], 180.0 if obj["crease"] is None else obj["crease"], obj["mapping"],
+            obj["whole_size"], obj["normals"], 180.0 if obj["crease"] is None else obj["crease"], obj["mapping"],
             parts.has_light(material),
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"],
@@ -276,13 +276,13 @@ class Space:
         self.meshes.append(Mesh(*firsts))
         return len(self.meshes) - 1
 
-    def seen(self, obj: dict, age: int, frame: int, shades: float) -> tuple[np.ndarray, ...]:
+    def seen(self, obj: dict, frame: int, shades: float) -> tuple[np.ndarray, ...]:
         """Returns an object's view before rounding: factors, a row each for x, y and w; the move;
         the eye in the mesh's space; factors of normals for s, t and shade. ``shades``: the
         difference of bright and dark."""
         spec, guard = self.spec, 2.0 ** self.guard
         axes, eye, fov = space.camera_at(spec["camera"], frame, f"{self.where}camera")
-        turn, position = space.placed_at(obj, age, spec["frames"])
+        turn, position = hierarchy.placed_at(obj, frame, spec["frames"])
         focal = space.focal_length(spec["width"], fov) / guard
         lens = np.array([focal, focal, 1.0])
         seen = product(axes, turn)
@@ -290,9 +290,9 @@ class Space:
         return (lens[:, None] * seen, lens * product(axes, position - eye),
                 product(turn.T, eye - position), np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
 
-    def view(self, obj: dict, age: int, frame: int, shades: float, where: str) -> list[int]:
+    def view(self, obj: dict, frame: int, shades: float, where: str) -> list[int]:
         """Returns an object's row of the views."""
-        factors, move, eye, looks = self.seen(obj, age, frame, shades)
+        factors, move, eye, looks = self.seen(obj, frame, shades)
         move, seen_from = rounded(move, 16), rounded(eye, 16)
         away = self.limits["MESH_AWAY"]
         if max(map(abs, move)) >= away * ONE or max(map(abs, seen_from)) >= 1 << 31:
@@ -326,7 +326,7 @@ class Space:
                             for shade in (ambient, materials.SHADES - 1))
         self.instances.append(Instance(mesh, number, before, len(self.views), lives, obj["first"],
                                        flags, fix(dark), fix(bright)))
-        self.views += [self.view(obj, age, obj["first"] + age, bright - dark, where)
+        self.views += [self.view(obj, obj["first"] + age, bright - dark, where)
                        for age in range(lives)]
         if len(self.views) > self.limits["SCENE_COUNT_MAX"]:
             fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} frames of meshes in the scene")

@@ -20,7 +20,7 @@ from tmap.base.elementary import tan
 from tmap.base.fields import fail, table
 from tmap.base.fixed import ONE, fix, fix_all
 from tmap.base.linear import product
-from tmap.compiler import space
+from tmap.compiler import hierarchy, space
 from tmap.compiler.glide import LEAST_W, has_own
 from tmap.compiler.map_range import extent_of
 from tmap.glide.state import REACH, W_MAX
@@ -107,10 +107,10 @@ class Faces:
                 self.first, self.second = (made.tables_of(obj, material, where, name)
                                            for name in ("uvs", "uvs1"))
 
-    def thrown(self, frame: int, age: int) -> np.ndarray:
+    def thrown(self, frame: int) -> np.ndarray:
         """Returns S Q, T Q and Q of all points."""
         name, spec = self.obj["projector"], self.space.spec
-        turn, position = space.placed_at(self.obj, age, spec["frames"])
+        turn, position = hierarchy.placed_at(self.obj, frame, spec["frames"])
         axes, eye, fov = space.camera_at(self.projector, frame, f"{self.space.where}projectors.{name}")
         places = product(self.first.points[:, :3] / ONE, turn.T) + position
         x, y, depth = product(axes, (places - eye).T)
@@ -118,11 +118,11 @@ class Faces:
         scale = wide / 2 / tan(math.radians(fov) / 2)
         return np.column_stack([wide / 2 * depth + scale * x, high / 2 * depth + scale * y, depth])
 
-    def corners(self, points: list[mesh.Point], frame: int, age: int) -> list[tuple]:
+    def corners(self, points: list[mesh.Point], frame: int) -> list[tuple]:
         """Returns all corners of all faces."""
         table_ = self.first.corners.tolist()
         if self.projector:
-            own = self.thrown(frame, age)[self.first.corners[:, 0]]
+            own = self.thrown(frame)[self.first.corners[:, 0]]
         else:
             own = np.column_stack([self.second.corners[:, 2:4] / ONE, np.ones(len(table_))])
         own = np.rint(own * 2 ** FINE).astype(np.int64).tolist()
@@ -163,14 +163,14 @@ class Faces:
         second[:, S:] = fix_all(np.column_stack([st, np.zeros(len(face)), w]))
         return np.concatenate([first, second])
 
-    def polygons(self, frame: int, age: int) -> list[np.ndarray]:
+    def polygons(self, frame: int) -> list[np.ndarray]:
         """Returns a frame's polygons, the farthest first, by each face's greatest depth. Faces seen
         from the back are left out unless the object shows both sides."""
         if self.first is None:
             return []
-        view = self.space.view(self.obj, age, frame, 0.0, self.where)
+        view = self.space.view(self.obj, frame, 0.0, self.where)
         points = mesh.transform(self.scene, self.first.points[:, :3].tolist(), view)
-        corners, found = self.corners(points, frame, age), []
+        corners, found = self.corners(points, frame), []
         for number_, row in enumerate(self.first.faces.tolist()):
             face = corners[row[4]:row[4] + row[5]]
             if not mesh.is_seen(row, view):
