@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from PIL import Image
 
-from tmap.assets import light, meshes, signs, surfaces, views
+from tmap.assets import light, meshes, plants, signs, surfaces, views
 
 
 def rounded(picture: np.ndarray) -> Image.Image:
@@ -65,6 +65,7 @@ PICTURES = {"n64/bricks.png": surfaces.bricks, "n64/planks.png": surfaces.planks
             "n64/plaster.png": surfaces.panels, "n64/pavement.png": surfaces.pavement,
             "n64/grain.png": surfaces.speckles, "n64/waves.png": surfaces.waves,
             "n64/landscape.png": views.landscape, "n64/painting.png": views.painting,
+            "pine.png": plants.pine, "bush.png": plants.bush,
             "n64/letter.png": signs.letter, "n64/medallion.png": signs.medallion,
             "n64/palettes.png": signs.palettes,
             "glide/stones.png": surfaces.stones, "glide/rough.png": surfaces.rough,

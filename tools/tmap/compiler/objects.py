@@ -13,7 +13,7 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (hierarchy, materials, mesh_build, mesh_file, mtl_file, parts,
+from tmap.compiler import (billboards, hierarchy, materials, mesh_build, mesh_file, mtl_file, parts,
                            projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
@@ -38,17 +38,17 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
     reach, angles = number(-1e6, 1e6, "units"), rows(number(-3600, 3600, "degrees"), 3, 3)
     place = rows(number(-space.AWAY, space.AWAY, "units"), 3, 3)
     texel = rows(number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1), 2, 2)
-    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED,
-                           "the key's frame, counted from the object's `first`"),
-                 "position": (place, None, "`position` in this frame; without it, the object's"),
-                 "rotation": (angles, None, "`rotation` in this frame; without it, the object's")})
+    key = {"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED,
+                     "the key's frame, counted from the object's `first`"),
+           "position": (place, None, "`position` in this frame; without it, the object's")}
+    turned = {"rotation": (angles, None, "`rotation` in this frame; without it, the object's")}
     placing = hierarchy.FIELDS | {
         "position": (place, [0, 0, 0], "where the mesh's origin is: x, y, z"),
         "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z, the fixed axes of space"),
         "size": (number(1e-6, 1e6), 1, "factor of all points, before rotation and position"),
         "axis": (rows(number(-1, 1), 3, 3), [0, 1, 0], "the fixed axis about which `turns` turns; any length but 0"),
         "turns": (number(-1000, 1000, "turns"), 0, "steady turns about `axis` in the scene's frames, after `rotation`"),
-        "keys": (rows(key, 1, space.KEYS_MAX), None,
+        "keys": (rows(table(key | turned), 1, space.KEYS_MAX), None,
                  "a motion: between keys positions move straight and rotations by the shortest way"),
         "mapping": (one_of("uv", "environment", "shade", "none"), None,
                     "where s and t come from: the corners, or, in a mirror of its surroundings, the normals; without "
@@ -67,7 +67,9 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
                        "faces": (rows(rows(integer(0, most - 1), 3, corners), 1, most), REQUIRED,
                                  "polygons: numbers of their points from 0, counterclockwise seen from the front"),
                        "uvs": (uvs, None, "s and t at each corner of each face; one entry alone is for all faces"),
-                       "uvs1": (uvs, None, "the same for a second Glide unit with `own`")} | placing}
+                       "uvs1": (uvs, None, "the same for a second Glide unit with `own`")} | placing,
+            "billboard": billboards.fields(placing, (
+                rows(table(key), 1, space.KEYS_MAX), None, "a motion: straight between keys"))}
 
 
 def schema(limits: dict[str, int]) -> dict:
@@ -85,7 +87,7 @@ def schema(limits: dict[str, int]) -> dict:
 
 def is_mesh(obj: dict) -> bool:
     """Returns True if an object is one in space."""
-    return "mesh" in obj or "points" in obj
+    return "mesh" in obj or "points" in obj or billboards.is_billboard(obj)
 
 
 def lives_of(obj: dict, count: int) -> int:
@@ -218,7 +220,7 @@ class Space:
         same number."""
         mapper, shown = materials.mapper_of(material), map_of(material, texture)
         wishes = self.wishes_of(obj, material)
-        source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs")]
+        source = [obj.get(name) for name in ("mesh", "points", "faces", "uvs", "billboard")]
         key = repr((source, shown, mapper in ("arbitrary", *UNITS), wishes))
         if key not in self.asked:
             made = self.build(obj, mapper, shown, wishes, where)
@@ -241,10 +243,14 @@ class Space:
               uvs: str = "uvs") -> mesh_build.Tables | None:
         """Builds the tables of an object's mesh, None if it is a part without faces; refuses one that
         the material cannot draw. ``uvs``: the field with s and t."""
-        at = f"{where}.mesh" if "mesh" in obj else f"{where}.faces"
+        at = f"{where}." + ("mesh" if "mesh" in obj else "faces" if "faces" in obj else "billboard")
         file = f"{at}: {obj['mesh']}" if "mesh" in obj else at
-        shape = self.shape_of(obj["mesh"], at, shown.extent) if "mesh" in obj else \
-            mesh_file.listed(obj, where, uvs)
+        if "mesh" in obj:
+            shape = self.shape_of(obj["mesh"], at, shown.extent)
+        elif billboards.is_billboard(obj):
+            shape = billboards.shape_of(obj, shown.extent)
+        else:
+            shape = mesh_file.listed(obj, where, uvs)
         if obj["names"] is not None:
             parts.check_names(obj, shape, where)
         drawn = shape.drawn(obj["names"])
@@ -283,6 +289,8 @@ class Space:
         spec, guard = self.spec, 2.0 ** self.guard
         axes, eye, fov = space.camera_at(spec["camera"], frame, f"{self.where}camera")
         turn, position = hierarchy.placed_at(obj, frame, spec["frames"])
+        if billboards.is_billboard(obj):
+            turn = billboards.turned(axes)
         focal = space.focal_length(spec["width"], fov) / guard
         lens = np.array([focal, focal, 1.0])
         seen = product(axes, turn)

@@ -18,7 +18,7 @@ from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
 from tmap.base.toml_lines import located, with_line
 from tmap.build import layout
-from tmap.compiler import (glide, glide_build, hierarchy, materials, mtl_file, n64_build, objects as scene_space,
+from tmap.compiler import (billboards, glide, glide_build, hierarchy, materials, mtl_file, n64_build, objects as scene_space,
                            parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
@@ -123,6 +123,8 @@ def checked(content: dict, path: Path) -> dict:
     spec = schema(layout.load().constants)(content, where)
     mtl_file.add(spec, path.parent, where)
     materials.check(spec, where)
+    for obj in spec["objects"]:
+        billboards.complete(obj)
     hierarchy.check(spec["objects"], where)
     spec["objects"] = parts.split(spec["objects"], spec["materials"], where)
     for obj in spec["objects"]:

@@ -1,0 +1,47 @@
+"""Billboards: upright pictures in space that always face the camera. Each is a rectangle parallel to the screen; all
+of it has one depth, so that it is drawn without perspective and the picture's rows stay rows."""
+
+import numpy as np
+
+from tmap.base.fields import REQUIRED, number, rows
+from tmap.compiler.mesh_file import Shape
+
+LIMITS = 1e-3, 1e4  # units of a side
+#: What it has of other objects in space, and what they have instead of the rest.
+SHARED = ("name", "parent", "position", "size")
+FIXED = {"rotation": [0, 0, 0], "axis": [0, 1, 0], "turns": 0, "mapping": None, "normals": None, "crease": None,
+         "triangles": False, "two_sided": False, "projector": None}
+
+
+def fields(placing: dict, keys: tuple) -> dict:
+    """Returns the fields of a billboard, given those of all objects in space; ``keys``: of its motion."""
+    own = {"billboard": (rows(number(*LIMITS, "units"), 2, 2), REQUIRED,
+                         "width and height of a picture that always faces the camera; `position` is the middle of its "
+                         "lower side")}
+    return own | {name: placing[name] for name in SHARED} | {"keys": keys}
+
+
+def is_billboard(obj: dict) -> bool:
+    """Returns true if an object is a billboard."""
+    return "billboard" in obj
+
+
+def complete(obj: dict) -> None:
+    """Fills in the fields of other objects in space."""
+    if is_billboard(obj):
+        obj |= FIXED
+        for key in obj["keys"] or []:
+            key["rotation"] = None
+
+
+def shape_of(obj: dict, extent: tuple[float, float]) -> Shape:
+    """Returns the rectangle that shows the whole of a map; ``extent``: s and t at the map's far ends."""
+    (width, height), (s, t) = obj["billboard"], extent
+    left, right = -width / 2, width / 2
+    points = np.array([[left, 0, 0], [right, 0, 0], [right, height, 0], [left, height, 0]])
+    return Shape(points, [[0, 1, 2, 3]], [[(0.0, t), (s, t), (s, 0.0), (0.0, 0.0)]])
+
+
+def turned(axes: np.ndarray) -> np.ndarray:
+    """Returns the rotation that faces a camera, whose ``axes`` are right, down and forward."""
+    return axes.T * (1, -1, -1)
