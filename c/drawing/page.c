@@ -43,6 +43,7 @@ int32 page_ready(struct page *page, int32 pixel_bytes, int32 memory,
     page->map.layout = MAP_PAGE;
     page->map.texel_bytes = (uint8)pixel_bytes;
     page->map.full = page->map.dark = 0;
+    page->map.rows = 0;
     return page->bytes > 0;
 }
 

@@ -57,6 +57,7 @@
     SPAN(KEYED, keyed, ADDX) \
     SPAN(KEYED_WRAP, keyed_wrap, ADDX) \
     SPAN(KEYED_ROW, keyed_row, ADDX) \
+    SPAN(KEYED_ROWS, keyed_rows, ADDX) \
     OTHER(TRIANGLES_FLAT, triangles_flat) \
     OTHER(TRIANGLES_GOURAUD, triangles_gouraud) \
     OTHER(TRIANGLES_AFFINE, triangles_affine) \
@@ -86,6 +87,7 @@
     RULE(NO_WRAP_LIT, no_wrap_lit)         /* the same with light */ \
     RULE(NO_WRAP_DITHERED, no_wrap_dithered) /* the same for v moved by dithering */ \
     RULE(STILL_V_KEYED, still_v_keyed)     /* STILL_V, NO_WRAP where texels may be transparent */ \
+    RULE(OPAQUE_ROWS, opaque_rows)         /* also, transparent ends of rows are left out */ \
     RULE(NO_WRAP_KEYED, no_wrap_keyed) \
     RULE(SHORT, short)                     /* unrolled code for all pixels fits the cache */ \
     RULE(SHORT_WRAP, short_wrap) \

@@ -81,6 +81,7 @@ static void make_map(struct map *map, const struct scene_texture *t, const uint8
     map->layout = (uint8)t->layout;
     map->texel_bytes = (uint8)t->texel_bytes;
     map->full = map->dark = 0;
+    map->rows = 0;
     if (t->layout == MAP_LIGHT)
         judge_light(map);
 }
@@ -98,6 +99,33 @@ static uint32 order_of(const struct scene_texture *t)
     if (t->layout == MAP_LINEAR && t->width == MAP_PAGE_SIDE && t->height == MAP_PAGE_SIDE)
         return 0;
     return order[t->layout];
+}
+
+/* Makes the rows of maps with transparent texels, in one block. */
+static int32 make_rows(struct scene *scene)
+{
+    const struct scene_header *h = scene->header;
+    const struct scene_material *m = scene->materials;
+    struct map_row *rows;
+    int32 height = 0;
+
+    for (uint32 i = 0; i < h->materials; i++)
+        if (m[i].mapper == MAPPER_KEYED)
+            height += scene->maps[m[i].texture].height;
+    if (!height)
+        return 1;
+    if (!mem_alloc(&rows, height * (int32)sizeof *rows, MEMORY_ANY))
+        return 0;
+    for (uint32 i = 0; i < h->materials; i++) {
+        struct map *map = &scene->maps[m[i].texture];
+
+        if (m[i].mapper != MAPPER_KEYED || map->rows)
+            continue;
+        map_rows_make(rows, map);
+        map->rows = rows;
+        rows += map->height;
+    }
+    return 1;
 }
 
 /* All maps are in one block. */
@@ -136,5 +164,5 @@ int32 scene_make_maps(struct scene *scene, int32 kind)
             at += map_bytes(t);
         }
     }
-    return 1;
+    return make_rows(scene);
 }

@@ -124,6 +124,15 @@ struct clamp_plan {
     fix16 v_low, v_high;
 };
 
+/* Everything edge_opaque needs. */
+struct opaque_plan {
+    struct scanline *lines;     /* addx form */
+    int32 count;                /* lines, 1 or more */
+    fix16 dudx;                 /* texels a pixel, -62 to 62 modulo 256 */
+    const struct map_row *rows;
+    int32 width, height;        /* of the map */
+};
+
 /* Everything edge_shade needs: levels of a light table, 16.16 in multiples of 4 units. */
 struct shade_plan {
     const struct scanline *lines;       /* left and last are set */
@@ -175,6 +184,7 @@ void lines_plain_exact(void);
 void edge_ramp(const struct ramp_plan *plan);
 void edge_shade(struct shade_plan *plan);
 void edge_clamp(struct clamp_plan *plan);
+void edge_opaque(const struct opaque_plan *plan);
 void scissor_addx(const struct scissor_plan *plan);
 void scissor_plain(const struct scissor_plan *plan);
 void scissor_flat(const struct scissor_plan *plan);

@@ -29,6 +29,13 @@ enum map_constants {
     MAP_COLUMNS_BITS = 18       /* MAP_COLUMNS: log2(width) + log2(height) at most */
 };
 
+/* Of a row of a map, for texels that are transparent if they are 0. */
+struct map_row {
+    uint8 first, last;          /* opaque texels; first > last: there are none */
+    uint8 holes;                /* 1: not all between them are opaque; or 0 */
+    uint8 unused;
+};
+
 struct map {
     const uint8 *texels;        /* (u, v) = (0, 0) */
     int32 width, height;        /* texels */
@@ -37,10 +44,14 @@ struct map {
     uint8 texel_bytes;          /* 1, 2 or 4: as many as the frame's pixels have */
     uint8 full, dark;           /* MAP_LIGHT, 1: the last level leaves texels unchanged; the
                                    first level makes all texels the same */
+    const struct map_row *rows; /* MAP_PAGE: `height` of them; or 0 */
 };
 
 /* Returns the scale of a map of this size. */
 fix16 map_scale(int32 width, int32 height);
+
+/* Fills in the rows of a map of one-byte texels. */
+void map_rows_make(struct map_row *rows, const struct map *map);
 
 /* Column layout, from a map's size: the parts of a texel's index.
      tttttvvvvvvvuu      t: column, v: row (v_bits of it), u: texel in the column     */

@@ -237,5 +237,6 @@ def trials() -> list[Trial]:
     alone = "span_affine_row", "span_affine_column", "span_affine_row_short"
     made += [trial for seed, name in enumerate(alone)
              for trial in alone_trials(name, np.random.default_rng([4, seed]))]
-    made += alone_trials("span_keyed_row", np.random.default_rng([4, 102]), holed_ground())
+    made += [trial for seed, name in enumerate(("span_keyed_row", "span_keyed_rows"))
+             for trial in alone_trials(name, np.random.default_rng([4, 102 + seed]), holed_ground())]
     return made + copy_trials(np.random.default_rng([4, 100])) + upright_trials(np.random.default_rng([4, 101]))

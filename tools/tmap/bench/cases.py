@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
-from tmap.bench import (cubic, dithered, edges, effects, far, instruction_costs, mesh, mesh_batches,
+from tmap.bench import (cubic, dithered, edges, effects, far, instruction_costs, keyed, mesh, mesh_batches,
                         n64, perspective, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
@@ -50,7 +50,7 @@ def span_calls(length: int) -> dict[str, Call]:
                for end, bytes_ in dithered.NAMES.items()}
             | {"affine_row": span_case("span_affine_row", "addx", length, dv=0),
                "affine_column": span_case("span_affine_column", "addx", length, du=0),
-               "keyed_row": span_case("span_keyed_row", "addx", length, dv=0)}
+               **{name: span_case(f"span_{name}", "addx", length, dv=0) for name in ("keyed_row", "keyed_rows")}}
             | {name: mapper_case(name, length) for name in ("gouraud", "arbitrary", "generated")}
             | {name: perspective.span_case(*how, length) for name, how in perspective.SPANS.items()}
             | {name: far.span_case(*how, length) for name, how in far.SPANS.items()}
@@ -113,6 +113,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "perspective_lines_curves": perspective.lines_case("pixel"),
                        "level_lines": perspective.level_case(),
                        "level_lines_tilted": perspective.level_case(True),
+                       "edge_opaque": keyed.opaque_case(),
                        "edges_far": far.edges_case(), "lines_far": far.lines_case()}.items():
         yield name, edges.LINES, call
 

@@ -153,7 +153,7 @@ def span_trial(kernel: str, form: str, lines: list[Line], pitch: int, arena: Are
             return np.full(count, colour & (1 << 8 * picture.itemsize) - 1, picture.dtype)
         steps = own_steps[k] if own_steps else (dudx, dvdx)
         seen = texels(picture, u, v, *steps, count, cut, kernel.endswith("_level"))
-        if "keyed" in kernel:
+        if "keyed" in kernel and (not kernel.endswith("_rows") or more.get("used", [0] * len(lines))[k] & 1):
             return np.where(seen, seen, np.frombuffer(ground.arena.data, np.uint8, count, at))
         return seen
 
