@@ -13,7 +13,6 @@
 #include "drawing/draw.h"
 #include "drawing/fan.h"
 #include "drawing/generated.h"
-#include "drawing/keyed.h"
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
@@ -332,7 +331,7 @@ static void draw_affine(struct setup *s)
         if (s->kind == SPAN_GENERATED)
             generated_span(s);
         else if (s->kind == SPAN_KEYED_ROW)
-            keyed_lines(s);
+            outline_opaque(s);
     }
     if (s->kind == SPAN_LIT_GOURAUD)
         shading_lines(s, made_of(s)->shades);

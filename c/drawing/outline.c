@@ -1,5 +1,7 @@
 #include "drawing/outline.h"
 
+#include "polygon/counts.h"
+
 /* Finds the box of lines and columns in the frame that the sides may cover, as polygon_find; returns
    0 if it is empty. */
 static int32 find_box(struct rectangle *box, const struct sides *sides, const struct frame *frame)
@@ -35,4 +37,22 @@ enum polygon_result outline_clipped(struct setup *s, int32 chain)
     if (chain >= 0)
         plane_find(s, chain);
     return POLYGON_DRAWN;
+}
+
+void outline_opaque(struct setup *s)
+{
+    const struct map *map = s->material->map;
+    struct opaque_plan plan;
+
+    if (!map->rows || !RULE_IS_ON(s, OPAQUE_ROWS))
+        return;
+    RULE_APPLIES(s, OPAQUE_ROWS);
+    plan.lines = s->edges.lines;
+    plan.count = s->span.count;
+    plan.dudx = s->span.dudx;
+    plan.rows = map->rows;
+    plan.width = map->width;
+    plan.height = map->height;
+    edge_opaque(&plan);
+    s->kind = SPAN_KEYED_ROWS;
 }

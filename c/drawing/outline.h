@@ -52,6 +52,9 @@ static inline void outline_lines(struct setup *s, void (*edges)(const struct edg
     scissor(&plan);
 }
 
+/* Leaves the ends of lines whose texels are transparent out of the table, for SPAN_KEYED_ROW, and lowers s->kind. */
+void outline_opaque(struct setup *s);
+
 /* Makes the outline and a table without u and v, for a polygon whose planes planes.h finds. */
 static inline enum polygon_result outline_flat(struct setup *s)
 {

@@ -8,7 +8,6 @@
 ;          texels; of all that have pixels the byte before U: 1 if texels may be transparent, else 0
 ; formats: u 8.16; dudx -62 to 62 texels a pixel. A line that leaves its repetition of the map keeps its ends
 ; error:   none: a pixel stays if its texel is from the row's first opaque one to the last
-; cost:    about 190 cycles a line that is cut at both ends
 
 ; Lines for span_keyed_rows, whose texels are in one row. x is u in its repetition of the map.
 

@@ -64,10 +64,10 @@ def test_no_row_left_the_baseline(medium: list[dict]) -> None:
 def test_every_combination_has_a_row(medium: list[dict]) -> None:
     """18 combinations of the affine mapper, 3 of each other mapper (2 if it has no truncated
     start), snapped edges of those with triangles' routines, and a frontier."""
-    assert len(medium) == 18 + 3 * 7 + 2 * 2 + 5
+    assert len(medium) == 18 + 3 * 7 + 2 * 3 + 5
     assert {r["mapper"] for r in medium} == {"affine", "flat", "gouraud", "arbitrary", "tiled",
                                              "columns", "generated", "lit", "lit_gouraud",
-                                             "dithered"}
+                                             "dithered", "keyed"}
     assert any(r["frontier"] for r in medium) and not all(r["frontier"] for r in medium)
     assert row(medium, BEST)["texel_error_rms"] < row(
         medium, model.Settings("integer", "polygon", "truncated"))["texel_error_rms"] / 100

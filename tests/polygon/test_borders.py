@@ -33,7 +33,7 @@ SCALES = [Fraction(1, n) for n in (1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 13)] + [
 TURNS = list(itertools.product((False, True), (False, True), (False, True)))
 LIT = ("lit", "lit_gouraud")
 OTHERS = ["affine", "arbitrary", "tiled", "columns", "lit"]  # their gradients are not a plane's
-MAPPERS = ["affine", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud", "dithered"]
+MAPPERS = ["affine", "arbitrary", "tiled", "columns", "generated", "lit", "lit_gouraud", "dithered", "keyed"]
 SIDE = {"arbitrary": (96, 80), "columns": (128, 64)}  # the other maps are 256x256
 
 
@@ -89,14 +89,14 @@ def figures(mapper: str) -> list[Figure]:
 def shown(mapper: str, parts: list[list[tuple]], settings: Settings) -> np.ndarray:
     """The texel (u, v) that each pixel of a frame shows, [2][y][x]; -1 if not drawn."""
     width, height = SIDE.get(mapper, (256, 256))
-    texture = np.arange(width * height).reshape(height, width)
-    light = np.tile(np.arange(width * height), (64, 1)) if mapper in LIT else None
+    texture = np.arange(1, width * height + 1).reshape(height, width)  # none is 0, which may be transparent
+    light = np.tile(np.arange(width * height + 1), (64, 1)) if mapper in LIT else None
     frame = np.full((HEIGHT, WIDTH), -1)
     for part in parts:
         polygon = model.set_up(model.adapt(part, settings, max(width, height)), WIDTH, HEIGHT, True,
                                settings, (width, height))
         model.draw(frame, polygon, texture, 0, light)
-    return np.where(frame < 0, -1, np.stack([frame % width, frame // width]))
+    return np.where(frame < 0, -1, np.stack([(frame - 1) % width, (frame - 1) // width]))
 
 
 def wanted(mapper: str, figure: Figure) -> np.ndarray:

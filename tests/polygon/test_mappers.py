@@ -20,6 +20,7 @@ full = {image = "noise.png"}
 odd = {image = "noise.png", width = 100, height = 37}
 high = {image = "noise.png", width = 64, height = 512}
 small = {image = "noise.png", width = 64, height = 128}
+holed = {image = "holes.png", width = 64, height = 128}
 [materials]
 """
 #: mapper: (further fields of the material, radius on the map)
@@ -27,7 +28,8 @@ LOOKS = {"gouraud": ('shades = ["#000000", "#ffff00"], steps = 40', 0),
          "arbitrary": ('texture = "odd"', 128), "tiled": ('texture = "full"', 300),
          "columns": ('texture = "high"', 300), "generated": ('texture = "full"', 300),
          "lit": ('texture = "full"', 40), "lit_gouraud": ('texture = "full"', 300),
-         "affine": ('texture = "small"', 700), "dithered": ('texture = "small"', 300)}
+         "affine": ('texture = "small"', 700), "dithered": ('texture = "small"', 300),
+         "keyed": ('texture = "holed"', 700)}
 #: Format: its mappers (tests/compiler/test_run.py tests the affine one of chunky frames), machine.
 DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-fast"),
          "rgb565": (["columns", "affine", "dithered"], "a1200"),
@@ -36,7 +38,7 @@ DRAWN = {"chunky": ([mapper for mapper in LOOKS if mapper != "affine"], "a1200-f
 #: Generated code draws polygons within a row of the map: every other polygon is this many times
 #: narrower.
 NARROW = {"generated": 3}
-SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap",
+SPANS = {"chunky": {*DRAWN["chunky"][0], "lit_wrap", "gouraud_short", "dithered_wrap", "keyed_wrap",
                     "affine_short", "affine_addx", "affine_addx_wrap", "affine_scanline"} - {"dithered"},
          "rgb565": {"columns_16", "affine_16", "affine_16_wrap", "dithered_16_wrap"},
          "rgba8888": {"affine_32", "affine_32_wrap", "dithered_32_wrap"}}
@@ -70,6 +72,8 @@ def scene(pixels: str) -> str:
 def test_every_mapper_is_the_models(tmp_path, machine):
     noise = np.random.default_rng(1).integers(0, 256, (64, 64, 3)).astype(np.uint8)
     Image.fromarray(noise).resize((512, 512)).save(tmp_path / "noise.png")
+    holes = np.dstack([noise, np.where(noise[:, :, 0] < 100, 0, 255).astype(np.uint8)])
+    Image.fromarray(holes).save(tmp_path / "holes.png")
     asked = {pixels: Asked(compiled(tmp_path, scene(pixels))) for pixels in DRAWN
              if DRAWN[pixels][1] == machine}
     for pixels, drawn in guest_runs.check_all(asked, machine).items():

@@ -17,7 +17,7 @@ from tmap.setup.shading import LIT
 
 LEAST = 1e-6  # texels: smaller errors, 0 among them, are drawn as this on a logarithmic axis
 MARKS = {"affine": "o", "arbitrary": "s", "tiled": "D", "columns": "^", "generated": "v",
-         "lit": "p", "lit_gouraud": "h", "dithered": "*", "every16": "<", "every8": ">", "pixel": "P",
+         "lit": "p", "lit_gouraud": "h", "dithered": "*", "keyed": "d", "every16": "<", "every8": ">", "pixel": "P",
          "fine": "X"}
 
 

@@ -94,7 +94,7 @@ CASES = (
     Case("no_wrap", AFFINE, WIDE, TURNED, "affine_addx", "affine_addx_wrap"),
     Case("no_wrap_lit", LIT, WIDE, TURNED, "lit", "lit_wrap"),
     Case("no_wrap_dithered", DITHERED, WIDE, TURNED, "dithered", "dithered_wrap"),
-    Case("still_v_keyed", KEYED, WIDE, (TURNED[0], heights(WIDE)), "keyed_row", "keyed"),
+    Case("still_v_keyed", KEYED, WIDE, (TURNED[0], heights(WIDE)), "keyed_rows", "keyed"),
     Case("opaque_rows", KEYED, WIDE, (TURNED[0], heights(WIDE)), "keyed_rows", "keyed_row"),
     Case("no_wrap_keyed", KEYED, WIDE, TURNED, "keyed", "keyed_wrap"),
     Case("short", AFFINE, NARROW, TURNED, "affine_short", "affine_addx"),

@@ -167,6 +167,8 @@ def check(spec: dict, where: str) -> None:
         if texture["width"] * texture["height"] > TEXELS_MAX:
             fail(join(f"{where}textures", name) + ".width",
                  f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
+        if texture["key"] and not any(is_keyed(m) and m["texture"] == name for m in spec["materials"].values()):
+            fail(join(f"{where}textures", name) + ".key", f'no material with mapper "{KEYED}" has this texture')
     settle_edges(spec["materials"])
     for name, material in spec["materials"].items():
         at = join(f"{where}materials", name)

@@ -81,7 +81,7 @@ ACCURACY_LINES = (("integer", "polygon", "truncated", "affine"),
                   ("exact", "scanline", "subtexel", "affine"),
                   *(("exact", "plane", "subtexel", mapper) for mapper in (
                       "arbitrary", "tiled", "columns", "generated", "gouraud",
-                      "lit", "lit_gouraud", "dithered")))
+                      "lit", "lit_gouraud", "dithered", "keyed")))
 
 
 def accuracy_table(accuracy: dict) -> str:
