@@ -32,12 +32,12 @@ def texture_schema():
 
 
 #: What the settings of a material do.
-SAYS = {"edges": "which pixels are inside; without it `\"snapped\"` if triangle routines draw all such materials, else "
-                 "`\"exact\"`",
-        "gradients": "where steps of s, t and shades come from: each line, the polygon (triangles only), or its plane",
-        "start": "first texel of a line: of the pixel as cut, or at its centre",
-        "clip": "how what is off the screen is cut: line by line, or polygon by polygon",
-        "perspective": "none, or exact at each pixel or every 8 or 16 with lines between; `fine` has the least error"}
+SAYS = {"edges": "vertices cut to whole pixels; slopes rounded to 1/65536; vertices rounded to 1/16 pixel, then exact; exact. "
+                 "Without it, snapped if triangle routines draw all such materials, else exact",
+        "gradients": "steps of s, t and shades: of each line; of the longest line, for triangles; of the plane",
+        "start": "where a line's first texel is taken: where the edge crosses it, or at the first pixel's centre",
+        "clip": "what is off the screen is cut: its lines, or the polygon",
+        "perspective": "none; exact every 16 or 8 pixels, with lines between; each pixel, within 1/32 or 1/128 texel"}
 
 
 def material_schema():
