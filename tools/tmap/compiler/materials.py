@@ -32,8 +32,8 @@ def texture_schema():
 
 
 #: What the settings of a material do.
-SAYS = {"edges": "vertices cut to whole pixels; slopes rounded to 1/65536; vertices rounded to 1/16 pixel, then exact; exact. "
-                 "Without it, snapped if triangle routines draw all such materials, else exact",
+SAYS = {"edges": "vertices cut to whole pixels; slopes rounded to 1/65536; vertices rounded to 1/16 pixel, then exact; "
+                 "exact. Without it, snapped if triangle routines draw all such materials, else exact",
         "gradients": "steps of s, t and shades: of each line; of the longest line, for triangles; of the plane",
         "start": "where a line's first texel is taken: where the edge crosses it, or at the first pixel's centre",
         "clip": "what is off the screen is cut: its lines, or the polygon",
