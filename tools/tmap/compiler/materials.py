@@ -206,11 +206,15 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
+def image_at(spec: dict, name: str, where: str) -> str:
+    """Returns the place of a texture's picture for messages: in the scene, or in a library."""
+    return spec["textures"][name].get("at") or join(f"{where}textures", name) + ".image"
+
+
 def load_pictures(spec: dict, used: set[str], folder: Path, where: str) -> dict[str, np.ndarray]:
     """Returns the pictures of the textures in use, uint8 (height, width, channels). Unused ones are
     loaded too, to find their faults."""
-    pictures = {name: images.load(texture["image"], folder,
-                                  join(f"{where}textures", name) + ".image", texture["width"],
+    pictures = {name: images.load(texture["image"], folder, image_at(spec, name, where), texture["width"],
                                   texture["height"], FORMATS[spec["format"]].channels)
                 for name, texture in spec["textures"].items()}
     return {name: picture for name, picture in pictures.items() if name in used}
@@ -221,7 +225,7 @@ def transparent(spec: dict, folder: Path, where: str) -> list[str]:
     in frames that have alpha. Texture units read their own pictures."""
     notes = []
     for name in dict.fromkeys(m["texture"] for m in spec["materials"].values() if "texture" in m):
-        texture, at = spec["textures"][name], join(f"{where}textures", name) + ".image"
+        texture, at = spec["textures"][name], image_at(spec, name, where)
         if images.is_transparent(texture["image"], folder, at, texture["width"], texture["height"]):
             notes.append(f"{at}: {texture['image']} has transparent pixels, which are drawn as they are")
     return notes
