@@ -139,6 +139,15 @@ def test_refused(folder, old, new, message):
     assert said == f"{folder / 'scene.toml'}: objects[0]{message}"
 
 
+def test_a_picture_that_cannot_be_read(folder):
+    """The message names the library's line, and the scene's line that takes the library."""
+    (folder / "models" / "old pictures" / "wall 1.png").write_text("no picture")
+    with pytest.raises(UserError) as caught:
+        compile_scene(folder / "scene.toml")
+    assert str(caught.value) == (f"{folder / 'scene.toml'}:11: objects[0].materials: models/x.mtl: line 8: "
+                                 "models/old pictures/wall 1.png: not a PNG or JPEG picture")
+
+
 @pytest.mark.parametrize("seed", range(2))
 def test_any_bytes_as_a_library_are_read_or_refused(folder, seed):
     random = np.random.default_rng(seed)

@@ -32,7 +32,8 @@ class Reader:
     check: Callable
     says: str  # the values that it takes
     unit: str = ""
-    element: "Reader | None" = None  # of a list, or of a table with any names
+    element: "Reader | None" = None  # of a list's entries
+    entry: "Reader | None" = None  # of a table with any names
     groups: dict[str, dict[str, Field]] = attribute(default_factory=dict)  # a table's keys by alternative
 
     def __call__(self, value, where: str):
@@ -183,7 +184,7 @@ def table(fields: dict[str, tuple]) -> Reader:
 
 def named(element: Reader) -> Reader:
     """A table whose keys may be any names."""
-    @reader(f"table of names: {element.says}", element=element)
+    @reader(f"table of names: {element.says}", entry=element)
     def check(value, where):
         expect(value, where, (dict,), "a table")
         return {key: element(entry, join(where, key)) for key, entry in value.items()}

@@ -52,7 +52,7 @@ def unit_schema() -> Reader:
     level, side = integer(0, LAST_LEVEL), integer(1, SIDE, unit="texels")
     detail = table({"bias": (integer(-32, 31), 0, "the level below which the factor grows"),
                     "scale": (integer(0, 7), 0, "how often its growth is doubled"),
-                    "max": (number(0, 1), 1, "its limit")})
+                    "max": (number(0, 1), 1, "the limit of the factor")})
     axis = one_of(*WRAPS)
     return table({
         "image": (text, REQUIRED, "a picture, as of `[textures]`"),

@@ -35,12 +35,12 @@ def texture_schema():
 
 
 #: What the settings of a material do.
-SAYS = {"edges": "which pixels are inside; without it `\"snapped\"` if triangle routines draw all such materials, else "
-                 "`\"exact\"`",
-        "gradients": "where steps of s, t and shades come from: each line, the polygon (triangles only), or its plane",
-        "start": "first texel of a line: of the pixel as cut, or at its centre",
-        "clip": "how what is off the screen is cut: line by line, or polygon by polygon",
-        "perspective": "none, or exact at each pixel or every 8 or 16 with lines between; `fine` has the least error"}
+SAYS = {"edges": "vertices cut to whole pixels; slopes rounded to 1/65536; vertices rounded to 1/16 pixel, then exact; "
+                 "exact. Without it, snapped if triangle routines draw all such materials, else exact",
+        "gradients": "steps of s, t and shades: of each line; of the longest line, for triangles; of the plane",
+        "start": "where a line's first texel is taken: where the edge crosses it, or at the first pixel's centre",
+        "clip": "what is off the screen is cut: its lines, or the polygon",
+        "perspective": "none; exact every 16 or 8 pixels, with lines between; each pixel, within 1/32 or 1/128 texel"}
 
 
 def material_schema():
@@ -217,13 +217,18 @@ def shade_pixel(shade: float, ramp: tuple[int, int]) -> float:
     return first + 0.5 + shade * (steps - 1) / (SHADES - 1)
 
 
+def image_at(spec: dict, name: str, where: str) -> str:
+    """Returns the place of a texture's picture for messages: in the scene, or in a library."""
+    return spec["textures"][name].get("at") or join(f"{where}textures", name) + ".image"
+
+
 def load_pictures(spec: dict, used: set[tuple[str, bool]], folder: Path, where: str
                   ) -> tuple[dict[tuple[str, bool], np.ndarray], dict[int, np.ndarray]]:
     """Returns the pictures in use, uint8 (height, width, channels), by texture and whether some of it is transparent,
     and of the latter by their numbers which pixels are opaque. Unused ones are loaded too, to find their faults."""
     pictures, opaque = {}, {}
     for name, texture in spec["textures"].items():
-        at = join(f"{where}textures", name) + ".image"
+        at = image_at(spec, name, where)
         source = texture["image"], folder, at, texture["width"], texture["height"]
         picture = images.load(*source, FORMATS[spec["format"]].channels)
         if (name, False) in used:
@@ -242,7 +247,7 @@ def transparent(spec: dict, folder: Path, where: str) -> list[str]:
     notes = []
     for name in dict.fromkeys(m["texture"] for m in spec["materials"].values()
                               if "texture" in m and not is_keyed(m)):
-        texture, at = spec["textures"][name], join(f"{where}textures", name) + ".image"
+        texture, at = spec["textures"][name], image_at(spec, name, where)
         if images.is_transparent(texture["image"], folder, at, texture["width"], texture["height"]):
             notes.append(f"{at}: {texture['image']} has transparent pixels, which are drawn as they are")
     return notes

@@ -116,5 +116,5 @@ def add(spec: dict, folder: Path, where: str) -> None:
                 spec["materials"][made] = new_material({"colour": look.colour}, look.at)
                 continue
             images.locate(look.picture, folder, look.at)
-            spec["textures"][made] = new_texture({"image": look.picture}, look.at)
+            spec["textures"][made] = new_texture({"image": look.picture}, look.at) | {"at": look.at}
             spec["materials"][made] = new_material({"texture": made}, look.at)

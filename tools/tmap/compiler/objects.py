@@ -44,9 +44,9 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
     turned = {"rotation": (angles, None, "`rotation` in this frame; without it, the object's")}
     placing = hierarchy.FIELDS | {
         "position": (place, [0, 0, 0], "where the mesh's origin is: x, y, z"),
-        "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z, the fixed axes of space"),
+        "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z"),
         "size": (number(1e-6, 1e6), 1, "factor of all points, before rotation and position"),
-        "axis": (rows(number(-1, 1), 3, 3), [0, 1, 0], "the fixed axis about which `turns` turns; any length but 0"),
+        "axis": (rows(number(-1, 1), 3, 3), [0, 1, 0], "the axis about which `turns` turns; any length but 0"),
         "turns": (number(-1000, 1000, "turns"), 0, "steady turns about `axis` in the scene's frames, after `rotation`"),
         "keys": (rows(table(key | turned), 1, space.KEYS_MAX), None,
                  "a motion: between keys positions move straight and rotations by the shortest way"),
@@ -78,7 +78,7 @@ def schema(limits: dict[str, int]) -> dict:
                    | {"near": (number(limits["W_MIN"] / ONE, 1000, "units"), 0.125,
                                "what is nearer than this is cut off")})
     light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED,
-                                 "the way that it shines; any length but 0"),
+                                 "the way that it shines: x, y, z of any length but 0"),
                    "ambient": (number(0, 1), 0.25, "brightness of faces that turn away from it")})
     return {"camera": (camera, None, "where objects in space are seen from; they need it"),
             "light": (light, {"direction": [0.5, -1, -1], "ambient": 0.25}, "light on objects in space"),

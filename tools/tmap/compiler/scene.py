@@ -62,7 +62,7 @@ def schema(limits: dict[str, int]) -> Reader:
                                  "the same on the map, around its middle, in s and t"),
                   "map_turn": (number(-360, 360, "degrees"), 0, "turns the map on the polygon, clockwise"),
                   "shades": (rows(number(0, materials.SHADES - 1), 1, corners), None,
-                             "brightness of the corners, repeated in turn; without it, it rises down the polygon")}
+                             "of the corners, repeated in turn; without it, they grow downwards, or are full light")}
         | colours | placing,
         "vertices": {"vertices": (rows(rows(real, 2, 6), 3, corners), REQUIRED,
                                   "corners in order, [values that the material needs](#corners) for each")} | colours

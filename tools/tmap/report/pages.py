@@ -1,6 +1,6 @@
 """The pages for readers, and checks of them.
 
-Pages are the Markdown files in the root and the README.md of each room. A table is between two
+Pages are the Markdown files in the root and in the rooms. A table is between two
 marker lines with its title. Every table is on one page, and every marker has a table. Links, files
 and commands on a page must exist.
 """
@@ -26,7 +26,7 @@ FILE = re.compile(rf"(?:{'|'.join(ROOMS)})/[\w./*-]*")
 def find(root: Path = ROOT) -> list[Path]:
     """Returns all pages, those in the root first."""
     return [*sorted(root.glob("*.md")),
-            *(page for room in ROOMS for page in sorted((root / room).rglob("README.md")))]
+            *(page for room in ROOMS for page in sorted((root / room).rglob("*.md")))]
 
 
 def name(page: Path, root: Path = ROOT) -> str:

@@ -17,7 +17,7 @@ from tmap.bench import instruction_costs
 from tmap.compiler import scene
 from tmap.images import palette
 from tmap.report import (pages, readme_cycles, readme_modes, readme_numbers, readme_programs,
-                         readme_scenes)
+                         readme_reference, readme_scenes)
 from tmap.run import run
 
 PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
@@ -49,7 +49,8 @@ def tables() -> dict[str, str]:
     measured, accuracy, counted = (json.loads(path.read_text()) for path in (
         BASELINE, ACCURACY_BASELINE, POLYS_BASELINE))
     return (measured_tables(measured, accuracy, counted) | rooms.tables() | readme_numbers.tables()
-            | readme_programs.tables(measured) | readme_scenes.tables(measured, accuracy, counted)
+            | readme_programs.tables(measured) | readme_reference.tables()
+            | readme_scenes.tables(measured, accuracy, counted)
             | {"what a triangle costs": readme_cycles.prices_table(measured, accuracy, ("affine",)),
                "what accuracy costs": readme_cycles.accuracy_table(accuracy),
                "dithered points": readme_cycles.dithered_tables(measured),
