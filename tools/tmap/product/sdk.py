@@ -33,7 +33,7 @@ ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
 LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw"),
          "perspective": ("reciprocals_make",),
-         "texture": ("column_layout_make", "map_scale"), "screen": ("ham8_control",),
+         "texture": ("column_layout_make", "map_rows_make", "map_scale"), "screen": ("ham8_control",),
          "mesh": ("mesh_draw", "mesh_points16"), "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "triangles.c", "spans.s", "start.s", "amiga.ld")
