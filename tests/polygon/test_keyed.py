@@ -112,6 +112,8 @@ def test_billboards_face_the_camera(tmp_path):
     (HEAD + BILLBOARD.replace("[2, 3]", "[2]"), "objects[0].billboard: must have 2 entries, not 1"),
     (HEAD + BILLBOARD.replace("[2, 3]", "[2, 0]"), "objects[0].billboard[1]: must be from 0.001 to 10000"),
     (HEAD + BILLBOARD + "rotation = [0, 1, 0]", "objects[0].rotation: unknown field"),
+    (HEAD + BILLBOARD + "keys = [{ frame = 1, rotation = [0, 0, 0] }]",
+     "objects[0].keys[0].rotation: a billboard always faces the camera"),
     (HEAD + BILLBOARD + 'mesh = "leaf.obj"', "objects[0]: needs exactly one of"),
     (HEAD + BILLBOARD.replace("[camera]\neye = [3, 5, 9]\ntarget = [0, 1, 0]\n", ""), "camera: is missing")])
 def test_refused(tmp_path, text, message):

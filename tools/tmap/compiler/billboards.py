@@ -3,22 +3,22 @@ of it has one depth, so that it is drawn without perspective and the picture's r
 
 import numpy as np
 
-from tmap.base.fields import REQUIRED, number, rows
+from tmap.base.fields import REQUIRED, fail, number, rows
 from tmap.compiler.mesh_file import Shape
 
 LIMITS = 1e-3, 1e4  # units of a side
 #: What it has of other objects in space, and what they have instead of the rest.
-SHARED = ("name", "parent", "position", "size")
+SHARED = ("name", "parent", "position", "size", "keys")
 FIXED = {"rotation": [0, 0, 0], "axis": [0, 1, 0], "turns": 0, "mapping": None, "normals": None, "crease": None,
          "triangles": False, "two_sided": False, "projector": None}
 
 
-def fields(placing: dict, keys: tuple) -> dict:
-    """Returns the fields of a billboard, given those of all objects in space; ``keys``: of its motion."""
+def fields(placing: dict) -> dict:
+    """Returns the fields of a billboard, given those of all objects in space."""
     own = {"billboard": (rows(number(*LIMITS, "units"), 2, 2), REQUIRED,
                          "width and height of a picture that always faces the camera; `position` is the middle of its "
                          "lower side")}
-    return own | {name: placing[name] for name in SHARED} | {"keys": keys}
+    return own | {name: placing[name] for name in SHARED}
 
 
 def is_billboard(obj: dict) -> bool:
@@ -26,12 +26,15 @@ def is_billboard(obj: dict) -> bool:
     return "billboard" in obj
 
 
-def complete(obj: dict) -> None:
-    """Fills in the fields of other objects in space."""
-    if is_billboard(obj):
+def complete(objects: list[dict], where: str) -> None:
+    """Fills in the fields that billboards have not, but other objects in space have."""
+    for i, obj in enumerate(objects):
+        if not is_billboard(obj):
+            continue
         obj |= FIXED
-        for key in obj["keys"] or []:
-            key["rotation"] = None
+        for k, key in enumerate(obj["keys"] or []):
+            if key["rotation"] is not None:
+                fail(f"{where}objects[{i}].keys[{k}].rotation", "a billboard always faces the camera")
 
 
 def shape_of(obj: dict, extent: tuple[float, float]) -> Shape:

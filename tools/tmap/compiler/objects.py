@@ -38,17 +38,17 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
     reach, angles = number(-1e6, 1e6, "units"), rows(number(-3600, 3600, "degrees"), 3, 3)
     place = rows(number(-space.AWAY, space.AWAY, "units"), 3, 3)
     texel = rows(number(1 - limits["POLYGON_FAR"], limits["POLYGON_FAR"] - 1), 2, 2)
-    key = {"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED,
-                     "the key's frame, counted from the object's `first`"),
-           "position": (place, None, "`position` in this frame; without it, the object's")}
-    turned = {"rotation": (angles, None, "`rotation` in this frame; without it, the object's")}
+    key = table({"frame": (integer(0, limits["SCENE_FRAMES_MAX"]), REQUIRED,
+                           "the key's frame, counted from the object's `first`"),
+                 "position": (place, None, "`position` in this frame; without it, the object's"),
+                 "rotation": (angles, None, "`rotation` in this frame; without it, the object's")})
     placing = hierarchy.FIELDS | {
         "position": (place, [0, 0, 0], "where the mesh's origin is: x, y, z"),
         "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z"),
         "size": (number(1e-6, 1e6), 1, "factor of all points, before rotation and position"),
         "axis": (rows(number(-1, 1), 3, 3), [0, 1, 0], "the axis about which `turns` turns; any length but 0"),
         "turns": (number(-1000, 1000, "turns"), 0, "steady turns about `axis` in the scene's frames, after `rotation`"),
-        "keys": (rows(table(key | turned), 1, space.KEYS_MAX), None,
+        "keys": (rows(key, 1, space.KEYS_MAX), None,
                  "a motion: between keys positions move straight and rotations by the shortest way"),
         "mapping": (one_of("uv", "environment", "shade", "none"), None,
                     "where s and t come from: the corners, or, in a mirror of its surroundings, the normals; without "
@@ -68,8 +68,7 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
                                  "polygons: numbers of their points from 0, counterclockwise seen from the front"),
                        "uvs": (uvs, None, "s and t at each corner of each face; one entry alone is for all faces"),
                        "uvs1": (uvs, None, "the same for a second Glide unit with `own`")} | placing,
-            "billboard": billboards.fields(placing, (
-                rows(table(key), 1, space.KEYS_MAX), None, "a motion: straight between keys"))}
+            "billboard": billboards.fields(placing)}
 
 
 def schema(limits: dict[str, int]) -> dict:

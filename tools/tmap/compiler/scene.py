@@ -123,8 +123,7 @@ def checked(content: dict, path: Path) -> dict:
     spec = schema(layout.load().constants)(content, where)
     mtl_file.add(spec, path.parent, where)
     materials.check(spec, where)
-    for obj in spec["objects"]:
-        billboards.complete(obj)
+    billboards.complete(spec["objects"], where)
     hierarchy.check(spec["objects"], where)
     spec["objects"] = parts.split(spec["objects"], spec["materials"], where)
     for obj in spec["objects"]:

@@ -54,6 +54,7 @@ def tables() -> dict[str, str]:
             | {"what a triangle costs": readme_cycles.prices_table(measured, accuracy, ("affine",)),
                "what accuracy costs": readme_cycles.accuracy_table(accuracy),
                "dithered points": readme_cycles.dithered_tables(measured),
+               "transparent texels": readme_cycles.keyed_table(measured),
                "instructions": instruction_costs.table(measured, MACHINES)})
 
 

@@ -2,7 +2,7 @@
 
 from tmap.accuracy import dither_errors
 from tmap.base.markdown import MACHINES, table
-from tmap.bench import bench, published, rules
+from tmap.bench import bench, edges, published, rules
 from tmap.corpus.polygon_sets import SIZES
 from tmap.guest.emulator import CLOCK_HZ
 from tmap.setup.shading import LIT
@@ -160,6 +160,22 @@ def dithered_tables(baseline: dict) -> str:
                       for machine in MACHINES)] for title, *names in DITHERED_LINES]
     costs = table(["cycles a pixel, dithered / points", *MACHINES.values()], rows)
     return f"{dither_errors.table()}\n\n{costs}"
+
+
+#: Transparent texels: title, bench row, its length.
+KEYED_LINES = (("opaque texels: affine", "affine_addx", 256), ("keyed", "keyed", 256),
+               ("keyed, where v may wrap more than once", "keyed_wrap", 256),
+               ("opaque texels in rows: affine", "affine_row", 256), ("keyed, in rows", "keyed_row", 256),
+               ("keyed, in rows without holes", "keyed_rows", 256),
+               ("a line whose row's ends are left out, cycles", "edge_opaque", edges.LINES))
+
+
+def keyed_table(baseline: dict) -> str:
+    """Returns a Markdown table: cycles a pixel of spans, or a line."""
+    figures = bench.figures([*baseline["rows"], *baseline["lines"]])
+    return table(["cycles a pixel", *MACHINES.values()],
+                 [[title, *(f"{figures[name, machine, length]:.1f}" for machine in MACHINES)]
+                  for title, name, length in KEYED_LINES])
 
 
 #: Meshes: title of a line, bench row.
