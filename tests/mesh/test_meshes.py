@@ -108,6 +108,11 @@ def test_random_meshes_are_the_models():
     assert_models(scenes, more=tuple((name, form) for form in ("swap", "c") for name in plain))
 
 
+def test_random_trees_are_the_models():
+    """Trees of any planes, of one instance and of two, before others that have none."""
+    assert_models({f"seed {seed}": mesh_cases.trees(seed) for seed in range(8)})
+
+
 def test_hostile_meshes_are_the_models():
     """Faces of random points, concave and bent, with numbers of any size; many are behind the
     camera."""
