@@ -74,8 +74,8 @@ def faces_of(tables: Tables, first: int, two_sided: bool, where: str) -> list[po
 
 
 def cut(corners: list[tuple], plane: tuple, triangles: bool) -> list[list[tuple]]:
-    """Returns a face, or its triangles if its material needs them."""
-    if not triangles or len(corners) == 3:
+    """Returns a face, or its triangles if its material needs them or if it has too many corners."""
+    if len(corners) == 3 or not triangles and len(corners) <= layout.load().constants["MESH_CORNERS_MAX"]:
         return [corners]
     places = np.array([corner[:3] for corner in corners])
     parts = cutting.triangles_in_space(places, np.array(plane[:3]) / UNIT_30) or cutting.fan(len(corners))
@@ -183,9 +183,6 @@ class Trees:
                 corners = polygons.in_file(polygons.with_cuts(face, tree.cuts))
                 wishes = self.space.wishes_of(member.obj, member.look[1])
                 for part in cut(corners, face.plane, wishes.triangles) if corners else []:
-                    if len(part) > limits["MESH_CORNERS_MAX"]:
-                        fail(member.tables.sources[number], f"gets {len(part)} corners in its tree; "
-                                                            f"{limits['MESH_CORNERS_MAX']} at most")
                     found[id(member)].append((part, face.plane, member.tables.sources[number], slot))
                     slot += 1
             self.nodes.append([*(node.plane or (0, 0, 0, 0)), *counts, first, slot - first])
