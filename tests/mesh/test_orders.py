@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.helpers.order_errors import wrong_pixels
 from tests.mesh.test_meshes import assert_models
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
@@ -108,6 +109,19 @@ order = "bsp"
     for plain, crossed in zip(shown[:6], shown[6:]):
         covered = plain == green
         assert covered.sum() > 1000 and not (crossed[covered] == red).any()
+
+
+def test_rooms_show_the_nearest_faces(tmp_path) -> None:
+    """The scene ``rooms``: by its tree no pixel shows another face than the nearest; by depth some of every
+    frame do."""
+    text = (SCENES / "rooms.toml").read_text()
+    for name in ("rooms.obj", "checker.png"):
+        (tmp_path / name).symlink_to(SCENES / name)
+    (tmp_path / "depth.toml").write_text(text.replace('order = "bsp"', ""))
+    tree, depth = compile_scene(SCENES / "rooms.toml"), compile_scene(tmp_path / "depth.toml")
+    for number in range(3, tree.frames, 9):
+        wrong = [wrong_pixels(scene, depth, number, 2) for scene in (tree, depth)]
+        assert wrong[0] == 0 and wrong[1] > 5, (number, wrong)
 
 
 @pytest.mark.parametrize("text, said", [
