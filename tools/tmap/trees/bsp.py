@@ -20,9 +20,10 @@ import numpy as np
 
 from tmap.trees.polygons import FINE, NORMAL, ON, Corner, Edge, Plane, Polygon, sides, split
 
-TRIED = 128  # planes of a node, at most
+TRIED, TRIED_LEAST = 128, 16  # planes of a node, at most, and of a large one
+FACES_TRIED = 1 << 16  # faces times planes
 WEIGHT = 16  # of a split
-ORDERED = 1024  # faces that are compared with each other, at most: the time for that grows with their square
+ORDERED = 1024  # faces of a part that are compared with each other, at most; of a whole tree all are
 
 
 @dataclass
@@ -56,36 +57,43 @@ class Heights:
         self.firsts = np.cumsum([0, *counts[:-1]])
 
     def ends(self, plane: Plane) -> tuple[np.ndarray, np.ndarray]:
-        """Returns the least and the greatest height of each face over a plane."""
+        """Returns of each face whether all of it is in front of a plane, and whether all of it is behind it;
+        what is on it is both."""
         a, b, c = (n / 2.0 ** NORMAL for n in plane[:3])
         heights = a * self.x + b * self.y + c * self.z - plane[3]
-        return np.minimum.reduceat(heights, self.firsts), np.maximum.reduceat(heights, self.firsts)
+        return np.minimum.reduceat(heights, self.firsts) >= -ON, np.maximum.reduceat(heights, self.firsts) <= ON
 
 
 def hiding(faces: list[Polygon]) -> np.ndarray:
     """Returns which face, by row, must be drawn after which: it may hide that one from some eye that sees
     both, or is the later one in its plane."""
-    heights = Heights(faces)
+    count, heights = len(faces), Heights(faces)
     ends = {plane: heights.ends(plane) for plane in dict.fromkeys(face.plane for face in faces)}
-    in_front = np.array([ends[face.plane][0] >= -ON for face in faces])
-    behind = np.array([ends[face.plane][1] <= ON for face in faces])
+    in_front = np.array([ends[face.plane][0] for face in faces])
+    behind = np.array([ends[face.plane][1] for face in faces])
     single = np.array([not face.two_sided for face in faces])
     never = single[:, None] & in_front | single & behind.T
-    planes = np.array([face.plane for face in faces])
-    opposite = (planes[:, None, :3] == -planes[None, :, :3]).all(axis=2)
-    away = planes[:, None, 3] + planes[:, 3] >= 0  # no eye is in front of both
-    never |= single[:, None] & single & opposite & away
+    numbers: dict[Plane, list[int]] = {}  # of the single faces, by plane
+    for k in np.flatnonzero(single).tolist():
+        numbers.setdefault(faces[k].plane, []).append(k)
+    directions: dict[tuple, list[Plane]] = {}
+    for plane in numbers:
+        directions.setdefault(plane[:3], []).append(plane)
+    for plane, some in numbers.items():  # no eye is in front of two planes that look away from each other
+        for other in directions.get(tuple(-n for n in plane[:3]), []):
+            if plane[3] + other[3] >= 0:
+                never[np.ix_(some, numbers[other])] = True
     together = in_front & behind & in_front.T & behind.T
-    later = together & ~np.tri(len(faces), dtype=bool).T & never & never.T
+    later = together & np.tri(count, k=-1, dtype=bool) & never & never.T
     after = ~never | later
     np.fill_diagonal(after, False)
     return after
 
 
-def sorted_out(faces: list[Polygon]) -> tuple[list[Polygon], list[Polygon], list[Polygon]]:
+def sorted_out(faces: list[Polygon], is_root: bool) -> tuple[list[Polygon], list[Polygon], list[Polygon]]:
     """Returns the faces that can be drawn before all others, in order, the others, and those of them that
     can be drawn after all others, in order."""
-    if len(faces) > ORDERED:
+    if len(faces) > ORDERED and not is_root:
         return [], faces, []
     after = hiding(faces)
     first, last, left = [], [], np.ones(len(faces), bool)
@@ -102,19 +110,20 @@ def sorted_out(faces: list[Polygon]) -> tuple[list[Polygon], list[Polygon], list
 def best_plane(faces: list[Polygon]) -> Plane:
     """Returns the plane that divides faces best."""
     planes = list(dict.fromkeys(face.plane for face in faces))
-    tried = [planes[k * len(planes) // TRIED] for k in range(TRIED)] if len(planes) > TRIED else planes
+    most = max(TRIED_LEAST, min(TRIED, FACES_TRIED // len(faces)))
+    tried = [planes[k * len(planes) // most] for k in range(most)] if len(planes) > most else planes
     heights, scores = Heights(faces), []
     for number, plane in enumerate(tried):
-        low, high = heights.ends(plane)
-        front, back = high > ON, low < -ON
+        front, back = heights.ends(plane)
         balance = abs(int((front & ~back).sum()) - int((back & ~front).sum()))
-        scores.append((WEIGHT * int((front & back).sum()) + balance, number))
+        scores.append((WEIGHT * int((~front & ~back).sum()) + balance, number))
     return tried[min(scores)[1]]
 
 
-def divided(node: Node, faces: list[Polygon], cuts: dict[Edge, set[Corner]]) -> list[tuple[Node, list]]:
+def divided(node: Node, faces: list[Polygon], cuts: dict[Edge, set[Corner]], is_root: bool
+            ) -> list[tuple[Node, list]]:
     """Makes a node of faces, and some below it; returns the children to be made, with their faces."""
-    first, faces, last = sorted_out(faces)
+    first, faces, last = sorted_out(faces, is_root)
     if not faces:
         node.faces = first + last
         return []
@@ -159,7 +168,7 @@ def build(faces: list[Polygon], most: int) -> Tree | None:
     todo, count = [(root, faces)], len(faces)
     while todo:
         node, some = todo.pop()
-        made = divided(node, some, tree.cuts)
+        made = divided(node, some, tree.cuts, node is root)
         count += splits_of(some, made)
         if count > most:
             return None
