@@ -105,7 +105,7 @@ struct mesh_placed {
 /* A face to draw. */
 struct mesh_face {
     uint32 order;               /* its greatest depth, inverted: the least order is drawn first */
-    struct mesh_face *next;     /* mesh_sort's */
+    struct mesh_face *next;     /* mesh_sort's or mesh_walk's */
     const struct scene_face *face;
     const struct mesh_placed *placed;
     const struct mesh_place *a, *b, *c, *d;     /* mesh_orders': its corners, if routines for
@@ -144,6 +144,8 @@ struct mesh_work {
     struct mesh_attributes *attributes;
     struct mesh_face *faces;
     uint8 *marks;               /* of one instance's points, in whole longwords */
+    struct mesh_face **slots;   /* of a tree, all 0 before and after mesh_walk; 0 if no scene's */
+    const struct scene_node **steps;    /* two for each node of a tree */
 };
 
 /* src68k/mesh: contracts there. */
@@ -159,6 +161,22 @@ void mesh_cut(const struct cut_plan *plan);
 
 /* Converts a mesh's points to 16 bits. */
 void mesh_points16(struct mesh_point16 *to, const struct scene_point *from, int32 count);
+
+/* A tree, whose faces that are seen are in its slots; the other slots are 0. */
+struct walk_plan {
+    const struct scene_node *root;
+    const struct scene_view *view;      /* its eye counts */
+    struct mesh_face **slots;
+    const struct scene_node **steps;    /* scratch memory, two for each node */
+};
+
+/* Puts the faces that are seen of an instance into its tree's slots. face: the mesh's first; slot:
+   its; count: of those seen, which are in the mesh's order. */
+void mesh_fill(struct mesh_face **slots, const struct scene_slot *slot, const struct scene_face *face,
+               struct mesh_face *seen, int32 count);
+
+/* Sets the slots of a tree to 0 and returns a list of the faces in them, back to front: src68k/mesh. */
+struct mesh_face *mesh_walk(const struct walk_plan *plan);
 
 enum {
     MESH_SORT_BUCKETS = 256,

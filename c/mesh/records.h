@@ -53,6 +53,22 @@ enum mesh_flags {
     MESH_FLAGS = 4
 };
 
+/* A node of a tree that says in which order faces are drawn. The nodes of its front, the half space
+   where normal * place is distance or more, follow it; those of its back follow these. Its own faces
+   are in its plane, or if it has no other nodes, in an order that is right from everywhere. A tree's
+   slots are numbered from 0 on, node after node. */
+struct scene_node {
+    int32 x, y, z;              /* 2.30, -1 to 1 */
+    fix16 distance;
+    uint32 front, back;         /* nodes */
+    uint32 slot, slots;         /* first of its faces' slots, number */
+};
+
+/* The place of a face in its tree. */
+struct scene_slot {
+    uint32 slot;
+};
+
 /* From a mesh's space to the camera's: x to the right and y down, both times focal length / guard
    pixels, z the depth. Each is the sum of three products and x0, y0 or z0, rounded to the nearest
    1/65536. Screen x = middle + guard pixels * x / z. */

@@ -1,41 +1,13 @@
-/* Turns instances into polygons. Every point is transformed to the camera and projected once, with
+/* Turns instances into faces to draw. Every point is transformed to the camera and projected once, with
    16-bit operands where the file has factors for them and all points are on the screen.
-   Faces seen from the back or wholly outside one border are dropped; the others are drawn from
-   the farthest to the nearest, clipped if they cross a border. */
+   Faces seen from the back or wholly outside one border are dropped; the others are put in order: by
+   their tree, or from the farthest to the nearest. */
 #include "scene/draw_meshes.h"
 
-#include "drawing/fan.h"
-#include "math/math.h"
 #include "triangle/polygon.h"
 
-/* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
-static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
-                                        int32 count, const struct material *material)
-{
-    struct polygon polygon;
-
-    /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
-    polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
-    if (count == 3 || material->mapper == MAPPER_FLAT
-        || material->gradients != GRADIENTS_POLYGON)
-        return material->draw(renderer, &polygon, material);
-    return polygon_fan(material->draw, renderer, &polygon, material);
-}
-
-/* Projects vertices from camera space to the screen, as mesh_transform does. */
-static void project(struct vertex *v, int32 count, const struct scene_header *header)
-{
-    int32 scale = 65536 << header->guard;
-
-    for (; count > 0; count--, v++) {
-        v->x = mul_div(v->x, scale, v->w) + (header->width << 15);
-        v->y = mul_div(v->y, scale, v->w) + (header->height << 15);
-    }
-}
-
-/* Transforms points of an instance with 32-bit operands, from the first given on. */
-static void transform_wide(const struct scene *scene, const struct mesh_placed *placed,
-                           uint32 first, int32 count)
+void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,
+                     int32 count)
 {
     const struct scene_header *header = scene->header;
     struct wide_plan plan;
@@ -49,129 +21,6 @@ static void transform_wide(const struct scene *scene, const struct mesh_placed *
     plan.middle_x = header->width << 15;
     plan.middle_y = header->height << 15;
     mesh_transform_wide(&plan);
-}
-
-static enum polygon_result draw_cut(struct renderer *renderer, const struct scene *scene,
-                                    const struct mesh_face *face, struct vertex *vertices,
-                                    int32 count)
-{
-    const struct mesh_placed *placed = face->placed;
-    const struct scene_corner *corner = &placed->corners[face->face->corner];
-
-    for (int32 i = 0; i < count; i++, corner++) {
-        const struct mesh_point *p = &placed->points[corner->point];
-
-        if (placed->view16)
-            transform_wide(scene, placed, corner->point, 1);
-        vertices[i].x = p->x;
-        vertices[i].y = p->y;
-        vertices[i].w = p->w;
-    }
-    vertices = mesh_clip(scene->scratch->cut, vertices, &count, scene->header->near_plane);
-    if (count < 3)
-        return POLYGON_EMPTY;
-    project(vertices, count, scene->header);
-    return draw_polygon(renderer, vertices, count, placed->material);
-}
-
-/* Sets a vertex's x, y and w; returns the borders that it is outside of. */
-static uint32 set_place(struct vertex *v, const struct mesh_placed *placed, uint32 point)
-{
-    const struct mesh_place *place = &placed->places[point];
-
-    if (!placed->view16 || place->place < 0) {
-        const struct mesh_point *p = &placed->points[point];
-
-        v->x = p->screen_x;
-        v->y = p->screen_y;
-        v->w = p->w;
-        return p->outside;
-    }
-    v->x = ((place->place >> 16) - SNAPPED_ONE) << (16 - SNAPPED_BITS);
-    v->y = ((int16)place->place - (SNAPPED_ONE - 1)) << (16 - SNAPPED_BITS);
-    v->w = place->depth << placed->view16->depth_shift;
-    return 0;
-}
-
-/* Sets a vertex's s, t and shade. */
-static void set_values(struct vertex *v, const struct mesh_placed *placed,
-                       const struct scene_corner *corner)
-{
-    const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
-
-    v->s = corner->s;
-    v->t = corner->t;
-    v->shade = 0;
-    if (placed->flags & MESH_LINKED) {
-        const struct mesh_place *place = &placed->places[corner->point];
-
-        v->s = v->shade = (place->u >> 4) - SNAPPED_RAISED;
-        v->t = (place->v >> 4) - SNAPPED_RAISED;
-        return;
-    }
-    if (placed->flags & MESH_ENVIRONMENT) {
-        v->s = attributes->s;
-        v->t = attributes->t;
-    }
-    if (placed->flags & MESH_LIT)
-        v->shade = attributes->shade;
-}
-
-static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
-                                     const struct mesh_face *face)
-{
-    struct vertex *vertices = scene->scratch->face;
-    const struct mesh_placed *placed = face->placed;
-    const struct scene_corner *corner = &placed->corners[face->face->corner];
-    int32 count = (int32)face->face->corners;
-    struct vertex *v = vertices;
-    uint32 outside = 0;
-
-    for (int32 i = count; i > 0; i--, corner++, v++) {
-        outside |= set_place(v, placed, corner->point);
-        set_values(v, placed, corner);
-    }
-    if (outside)
-        return draw_cut(renderer, scene, face, vertices, count);
-    return draw_polygon(renderer, vertices, count, placed->material);
-}
-
-/* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is
-   left. */
-static const struct mesh_face *draw_batches(struct mesh_batch *batch,
-                                            const struct renderer *renderer,
-                                            const struct mesh_face *face)
-{
-    const struct material *const material = face->placed->material;
-    const enum span_kind kind = triangle_batch_kind(renderer, material);
-    triangle_drawer *routine;
-    const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
-    const int32 is_linked = (face->placed->flags & MESH_LINKED) != 0;
-    struct triangle_plan plan;
-    struct triangle_lines lines;
-    struct gather_plan gather;
-
-    if (kind == SPAN_KINDS
-        || ((is_shaded || material->light) && !(face->placed->flags & MESH_LIT)))
-        return face;
-    routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
-    gather.vertices = batch->vertices;
-    gather.list = batch->list;
-    gather.full = &batch->list[BATCH_TRIANGLES - (TRIANGLE_CORNERS_MAX - 2)];
-    gather.material = material;
-    gather.flags = face->placed->flags;
-    gather.values = material->mapper == MAPPER_FLAT ? GATHER_NONE
-                  : is_shaded ? GATHER_SHADES
-                  : material->light ? GATHER_LIT : GATHER_TEXELS;
-    gather.scale = material->map && material->map->scale != 65536 ? material->map->scale : 0;
-    do {
-        gather.from = face;
-        face = is_linked ? mesh_link(&gather) : mesh_gather(&gather);
-        plan.list = gather.list;
-        plan.end = gather.last;
-        routine(&plan);
-    } while (gather.last > gather.full && face);
-    return face;
 }
 
 /* Sets s, t and shade of an instance's normals; there is at least one. */
@@ -273,7 +122,7 @@ static int32 place_points16(const struct renderer *renderer, const struct scene 
     off = mesh_transform(&plan);
     for (int32 i = 0; off > 0 && i < count; i++)
         if (marks[i] && to[i].place < 0)
-            transform_wide(scene, placed, (uint32)i, 1);
+            mesh_place_wide(scene, placed, (uint32)i, 1);
     return off >= 0;
 }
 
@@ -292,7 +141,7 @@ static void place_points(const struct renderer *renderer, const struct scene *sc
     struct triangle_range range;
 
     snap.count = (int32)placed->mesh->points;
-    transform_wide(scene, placed, 0, snap.count);
+    mesh_place_wide(scene, placed, 0, snap.count);
     if (triangle_batch_kind(renderer, placed->material) == SPAN_KINDS)
         return;
     triangle_range_set(&range, renderer->frame);
@@ -362,38 +211,54 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     return count;
 }
 
-enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
-                              uint32 first, uint32 end)
+/* Places the instances from *first to end (excluded) that are in the same tree, or in none, and sets
+   *first to the next; returns their faces in the order in which they are drawn. */
+static const struct mesh_face *place_all(const struct renderer *renderer, const struct scene *scene,
+                                         int32 number, uint32 *first, uint32 end)
 {
-    enum polygon_result refused = POLYGON_DRAWN;
     struct mesh_work at = scene->work;
-    const struct mesh_face *face;
+    const struct scene_instance *instance = &scene->instances[*first];
+    const struct scene_instance *const last = &scene->instances[end];
+    const int32 tree = instance->tree;
+    struct walk_plan walk;
     int32 count = 0;
 
-    for (; first < end; first++) {
-        const struct scene_instance *instance = &scene->instances[first];
+    for (; instance < last && instance->tree == tree; instance++) {
         uint32 age = (uint32)number - instance->first_frame;
 
         if (age < instance->views) {
             const int32 more = place(renderer, scene, instance, age, &at);
 
+            if (tree != NO_TREE)
+                mesh_fill(at.slots, &scene->slots[instance->slot],
+                          &scene->faces[scene->meshes[instance->mesh].face], at.faces, more);
             count += more;
             at.faces += more;
+            walk.view = &scene->views[instance->view + age];
         }
     }
-    face = mesh_sort(scene->work.faces, count, scene->scratch->buckets);
-    while (face) {
-        const struct mesh_face *const left = draw_batches(&scene->scratch->batch, renderer, face);
-        enum polygon_result result;
+    *first = (uint32)(instance - scene->instances);
+    if (tree == NO_TREE)
+        return mesh_sort(scene->work.faces, count, scene->scratch->buckets);
+    if (!count)
+        return 0;
+    walk.root = &scene->nodes[tree];
+    walk.slots = at.slots;
+    walk.steps = at.steps;
+    return mesh_walk(&walk);
+}
 
-        if (left != face) {
-            face = left;
-            continue;
-        }
-        result = draw_face(renderer, scene, face);
-        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
+enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
+                              uint32 first, uint32 end)
+{
+    enum polygon_result refused = POLYGON_DRAWN;
+
+    while (first < end) {
+        const struct mesh_face *const face = place_all(renderer, scene, number, &first, end);
+        const enum polygon_result result = mesh_draw_faces(renderer, scene, face);
+
+        if (result != POLYGON_DRAWN)
             refused = result;
-        face = face->next;
     }
     return refused;
 }

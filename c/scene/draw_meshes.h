@@ -4,9 +4,18 @@
 
 #include "scene/scene.h"
 
-/* Draws instances first to end (excluded) of frame `number` together, the farthest faces first;
-   returns why a polygon was refused, or POLYGON_DRAWN. */
+/* Draws instances first to end (excluded) of frame `number`: those that follow each other in one tree
+   by it, those in none the farthest faces first; returns why a polygon was refused, or
+   POLYGON_DRAWN. */
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
                               uint32 first, uint32 end);
+
+/* Draws the faces of a list, whose instances are placed; returns the same. */
+enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scene *scene,
+                                    const struct mesh_face *face);
+
+/* Transforms points of an instance with 32-bit operands, from the first given on. */
+void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,
+                     int32 count);
 
 #endif

@@ -105,6 +105,33 @@ static int32 make_smooth(struct scene *scene)
     return 1;
 }
 
+/* Makes memory for the largest tree; there may be none. */
+static int32 make_trees(struct scene *scene)
+{
+    struct mesh_work *work = &scene->work;
+    uint32 root = 0, slots = 0, nodes = 0;
+
+    work->slots = 0;
+    work->steps = 0;
+    while (root < scene->header->nodes) {
+        const struct scene_node *node = &scene->nodes[root];
+        const uint32 count = 1 + node->front + node->back;
+        const struct scene_node *const last = node + count - 1;
+
+        nodes = larger(nodes, count);
+        slots = larger(slots, last->slot + last->slots);
+        root += count;
+    }
+    if (!nodes)
+        return 1;
+    if (!mem_alloc(&work->slots, (int32)(slots * sizeof *work->slots), MEMORY_ANY)
+        || !mem_alloc(&work->steps, (int32)(2 * nodes * sizeof *work->steps), MEMORY_ANY))
+        return 0;
+    while (slots > 0)
+        work->slots[--slots] = 0;
+    return 1;
+}
+
 static enum scene_memory make_work(struct scene *scene)
 {
     const struct scene_instance *o = scene->instances;
@@ -137,7 +164,7 @@ static enum scene_memory make_work(struct scene *scene)
                      MEMORY_ANY)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
         && mem_alloc(&work->marks, (int32)(most_points + 4) & ~3, MEMORY_ANY)
-        && make_points16(scene) && make_smooth(scene)
+        && make_points16(scene) && make_smooth(scene) && make_trees(scene)
         ? SCENE_MADE : SCENE_MESHES;
 }
 

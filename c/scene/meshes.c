@@ -183,5 +183,7 @@ const char *scene_wrong_mesh(const struct scene *scene)
         wrong = wrong_view16(scene);
     if (!wrong)
         wrong = wrong_mesh(scene);
-    return wrong ? wrong : wrong_instance(scene);
+    if (!wrong)
+        wrong = wrong_instance(scene);
+    return wrong ? wrong : scene_wrong_tree(scene);
 }

@@ -60,6 +60,10 @@ uint32 scene_pixel_max(const struct scene_header *header);
    must be inside the file, and materials checked. */
 const char *scene_wrong_mesh(const struct scene *scene);
 
+/* trees.c. Returns the name of the first field of nodes, slots or instances' trees that is wrong, or 0.
+   The tables must be inside the file, and meshes checked. */
+const char *scene_wrong_tree(const struct scene *scene);
+
 /* Returns "s" or "t" if that one is outside a map that is not repeated, else 0. */
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,
                               fix16 s, fix16 t);

@@ -15,12 +15,13 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 13,
+    SCENE_VERSION = 14,
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     NO_TEXTURE = -1,
     NO_UNIT = -1,
     NO_VIEW16 = -1,
+    NO_TREE = -1,
     NO_POSE = -1,
     NO_TABLE = -1,
     GUARD_MIN = 6,
@@ -141,8 +142,9 @@ struct scene_pose {
 };
 
 /* A moving mesh; views work as poses of an object. It is drawn before the object whose
-   number is `before`, or at the end; instances are in this order. Those with the same number
-   are drawn together, the farthest faces first. */
+   number is `before`, or at the end; instances are in this order. Those with the same number that
+   follow each other in one tree, or in none, are drawn together: by the tree, or the farthest faces
+   first. */
 struct scene_instance {
     uint32 mesh, material, before;
     uint32 view, views;
@@ -150,6 +152,10 @@ struct scene_instance {
     uint32 flags;
     fix16 dark, bright;         /* range of shades with MESH_LIT */
     int32 view16;               /* first of as many as views, or NO_VIEW16 */
+    int32 tree;                 /* the first node of a tree, or NO_TREE. Trees are in the order of their
+                                   instances, from node 0 on. All instances of a tree have views from
+                                   the same space */
+    uint32 slot;                /* with a tree: first of as many slots as the mesh has faces */
 };
 
 /* One frame in the file that `render ... DIGEST name` writes instead of dumps. sum: of its

@@ -19,6 +19,8 @@
     TABLE(instances, scene_instance) \
     TABLE(views, scene_view) \
     TABLE(views16, scene_view16) \
+    TABLE(nodes, scene_node) \
+    TABLE(slots, scene_slot) \
     TABLE(units, scene_unit) \
     TABLE(lists, scene_list) \
     TABLE(words, n64_word) \

@@ -67,10 +67,10 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not use the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\x0d"
+    assert data[:8] == b"TMAP\0\0\0\x0e"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[208:212] == b"\0" + scene.palette[0].tobytes()
+    assert data[224:228] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 

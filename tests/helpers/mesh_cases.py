@@ -112,6 +112,26 @@ def before(seed: int, frames: int = 4) -> Scene:
     return views16.add(scene)
 
 
+def trees(seed: int, frames: int = 4) -> Scene:
+    """Boxes of which the first two are in one tree and the third is another. The planes are any, so that
+    both orders of a node's parts come up; some nodes have no faces."""
+    random, scene = np.random.default_rng(seed + 200), boxes(seed, frames)
+    first = scene.instances[0]
+    scene.instances[:3] = [replace(first, mesh=0, before=0, tree=0, slot=0),
+                           replace(first, mesh=0, before=0, material=1, tree=0, slot=6),
+                           replace(scene.instances[2], mesh=0, before=0, tree=5, slot=12)]
+    counts = ((2, 2), (1, 0), (0, 0), (0, 1), (0, 0)), ((0, 0),)
+    nodes = []
+    for tree, faces in zip(counts, (12, 6)):
+        ends = [0, *sorted(random.integers(0, faces + 1, len(tree) - 1).tolist()), faces]
+        for (front, back), slot, end in zip(tree, ends, ends[1:]):
+            nodes.append([*random.integers(-UNIT // 2, UNIT // 2, 3).tolist(), int(random.integers(-ONE, ONE)),
+                          front, back, slot, end - slot])
+    scene.nodes = np.array(nodes)
+    scene.slots = np.concatenate([random.permutation(12), random.permutation(6)])[:, None]
+    return scene
+
+
 def hostile(seed: int) -> Scene:
     """Meshes that no compiler writes: random numbers wherever the file may hold them."""
     random = np.random.default_rng(seed)

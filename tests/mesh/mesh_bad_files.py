@@ -57,4 +57,31 @@ def wrong_meshes() -> list[Row]:
     entry("instances", 4, "dark", -1, 221 << 16, said="instance.dark or bright")
     entry("instances", 4, "bright", 19 << 16, 256 << 16, said="instance.dark or bright")
     entry("instances", 3, "mesh", 0, said="face.corners")  # gradients for triangles
+    wrong_trees(rows)
     return rows
+
+
+def wrong_trees(rows: list[Row]) -> None:
+    """Adds trees with wrong planes, parts that overlap or leave the tree, and slots that are not its own."""
+    wrong = WrongFields(mesh_cases.trees(1), rows)
+    said = "node.front or back"
+    for field in "xyz":
+        wrong.entry("nodes", 2, field, UNIT + 1, -UNIT - 1, 2**31, said="node.x, y or z")
+    # A tree of 2 + 2 nodes below its first, then one of a single node.
+    for index, front, back in ((0, 2, 2), (1, 1, 0), (3, 0, 1), (5, 0, 0)):
+        for field, right in (("front", front), ("back", back)):
+            least = 0 if index else 1  # the first node may have fewer below it: then there are fewer slots
+            wrong.entry("nodes", index, field, *(n for n in (0, 1, 2, 3, 5, 6, 65536, 2**31, M32 - 1, M32)
+                                                 if n != right and n >= least), said=said)
+    wrong.entry("nodes", 0, "front", 0, said="slot.slot")
+    wrong.entry("nodes", 0, "back", 0, said="slot.slot")
+    for index in range(6):
+        wrong.entry("nodes", index, "slot", 99, M32, 2**31, said="node.slot or slots")
+        wrong.entry("nodes", index, "slots", 65537, M32, M32 - 7, 2**31, said="node.slot or slots")
+    wrong.entry("instances", 1, "tree", 1, 3, -2, said="instance.tree")
+    wrong.entry("instances", 1, "tree", 5, said="slot.slot")
+    wrong.entry("instances", 0, "tree", 5, 2**31 - 1, -2, said="instance.tree")
+    wrong.entry("instances", 2, "tree", -1, said="nodes")
+    wrong.entry("instances", 1, "slot", 13, M32, 2**31, said="instance.slot")
+    wrong.entry("slots", 3, "slot", 12, M32, 2**31)
+    wrong.entry("slots", 14, "slot", 6, M32)

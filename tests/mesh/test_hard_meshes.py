@@ -150,8 +150,8 @@ def test_a_wrong_renderer_is_found(wrong: str, monkeypatch) -> None:
     right = mesh.faces_of
 
     def changed(*arguments):
-        return [(depth, [tuple(c + way for c, way in zip(v, WRONG[wrong](v[0]))) for v in vertices])
-                for depth, vertices in right(*arguments)]
+        return [(depth, [tuple(c + way for c, way in zip(v, WRONG[wrong](v[0]))) for v in vertices], which)
+                for depth, vertices, which in right(*arguments)]
 
     monkeypatch.setattr(mesh, "faces_of", changed)
     cases = [BY_NAME[name] for name in ("mesh_corridor_middle_askew", "mesh_shade_of_a_ball")]

@@ -41,7 +41,7 @@ def test_every_picture_and_mesh_has_a_maker_and_a_reader() -> None:
     assert there - drawn == {file for file in read if file.suffix != ".toml"}
 
 
-@pytest.mark.parametrize("name", assets.meshes.FILES)
+@pytest.mark.parametrize("name", assets.meshes.FILES | assets.rooms.FILES)
 def test_meshes_are_closed_and_face_outwards(name: str) -> None:
     """Each edge belongs to two faces, with opposite directions; the enclosed volume is positive, by
     the divergence theorem."""

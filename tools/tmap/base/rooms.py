@@ -13,7 +13,7 @@ from tmap.base.markdown import table
 from tmap.base.paths import ROOT
 
 #: tools/tmap; each room's docstring gives its purpose. The top folder has the command line.
-TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model", "compiler", "guest",
+TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model", "trees", "compiler", "guest",
          "vectors", "corpus", "ideal", "run", "fuzz", "bench/modes bench/examples", "bench", "accuracy",
          "report", "product assets", ".")
 #: tests, in the same way. The top folder has conftest.py.

@@ -11,7 +11,7 @@ from tmap.bench.trial import Trial, Write, anything, fields, long_write
 from tmap.build import layout
 from tmap.compiler import views16
 from tmap.guest.kernels import Arena, Case
-from tmap.model import mesh, mesh16, model
+from tmap.model import mesh, mesh16, model, trees
 from tmap.scene_file.scene_file import records
 from tmap.setup import snapped
 from tmap.setup.texturing import Settings
@@ -316,6 +316,34 @@ def cut_case():
 
 
 #: Names of rows and what makes each: units, case and check.
+def walk_trial(arena: Arena, nodes: list[list[int]], seen: list[int | None], eye: list[int], title: str = "") -> Trial:
+    """The faces in a tree's slots as a list. ``seen``: the number of the face in each slot; None: it is empty."""
+    size = layout.load().struct("mesh_face").size
+    faces = arena.add(b"".join(longs([0] * (size // 4)) for _ in range(len(seen) + 1)), name="faces")
+    places = [0 if number is None else faces + size * number for number in seen]
+    slots = arena.add(b"".join(longs((place,)) for place in (*places, 0)), name="slots")
+    filled = [slots + 4 * k for k, place in enumerate(places) if place]
+    arena.pointers += filled
+    steps = arena.blank(8 * len(nodes), "steps")
+    plan = arena.struct("walk_plan", {
+        "root": table(arena, "scene_node", nodes), "slots": slots, "steps": steps,
+        "view": table(arena, "scene_view", [[*[0] * 12, *eye, *[0] * 10]])})
+    order = [places[slot] for slot in trees.walk(nodes, 0, eye) if places[slot]]
+    writes = [anything(steps, 8 * len(nodes)), *(long_write(at, 0) for at in filled)]
+    writes += [Write(a + 4, longs((b,)), pointer=True) for a, b in zip(order, order[1:])]
+    case = Case("mesh_walk", arena, pointers={"a0": plan})
+    if not order:
+        return Trial(case, title, {"d0": 0}, writes=writes)
+    return Trial(case, title, near_ends={"d0": order[0]}, writes=[*writes, long_write(order[-1] + 4, 0)])
+
+
+def walk_case():
+    """COUNT nodes one below the other, in turn behind and in front, each with an empty slot."""
+    nodes = [[1 << 29, 1 << 28, -1 << 29, 7 << 16, *((COUNT - k - 1) * (k % 2 == side) for side in (0, 1)), k, 1]
+             for k in range(COUNT)]
+    return walk_trial(Arena(), nodes, [None] * COUNT, [3 << 16, 5 << 16, 4 << 16]).row(COUNT)
+
+
 CASES = {"mesh_transform": transform_case,
          "mesh_transform_wide": lambda: wide_case(True),
          "mesh_transform_wide_outside": lambda: wide_case(False),
@@ -325,4 +353,4 @@ CASES = {"mesh_transform": transform_case,
          "mesh_faces_wide": lambda: faces_wide_case(True),
          "mesh_faces_wide_back": lambda: faces_wide_case(False),
          "mesh_orders": lambda: orders_case(3), "mesh_orders_quads": lambda: orders_case(4),
-         "mesh_spread": spread_case, "mesh_snap": snap_case, "mesh_cut": cut_case}
+         "mesh_spread": spread_case, "mesh_walk": walk_case, "mesh_snap": snap_case, "mesh_cut": cut_case}

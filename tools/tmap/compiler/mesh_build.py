@@ -38,6 +38,7 @@ class Wishes:
     planes: bool = False  # cut faces whose values are not planar
     two_sided: bool = False
     names: tuple[str, ...] | None = None  # materials of the file whose faces are drawn; None: all
+    level: bool = False  # cut faces whose corners are not on one plane, but for rounding
 
     @property
     def turns_normals(self) -> bool:
@@ -194,6 +195,8 @@ def is_cut(face: Face, ring: np.ndarray, wishes: Wishes) -> bool:
     most = layout.load().constants["MESH_CORNERS_MAX"]
     if wishes.triangles or len(face.points) > most or is_bent(ring, face.normal):
         return True
+    if wishes.level and float(np.ptp(product(ring, face.normal))) > SMALL:
+        return True
     if not wishes.planes:
         return False
     if wishes.mapping == "uv" and not is_even(ring, face.normal, np.array(face.texels)):
@@ -222,17 +225,25 @@ def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
     return np.array(list(order), np.int64), [order[row] for row in rows]
 
 
-def tables(faces: list[Face], places: np.ndarray, wishes: Wishes, left_out: list[str]) -> Tables:
-    """Returns the rows of the scene file."""
-    points, point_of = numbered([tuple(places[p].tolist()) for f in faces for p in f.points])
-    turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
-        [(0.0, 0.0, 1.0)] * len(point_of)  # unused
-    unit = [np.rint(space.unit(n) * UNIT_14).astype(int) for n in turned]
-    normals, normal_of = numbered([(*n.tolist(), 0) for n in unit])
+def vertices(places: list[tuple], directions: list[tuple]) -> tuple[np.ndarray, np.ndarray, list[int], list[int]]:
+    """Returns the rows of points and normals, and for each corner the numbers of both. ``places``,
+    ``directions``: of each corner."""
+    points, point_of = numbered(places)
+    normals, normal_of = numbered(directions)
     if len(set(zip(point_of, normal_of))) == len(points) and 4 * len(normals) > 3 * len(points):
         # One normal a point: it gets the point's number, and triangles share vertices on the Amiga.
         first = dict(zip(point_of, normal_of))
         normals, normal_of = normals[[first[k] for k in range(len(points))]], point_of
+    return points, normals, point_of, normal_of
+
+
+def tables(faces: list[Face], places: np.ndarray, wishes: Wishes, left_out: list[str]) -> Tables:
+    """Returns the rows of the scene file."""
+    used = [tuple(places[p].tolist()) for f in faces for p in f.points]
+    turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
+        [(0.0, 0.0, 1.0)] * len(used)  # unused
+    unit = [np.rint(space.unit(n) * UNIT_14).astype(int) for n in turned]
+    points, normals, point_of, normal_of = vertices(used, [(*n.tolist(), 0) for n in unit])
     texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
         [(0.0, 0.0)] * len(point_of)
     corners = [[point, normal, *map(fix, texel)]

@@ -13,7 +13,7 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (billboards, hierarchy, materials, mesh_build, mesh_file, mtl_file, parts,
+from tmap.compiler import (billboards, glide, hierarchy, materials, mesh_build, mesh_file, mtl_file, orders, parts,
                            projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
@@ -58,7 +58,10 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
         "crease": (number(0, 180, "degrees"), None, "edges that are sharper stay sharp among smooth normals"),
         "triangles": (flag, False, "cuts all faces into triangles"),
         "two_sided": (flag, False, "draws faces seen from behind too"),
-        "projector": (text, None, "the one of `[projectors]` that throws the material's second Glide unit")}
+        "projector": (text, None, "the one of `[projectors]` that throws the material's second Glide unit"),
+        "order": (one_of("depth", "bsp"), "depth",
+                  "which faces are drawn first: the farthest, by their greatest depth, or those that a tree of all "
+                  "neighbours with `bsp` puts behind, which is right [everywhere](../../c/mesh/README.md)")}
     uvs = rows(rows(texel, 3, corners), 1, most)
     return {"mesh": {"mesh": (text, REQUIRED, "an OBJ file, [with limits](README.md#models), beside the scene"),
                      "materials": (materials_of_parts, None, "the scene's materials for those of the file, in place of "
@@ -146,6 +149,11 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
     for field in ("normals", "crease"):
         if obj[field] is not None and not parts.takes_normals(material, obj["mapping"]):
             fail(f"{where}.{field}", f"material {name!r} has no use for them")
+    if obj["order"] == "bsp" and glide.has_own(material):
+        fail(f"{where}.order", f"material {name!r} has coordinates of a second unit, whose faces are no mesh's; "
+                               'they have order "depth"')
+    if obj["order"] == "bsp" and obj["parent"] is not None:
+        fail(f"{where}.order", '"bsp" is for objects without a parent')
     if obj["crease"] is not None and obj["normals"] not in (None, "smooth"):
         fail(f"{where}.crease", f'goes with normals "smooth", not "{obj["normals"]}"')
     if obj["crease"] is not None:
@@ -183,6 +191,7 @@ class Space:
     def __init__(self, spec: dict, count: int, folder: Path, where: str) -> None:
         self.spec, self.count, self.folder, self.where = spec, count, folder, where
         self.rows = {name: [] for name in ("points", "normals", "corners", "faces")}
+        self.trees = orders.Trees(self)
         self.meshes: list[Mesh] = []
         self.asked: dict[str, int] = {}  # number of the mesh by wishes
         self.known: dict[tuple, int] = {}  # number of the mesh by content
@@ -205,7 +214,7 @@ class Space:
             parts.has_light(material),
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"],
-            obj["names"])
+            obj["names"], obj["order"] == "bsp")
 
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
                   ) -> mesh_build.Tables | None:
@@ -239,9 +248,10 @@ class Space:
         return self.shapes[reference, extent]
 
     def build(self, obj: dict, mapper: str, shown: Map, wishes: Wishes, where: str,
-              uvs: str = "uvs") -> mesh_build.Tables | None:
+              uvs: str = "uvs", placing: orders.Placing | None = None) -> mesh_build.Tables | None:
         """Builds the tables of an object's mesh, None if it is a part without faces; refuses one that
-        the material cannot draw. ``uvs``: the field with s and t."""
+        the material cannot draw. ``uvs``: the field with s and t; ``placing``: where the mesh is put
+        before it is rounded."""
         at = f"{where}." + ("mesh" if "mesh" in obj else "faces" if "faces" in obj else "billboard")
         file = f"{at}: {obj['mesh']}" if "mesh" in obj else at
         if "mesh" in obj:
@@ -261,6 +271,8 @@ class Space:
             for k in drawn:
                 texels_at = shape.at(k, file) if "mesh" in obj else f"{where}.{uvs}"
                 check_corners([(0, 0, *texel) for texel in shape.texels[k]], mapper, shown, texels_at)
+        if placing:
+            shape, wishes = orders.placed(shape, wishes, placing)
         made = mesh_build.build(shape, wishes, file)
         if made and made.left_out:
             count = len(made.left_out)
@@ -319,10 +331,22 @@ class Space:
 
     def place(self, obj: dict, look: tuple, before: int, where: str) -> None:
         """Adds an object. ``look``: its material's number, the material, texture and ramp."""
-        number, material, texture, ramp = look
+        _, material, texture, _ = look
+        if obj["order"] == "bsp":
+            if lives_of(obj, self.count) >= 1:
+                self.trees.add(obj, look, before, where)
+            return
+        self.trees.close()
         mesh = self.mesh_of(obj, material, texture, where)
+        if mesh is not None:
+            self.add_instance(mesh, obj, look, before, where)
+
+    def add_instance(self, mesh: int, obj: dict, look: tuple, before: int, where: str, tree: int = -1,
+                     slot: int = 0) -> None:
+        """Adds an object with a mesh. ``tree``, ``slot``: as in struct scene_instance."""
+        number, _, _, ramp = look
         lives = lives_of(obj, self.count)
-        if lives < 1 or mesh is None:
+        if lives < 1:
             return
         self.check_together(self.meshes[mesh], before, where)
         flags = ENVIRONMENT * (obj["mapping"] == "environment") | LIT * (ramp is not None)
@@ -332,7 +356,7 @@ class Space:
             dark, bright = (materials.shade_pixel(shade, ramp)
                             for shade in (ambient, materials.SHADES - 1))
         self.instances.append(Instance(mesh, number, before, len(self.views), lives, obj["first"],
-                                       flags, fix(dark), fix(bright)))
+                                       flags, fix(dark), fix(bright), tree=tree, slot=slot))
         self.views += [self.view(obj, obj["first"] + age, bright - dark, where)
                        for age in range(lives)]
         if len(self.views) > self.limits["SCENE_COUNT_MAX"]:
@@ -340,8 +364,10 @@ class Space:
 
     def tables(self) -> dict:
         """Returns the tables as fields of a Scene."""
+        self.trees.close()
+        stored_all = self.rows | {"views": self.views, "nodes": self.trees.nodes, "slots": self.trees.slots}
         made = {name: np.array(stored, np.int64) if stored else empty(name)
-                for name, stored in (self.rows | {"views": self.views}).items()}
+                for name, stored in stored_all.items()}
         if self.instances:
             near = fix(self.spec["camera"]["near"])
             made |= {"near_plane": near, "guard": self.guard}

@@ -21,7 +21,8 @@ seen from the front is thinner than that on the screen. Points off the screen ar
 32-bit operands. Otherwise the frame is drawn with 32-bit operands.
 The depth by which faces are sorted has e_v too.
 
-Only materials with snapped edges and without perspective take them: rounding a vertex to 1/16 pixel
+Only materials with snapped edges and without perspective take them, and no tree, whose order holds where
+faces are taken for seen by their exact planes: rounding a vertex to 1/16 pixel
 is another 1/32.
 """
 
@@ -131,7 +132,7 @@ def add(scene):
     for instance in scene.instances:
         material = scene.materials[instance.material]
         made = rows_of(scene, instance) \
-            if material.edges == "snapped" and material.perspective == "none" else []
+            if material.edges == "snapped" and material.perspective == "none" and instance.tree < 0 else []
         if any(row[mesh16.IS_USED] for row in made):
             instance = replace(instance, view16=len(rows))
             rows += made

@@ -4,11 +4,12 @@ Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 """
 
 from dataclasses import dataclass
+from itertools import groupby
 
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, mul_div, signed
-from tmap.model import mesh16
+from tmap.model import mesh16, trees
 from tmap.scene_file.meshes import ENVIRONMENT, LIT
 from tmap.scene_file.scene_file import vertices_at
 from tmap.setup import planarity
@@ -138,9 +139,9 @@ def with_places(points: list[Point], places: mesh16.Places, row) -> list[Point]:
     return made
 
 
-def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
+def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple], int]]:
     """Returns the faces of an instance that may be seen in a frame: greatest depth, drawn vertices
-    (fewer than 3 if nothing is left)."""
+    (fewer than 3 if nothing is left), number in the mesh."""
     age = number - instance.first_frame
     if not 0 <= age < instance.views:
         return []
@@ -153,7 +154,7 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
     normals = scene.normals[mesh.normal:mesh.normal + mesh.normals].tolist()
     made_s, made_t, shades = looks_of(instance, normals, view)
     made = []
-    for face in scene.faces[mesh.face:mesh.face + mesh.faces].tolist():
+    for which, face in enumerate(scene.faces[mesh.face:mesh.face + mesh.faces].tolist()):
         if not (mesh16.is_seen(face, row) if places else is_seen(face, view)):
             continue
         first = mesh.corner + face[4]
@@ -172,15 +173,23 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple]]]:
                 [(p.x, p.y, *rest, p.w) for p, rest in zip(cut, rests)], scene.near_plane)]
         order = max(0, *(p.w for p in used)) if not places else \
             max(int(places.depth[point]) for point, *_ in corners) << row[mesh16.DEPTH_SHIFT] & M32
-        made.append((order, vertices))
+        made.append((order, vertices, which))
     return made
 
 
 def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
-    """Returns the polygons of instances that are drawn together, in drawing order."""
-    faces = [(depth, instance.material, vertices) for instance in instances
-             for depth, vertices in faces_of(scene, instance, number)]
-    faces.sort(key=lambda face: -face[0])
+    """Returns the polygons of instances that are drawn together, in drawing order: by their tree, or
+    by depth if they have none."""
+    tree, faces, eye = instances[0].tree, [], None
+    for instance in instances:
+        for depth, vertices, which in faces_of(scene, instance, number):
+            key = -depth if tree < 0 else int(scene.slots[instance.slot + which, 0])
+            faces.append((key, instance.material, vertices))
+            eye = scene.views[instance.view + number - instance.first_frame].tolist()[12:15]
+    if tree >= 0 and faces:
+        place = {slot: rank for rank, slot in enumerate(trees.walk(scene.nodes.tolist(), tree, eye))}
+        faces = [(place[slot], *face) for slot, *face in faces]
+    faces.sort(key=lambda face: face[0])
     return [(material, polygon) for _, material, vertices in faces if len(vertices) >= 3
             for polygon in polygons_of(scene.materials[material], vertices)]
 
@@ -188,16 +197,16 @@ def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
 def placed_at(scene, number: int) -> list[Placed]:
     """Returns a frame's polygons in drawing order: each one's material, its vertices on the screen,
     and the kinds of values that are marked as planar."""
-    groups: dict[int, list] = {}  # instances by the object that follows them
-    for instance in scene.instances:
-        groups.setdefault(instance.before, []).append(instance)
+    groups: dict[int, list] = {}  # instances that are drawn together, by the object that follows them
+    for (before, _), group in groupby(scene.instances, lambda each: (each.before, each.tree)):
+        groups.setdefault(before, []).append(list(group))
     shown = [place for place, obj in enumerate(scene.objects)
              if obj.first_frame <= number < obj.first_frame + obj.poses]
     drawn = []
     for place in sorted({*shown, *groups}):
         if place in groups:
-            drawn += [(*each, planarity.IN_SPACE)
-                      for each in mesh_polygons(scene, groups[place], number)]
+            drawn += [(*each, planarity.IN_SPACE) for group in groups[place]
+                      for each in mesh_polygons(scene, group, number)]
         if place < len(scene.objects):
             obj = scene.objects[place]
             vertices = vertices_at(scene, obj, number)

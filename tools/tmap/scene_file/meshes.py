@@ -10,7 +10,7 @@ import numpy as np
 from tmap.base.errors import UserError, require
 from tmap.base.fixed import ONE
 from tmap.build import layout
-from tmap.scene_file import pipes
+from tmap.scene_file import pipes, trees
 from tmap.scene_file.textures import check_on_map
 
 #: Tables of numbers, with their columns.
@@ -21,7 +21,8 @@ COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
                      "eye_x", "eye_y", "eye_z", "s_x", "s_y", "s_z", "t_x", "t_y", "t_z",
                      "light_x", "light_y", "light_z", "spare"),
            "views16": ("w_move", "wx", "wy", "wz", "divisor_shift", "x_move", "xx", "xy", "xz", "depth_shift",
-                       "y_move", "yx", "yy", "yz", "seen_shift", "eye_x", "eye_y", "eye_z", "is_used")}
+                       "y_move", "yx", "yy", "yz", "seen_shift", "eye_x", "eye_y", "eye_z", "is_used"),
+           "nodes": ("x", "y", "z", "distance", "front", "back", "slot", "slots"), "slots": ("slot",)}
 ENVIRONMENT, LIT = 1, 2  # MESH_ENVIRONMENT, MESH_LIT
 UNIT_14, UNIT_30 = 1 << 14, 1 << 30  # 1.0 in 2.14 and 2.30
 
@@ -54,6 +55,8 @@ class Instance:
     dark: int = 0
     bright: int = 0
     view16: int = -1  # NO_VIEW16
+    tree: int = -1  # NO_TREE
+    slot: int = 0
 
 
 def empty(table: str) -> np.ndarray:
@@ -142,3 +145,4 @@ def check(scene, name: str) -> None:
         require(name, f"{where}.first_frame", instance.first_frame, 0, scene.frames - 1)
         require(name, f"{where}.flags", instance.flags, 0, limits["MESH_FLAGS"] - 1)
         check_look(scene, instance, name, where)
+    trees.check(scene, name)

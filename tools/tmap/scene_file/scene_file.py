@@ -74,6 +74,8 @@ class Scene:
     instances: list[Instance] = field(default_factory=list)
     views: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views"), repr=False)
     views16: np.ndarray = field(default_factory=lambda: scene_meshes.empty("views16"), repr=False)
+    nodes: np.ndarray = field(default_factory=lambda: scene_meshes.empty("nodes"), repr=False)
+    slots: np.ndarray = field(default_factory=lambda: scene_meshes.empty("slots"), repr=False)
     units: np.ndarray = field(default_factory=lambda: scene_units.empty("units"), repr=False)
     lists: np.ndarray = field(default_factory=lambda: scene_units.empty("lists"), repr=False)
     words: np.ndarray = field(default_factory=lambda: scene_units.empty("words"), repr=False)

@@ -1,0 +1,177 @@
+/* Draws faces of instances whose points are placed: in batches of triangles where routines for those
+   can, else one by one, clipped if they cross a border. */
+#include "scene/draw_meshes.h"
+
+#include "drawing/fan.h"
+#include "math/math.h"
+#include "math/math.h"
+#include "triangle/polygon.h"
+
+/* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
+static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
+                                        int32 count, const struct material *material)
+{
+    struct polygon polygon;
+
+    /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
+    polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
+    if (count == 3 || material->mapper == MAPPER_FLAT
+        || material->gradients != GRADIENTS_POLYGON)
+        return material->draw(renderer, &polygon, material);
+    return polygon_fan(material->draw, renderer, &polygon, material);
+}
+
+/* Projects vertices from camera space to the screen, as mesh_transform does. */
+static void project(struct vertex *v, int32 count, const struct scene_header *header)
+{
+    int32 scale = 65536 << header->guard;
+
+    for (; count > 0; count--, v++) {
+        v->x = mul_div(v->x, scale, v->w) + (header->width << 15);
+        v->y = mul_div(v->y, scale, v->w) + (header->height << 15);
+    }
+}
+
+static enum polygon_result draw_cut(struct renderer *renderer, const struct scene *scene,
+                                    const struct mesh_face *face, struct vertex *vertices,
+                                    int32 count)
+{
+    const struct mesh_placed *placed = face->placed;
+    const struct scene_corner *corner = &placed->corners[face->face->corner];
+
+    for (int32 i = 0; i < count; i++, corner++) {
+        const struct mesh_point *p = &placed->points[corner->point];
+
+        if (placed->view16)
+            mesh_place_wide(scene, placed, corner->point, 1);
+        vertices[i].x = p->x;
+        vertices[i].y = p->y;
+        vertices[i].w = p->w;
+    }
+    vertices = mesh_clip(scene->scratch->cut, vertices, &count, scene->header->near_plane);
+    if (count < 3)
+        return POLYGON_EMPTY;
+    project(vertices, count, scene->header);
+    return draw_polygon(renderer, vertices, count, placed->material);
+}
+
+/* Sets a vertex's x, y and w; returns the borders that it is outside of. */
+static uint32 set_place(struct vertex *v, const struct mesh_placed *placed, uint32 point)
+{
+    const struct mesh_place *place = &placed->places[point];
+
+    if (!placed->view16 || place->place < 0) {
+        const struct mesh_point *p = &placed->points[point];
+
+        v->x = p->screen_x;
+        v->y = p->screen_y;
+        v->w = p->w;
+        return p->outside;
+    }
+    v->x = ((place->place >> 16) - SNAPPED_ONE) << (16 - SNAPPED_BITS);
+    v->y = ((int16)place->place - (SNAPPED_ONE - 1)) << (16 - SNAPPED_BITS);
+    v->w = place->depth << placed->view16->depth_shift;
+    return 0;
+}
+
+/* Sets a vertex's s, t and shade. */
+static void set_values(struct vertex *v, const struct mesh_placed *placed,
+                       const struct scene_corner *corner)
+{
+    const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
+
+    v->s = corner->s;
+    v->t = corner->t;
+    v->shade = 0;
+    if (placed->flags & MESH_LINKED) {
+        const struct mesh_place *place = &placed->places[corner->point];
+
+        v->s = v->shade = (place->u >> 4) - SNAPPED_RAISED;
+        v->t = (place->v >> 4) - SNAPPED_RAISED;
+        return;
+    }
+    if (placed->flags & MESH_ENVIRONMENT) {
+        v->s = attributes->s;
+        v->t = attributes->t;
+    }
+    if (placed->flags & MESH_LIT)
+        v->shade = attributes->shade;
+}
+
+static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
+                                     const struct mesh_face *face)
+{
+    struct vertex *vertices = scene->scratch->face;
+    const struct mesh_placed *placed = face->placed;
+    const struct scene_corner *corner = &placed->corners[face->face->corner];
+    int32 count = (int32)face->face->corners;
+    struct vertex *v = vertices;
+    uint32 outside = 0;
+
+    for (int32 i = count; i > 0; i--, corner++, v++) {
+        outside |= set_place(v, placed, corner->point);
+        set_values(v, placed, corner);
+    }
+    if (outside)
+        return draw_cut(renderer, scene, face, vertices, count);
+    return draw_polygon(renderer, vertices, count, placed->material);
+}
+
+/* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is
+   left. */
+static const struct mesh_face *draw_batches(struct mesh_batch *batch,
+                                            const struct renderer *renderer,
+                                            const struct mesh_face *face)
+{
+    const struct material *const material = face->placed->material;
+    const enum span_kind kind = triangle_batch_kind(renderer, material);
+    triangle_drawer *routine;
+    const int32 is_shaded = material->mapper == MAPPER_GOURAUD;
+    const int32 is_linked = (face->placed->flags & MESH_LINKED) != 0;
+    struct triangle_plan plan;
+    struct triangle_lines lines;
+    struct gather_plan gather;
+
+    if (kind == SPAN_KINDS
+        || ((is_shaded || material->light) && !(face->placed->flags & MESH_LIT)))
+        return face;
+    routine = triangle_plan_set(&plan, kind, &lines, renderer, material);
+    gather.vertices = batch->vertices;
+    gather.list = batch->list;
+    gather.full = &batch->list[BATCH_TRIANGLES - (TRIANGLE_CORNERS_MAX - 2)];
+    gather.material = material;
+    gather.flags = face->placed->flags;
+    gather.values = material->mapper == MAPPER_FLAT ? GATHER_NONE
+                  : is_shaded ? GATHER_SHADES
+                  : material->light ? GATHER_LIT : GATHER_TEXELS;
+    gather.scale = material->map && material->map->scale != 65536 ? material->map->scale : 0;
+    do {
+        gather.from = face;
+        face = is_linked ? mesh_link(&gather) : mesh_gather(&gather);
+        plan.list = gather.list;
+        plan.end = gather.last;
+        routine(&plan);
+    } while (gather.last > gather.full && face);
+    return face;
+}
+
+enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scene *scene,
+                                    const struct mesh_face *face)
+{
+    enum polygon_result refused = POLYGON_DRAWN;
+
+    while (face) {
+        const struct mesh_face *const left = draw_batches(&scene->scratch->batch, renderer, face);
+        enum polygon_result result;
+
+        if (left != face) {
+            face = left;
+            continue;
+        }
+        result = draw_face(renderer, scene, face);
+        if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
+            refused = result;
+        face = face->next;
+    }
+    return refused;
+}
