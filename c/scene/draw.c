@@ -139,7 +139,8 @@ enum polygon_result scene_draw(struct renderer *renderer, struct scene *scene, i
 {
     if (scene->header->units)
         scene_start_units(scene, number);
-    clear(renderer, scene->header->background);
+    if (scene->header->cleared)
+        clear(renderer, scene->header->background);
     return draw_all(renderer, scene, number);
 }
 

@@ -54,6 +54,8 @@ const char *scene_wrong_header(const struct scene_header *h, uint32 bytes)
         return "format";
     if (h->background > scene_pixel_max(h))
         return "background";
+    if (h->cleared > 1)
+        return "cleared";
     if (!table_usable(h->palette_at, 256, 4, bytes))
         return "palette_at";
     for (uint32 i = 0; i < sizeof tables / sizeof *tables; i++, count++, at++)

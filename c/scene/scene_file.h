@@ -37,6 +37,8 @@ struct scene_header {
     int32 frames;
     uint32 format;              /* enum pixel_format */
     uint32 background;          /* pixel */
+    uint32 cleared;             /* 1: frames begin with the background; 0: pixels that no polygon covers keep
+                                   what the frame's memory had */
     fix16 near_plane;           /* depth, from W_MIN on; counts where instances are */
     uint32 guard;               /* log2 of how far right and down of the frame's middle
                                    camera x and y of the size of the depth lie, pixels */

@@ -92,6 +92,7 @@ def test_vertices_at_rounds_every_product_down():
     ({"width": 7}, "scene: width"),
     ({"frames": 0}, "scene: frames"),
     ({"background": -1}, "scene: background"),
+    ({"cleared": 2}, "scene: cleared"),
     ({"materials": [Material("affine", texture=1), Material()]}, r"scene: materials\[0\].texture"),
     ({"materials": [Material("cubic"), Material()]},
      r"scene: materials\[0\].mapper: 'cubic' is not one of flat, gouraud"),

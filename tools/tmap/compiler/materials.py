@@ -189,8 +189,7 @@ class Pixels:
 def pixels(spec: dict) -> Pixels:
     """Returns palette entries, or colours in the scene's format."""
     materials = spec["materials"]
-    flat = list(dict.fromkeys([spec["background"], *(m["colour"] for m in materials.values()
-                                                     if "colour" in m)]))
+    flat = list(dict.fromkeys(filter(None, [spec["background"], *(m.get("colour") for m in materials.values())])))
     ramps = {name: (0, SHADES) for name, m in materials.items() if has_shades(m)}
     if FORMATS[spec["format"]].numbers:
         return Pixels(dict(zip(flat, FORMATS[spec["format"]].flat(flat))), ramps)

@@ -26,6 +26,12 @@ from tmap.scene_file.scene_file import IDENTITY, Object, Scene
 from tmap.setup import planarity
 
 
+@reader('colour, `"#rrggbb"`, or `"none"`')
+def backdrop(value, where):
+    """Checks a colour; None for no background."""
+    return None if value == "none" else colour(value, where)
+
+
 @reader("number, 0 to 256, or list of 2")
 def scaling(value, where):
     """Checks a size, or [from, to]; always returns a pair."""
@@ -79,7 +85,8 @@ def schema(limits: dict[str, int]) -> Reader:
         "height": (integer(1, side, unit="pixels"), REQUIRED, "the picture's height"),
         "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED, "number of pictures; then the first one follows"),
         "format": (one_of(*FORMATS), "chunky", "pixels: entries of a palette of 256 colours, or colours"),
-        "background": (colour, REQUIRED, "colour of pixels that no object covers"),
+        "background": (backdrop, REQUIRED, "colour of pixels that no object covers; `\"none\"` if there are none: they are not "
+                                           "cleared, which saves some 70,000 cycles of a frame of 320x200"),
         "textures": (named(materials.texture_schema()), {}, "pictures for materials"),
         "materials": (named(materials.material_schema()), {}, "looks of objects"),
         **scene_space.schema(limits),
@@ -224,8 +231,9 @@ def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[st
     objects, vertices, poses = place_objects(spec, count, pixels.ramps, space, where)
     colours, textures, looks = materials.build(spec, pixels, engines | pipes,
                                                 path.parent, where)
-    made = Scene(spec["width"], spec["height"], count, pixels.of[spec["background"]], colours,
+    ground = spec["background"]
+    made = Scene(spec["width"], spec["height"], count, pixels.of[ground] if ground else 0, colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
-                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], **space.tables(),
+                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], int(bool(ground)), **space.tables(),
                  **engine_tables, **pipe_tables)
     return views16.add(made), [*space.notes.values(), *materials.transparent(spec, path.parent, where)]

@@ -71,7 +71,7 @@ def prepare(scene, obj, number: int) -> Polygon | None:
 def render(scene, number: int) -> np.ndarray:
     """Draws frame ``number`` of a scene (tmap.scene_file.scene_file.Scene): its pixels, height x
     width."""
-    frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)
+    frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)  # of cleared scenes
     states = {}
     for which, vertices, vouched in placed_at(scene, number):
         material = scene.materials[which]

@@ -27,7 +27,7 @@ __all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE",
 TABLES = dict(c_lists.rows("scene/table_list.h", "TABLE"))
 #: After the tables, without a structure.
 BYTES = tuple(name for name, in c_lists.rows("scene/table_list.h", "BLOCK", "TABLE"))
-HEADER = ("width", "height", "frames", "background", "near_plane", "guard")
+HEADER = ("width", "height", "frames", "background", "cleared", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
 
@@ -64,6 +64,7 @@ class Scene:
     vertices: np.ndarray = field(repr=False)  # int64 (n, 6): x, y, s, t, shade, w; 16.16
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
     format: str = "chunky"  # of FORMATS
+    cleared: int = 1  # 0: pixels that no polygon covers keep what was there
     near_plane: int = ONE  # 16.16; like guard, only used if there are instances
     guard: int = 9
     points: np.ndarray = field(default_factory=lambda: scene_meshes.empty("points"), repr=False)
@@ -141,6 +142,7 @@ def check(scene: Scene, name: str) -> None:
         raise UserError(f"{name}: width: {scene.width} is not a multiple of 4")
     require(name, "frames", scene.frames, 1, limits["SCENE_FRAMES_MAX"])
     require(name, "background", scene.background, 0, 256**scene.pixel.bytes - 1)
+    require(name, "cleared", scene.cleared, 0, 1)
     for table in TABLES:
         require(name, table, len(getattr(scene, table)), 0, limits["SCENE_COUNT_MAX"], " entries")
     for i, texture in enumerate(scene.textures):
