@@ -133,7 +133,11 @@ def test_rooms_show_the_nearest_faces(tmp_path) -> None:
     (POLYGON + 'order = "bsp"\n', "objects[0].order: unknown field"),
     (beam("red", "size = 1000"), "objects[0].faces: a point is more than 2048 units from the mesh's origin"),
     (beam("red") + beam("red", "position = [5000, 0, 0]"),
-     "objects[0].faces: a point is more than 2048 units from the mesh's origin"),
+     "objects[0].faces: a point is more than 2048 units from the middle of its tree"),
+    (beam("red") + beam("red", "position = [1, 0, 0]").replace("points", "uvs = [[[0, 0], [1, 0], [1, 1]]]\npoints"),
+     "objects[1].uvs[0]: must have 4 entries"),
+    (beam("red") + "[[objects]]\npoints = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\nfaces = [[3, 4, 5]]\nmaterial = \"red\"\n"
+     'order = "bsp"\nposition = [1, 0, 0]\n', "objects[1].faces[0][0]: there is no point 3"),
 ])
 def test_bad_orders_are_one_line(tmp_path, text: str, said: str) -> None:
     with pytest.raises(UserError) as refused:
