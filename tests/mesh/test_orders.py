@@ -5,6 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from tests.helpers import mesh_cases
 from tests.helpers.order_errors import wrong_pixels
 from tests.mesh.test_meshes import assert_models
 from tmap.base.errors import UserError
@@ -152,6 +153,31 @@ def test_faces_for_a_second_unit_are_refused(tmp_path) -> None:
     (tmp_path / "scene.toml").write_text(text)
     with pytest.raises(UserError, match=r"objects\[0\].order: material '\w+' has coordinates of a second unit"):
         compile_scene(tmp_path / "scene.toml", 1)
+
+
+@pytest.mark.parametrize("table, row, column, value, said", [
+    ("nodes", 0, 4, 3, r"nodes\[0\]: 3 nodes, but nodes\[1\] begins 2"),
+    ("nodes", 0, 4, 6, r"nodes\[0\].front: 6 is not"), ("nodes", 0, 5, -1, r"nodes\[0\].back: -1 is not"),
+    ("nodes", 1, 4, 0, r"nodes\[0\]: 2 nodes, but nodes\[1\] begins 1"),
+    ("nodes", 2, 0, (1 << 30) + 1, r"nodes\[2\].x: 1073741825 is not"),
+    ("nodes", 3, 6, 99, r"nodes\[3\].slot: 99 is not"), ("nodes", 4, 7, 65537, r"nodes\[4\].slots: \d+ is not"),
+    ("slots", 5, 0, 12, r"slots\[5\].slot: 12 is not from 0 to 11")])
+def test_wrong_trees_are_not_written(table: str, row: int, column: int, value: int, said: str) -> None:
+    scene = mesh_cases.trees(1)
+    scene_file.write(scene)
+    getattr(scene, table)[row, column] = value
+    with pytest.raises(UserError, match=said):
+        scene_file.write(scene)
+
+
+@pytest.mark.parametrize("which, field, value, said", [
+    (0, "tree", 5, r"instances\[0\].tree: 5 is not from 0 to 0"), (1, "tree", 1, r"instances\[1\].tree: 1 is not"),
+    (2, "tree", -1, "scene: nodes: 6 is not from 5 to 5"), (1, "slot", 13, r"instances\[1\].slot: 13 is not from 0 to 12")])
+def test_instances_in_wrong_trees_are_not_written(which: int, field: str, value: int, said: str) -> None:
+    scene = mesh_cases.trees(1)
+    setattr(scene.instances[which], field, value)
+    with pytest.raises(UserError, match=said):
+        scene_file.write(scene)
 
 
 def test_too_many_faces_are_refused(tmp_path) -> None:
