@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tests.helpers import mesh_cases
-from tests.helpers.order_errors import wrong_pixels
 from tests.mesh.test_meshes import assert_models
+from tmap.accuracy.orders import wrong_pixels
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
@@ -112,14 +112,10 @@ order = "bsp"
         assert covered.sum() > 1000 and not (crossed[covered] == red).any()
 
 
-def test_rooms_show_the_nearest_faces(tmp_path) -> None:
+def test_rooms_show_the_nearest_faces() -> None:
     """The scene ``rooms``: by its tree no pixel shows another face than the nearest; by depth some of every
     frame do."""
-    text = (SCENES / "rooms.toml").read_text()
-    for name in ("rooms.obj", "checker.png"):
-        (tmp_path / name).symlink_to(SCENES / name)
-    (tmp_path / "depth.toml").write_text(text.replace('order = "bsp"', ""))
-    tree, depth = compile_scene(SCENES / "rooms.toml"), compile_scene(tmp_path / "depth.toml")
+    tree, depth = (compile_scene(SCENES / "rooms.toml", order=order) for order in ("bsp", "depth"))
     for number in range(3, tree.frames, 9):
         wrong = [wrong_pixels(scene, depth, number, 2) for scene in (tree, depth)]
         assert wrong[0] == 0 and wrong[1] > 5, (number, wrong)

@@ -152,15 +152,17 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
     return objects, vertices, poses
 
 
-def compile_scene(path: Path, frames: int | None = None) -> Scene:
+def compile_scene(path: Path, frames: int | None = None, order: str | None = None) -> Scene:
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
-    the same speed. Prints on stderr what the scene's author should know.
+    the same speed. ``order``: of all meshes, instead of their own. Prints on stderr what the scene's author should know.
     """
     path = Path(path)
     where = f"{path}: "
     spec = parse(path)
+    for obj in filter(scene_space.is_mesh, spec["objects"]):
+        obj["order"] = order or obj["order"]
     limits = layout.load().constants
     if frames is not None:
         integer(1, limits["SCENE_FRAMES_MAX"])(frames, "frames")
