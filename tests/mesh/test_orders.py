@@ -5,8 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.helpers.order_errors import wrong_pixels
+from tests.helpers import mesh_cases
 from tests.mesh.test_meshes import assert_models
+from tmap.accuracy.orders import wrong_pixels
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
@@ -111,14 +112,10 @@ order = "bsp"
         assert covered.sum() > 1000 and not (crossed[covered] == red).any()
 
 
-def test_rooms_show_the_nearest_faces(tmp_path) -> None:
+def test_rooms_show_the_nearest_faces() -> None:
     """The scene ``rooms``: by its tree no pixel shows another face than the nearest; by depth some of every
     frame do."""
-    text = (SCENES / "rooms.toml").read_text()
-    for name in ("rooms.obj", "checker.png"):
-        (tmp_path / name).symlink_to(SCENES / name)
-    (tmp_path / "depth.toml").write_text(text.replace('order = "bsp"', ""))
-    tree, depth = compile_scene(SCENES / "rooms.toml"), compile_scene(tmp_path / "depth.toml")
+    tree, depth = (compile_scene(SCENES / "rooms.toml", order=order) for order in ("bsp", "depth"))
     for number in range(3, tree.frames, 9):
         wrong = [wrong_pixels(scene, depth, number, 2) for scene in (tree, depth)]
         assert wrong[0] == 0 and wrong[1] > 5, (number, wrong)
@@ -133,7 +130,11 @@ def test_rooms_show_the_nearest_faces(tmp_path) -> None:
     (POLYGON + 'order = "bsp"\n', "objects[0].order: unknown field"),
     (beam("red", "size = 1000"), "objects[0].faces: a point is more than 2048 units from the mesh's origin"),
     (beam("red") + beam("red", "position = [5000, 0, 0]"),
-     "objects[0].faces: a point is more than 2048 units from the mesh's origin"),
+     "objects[0].faces: a point is more than 2048 units from the middle of its tree"),
+    (beam("red") + beam("red", "position = [1, 0, 0]").replace("points", "uvs = [[[0, 0], [1, 0], [1, 1]]]\npoints"),
+     "objects[1].uvs[0]: must have 4 entries"),
+    (beam("red") + "[[objects]]\npoints = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\nfaces = [[3, 4, 5]]\nmaterial = \"red\"\n"
+     'order = "bsp"\nposition = [1, 0, 0]\n', "objects[1].faces[0][0]: there is no point 3"),
 ])
 def test_bad_orders_are_one_line(tmp_path, text: str, said: str) -> None:
     with pytest.raises(UserError) as refused:
@@ -154,6 +155,31 @@ def test_faces_for_a_second_unit_are_refused(tmp_path) -> None:
     (tmp_path / "scene.toml").write_text(text)
     with pytest.raises(UserError, match=r"objects\[0\].order: material '\w+' has coordinates of a second unit"):
         compile_scene(tmp_path / "scene.toml", 1)
+
+
+@pytest.mark.parametrize("table, row, column, value, said", [
+    ("nodes", 0, 4, 3, r"nodes\[0\]: 3 nodes, but nodes\[1\] begins 2"),
+    ("nodes", 0, 4, 6, r"nodes\[0\].front: 6 is not"), ("nodes", 0, 5, -1, r"nodes\[0\].back: -1 is not"),
+    ("nodes", 1, 4, 0, r"nodes\[0\]: 2 nodes, but nodes\[1\] begins 1"),
+    ("nodes", 2, 0, (1 << 30) + 1, r"nodes\[2\].x: 1073741825 is not"),
+    ("nodes", 3, 6, 99, r"nodes\[3\].slot: 99 is not"), ("nodes", 4, 7, 65537, r"nodes\[4\].slots: \d+ is not"),
+    ("slots", 5, 0, 12, r"slots\[5\].slot: 12 is not from 0 to 11")])
+def test_wrong_trees_are_not_written(table: str, row: int, column: int, value: int, said: str) -> None:
+    scene = mesh_cases.trees(1)
+    scene_file.write(scene)
+    getattr(scene, table)[row, column] = value
+    with pytest.raises(UserError, match=said):
+        scene_file.write(scene)
+
+
+@pytest.mark.parametrize("which, field, value, said", [
+    (0, "tree", 5, r"instances\[0\].tree: 5 is not from 0 to 0"), (1, "tree", 1, r"instances\[1\].tree: 1 is not"),
+    (2, "tree", -1, "scene: nodes: 6 is not from 5 to 5"), (1, "slot", 13, r"instances\[1\].slot: 13 is not from 0 to 12")])
+def test_instances_in_wrong_trees_are_not_written(which: int, field: str, value: int, said: str) -> None:
+    scene = mesh_cases.trees(1)
+    setattr(scene.instances[which], field, value)
+    with pytest.raises(UserError, match=said):
+        scene_file.write(scene)
 
 
 def test_too_many_faces_are_refused(tmp_path) -> None:

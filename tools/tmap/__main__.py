@@ -259,8 +259,8 @@ def add_measurements(commands: Commands) -> None:
     command.add_argument("--set", action="append", metavar="NAME",
                          help="one set of polygons (small, medium, large, thin, steep; with depth: "
                               "depth, deep), a turning face by each method (methods), the scenes "
-                              "(scenes), texture engines' modes (n64, glide), or the hard cases "
-                              "(hard); may be given several times")
+                              "(scenes), the orders of meshes (orders), texture engines' modes (n64, "
+                              "glide), or the hard cases (hard); may be given several times")
     command.add_argument("--accept", action="store_true",
                          help="make the medium set the committed baseline")
 

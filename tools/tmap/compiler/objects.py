@@ -272,7 +272,7 @@ class Space:
                 texels_at = shape.at(k, file) if "mesh" in obj else f"{where}.{uvs}"
                 check_corners([(0, 0, *texel) for texel in shape.texels[k]], mapper, shown, texels_at)
         if placing:
-            shape, wishes = orders.placed(shape, wishes, placing)
+            shape, wishes = orders.placed(shape, wishes, placing, file)
         made = mesh_build.build(shape, wishes, file)
         if made and made.left_out:
             count = len(made.left_out)

@@ -21,6 +21,7 @@ from tmap.scene_file.meshes import UNIT_30
 from tmap.trees import bsp, polygons
 
 MOTION = ("position", "rotation", "axis", "turns", "keys", "first")  # fields of a motion
+FAR = 1e12  # a coordinate in a file that no size brings near enough
 Placing = tuple[np.ndarray, np.ndarray]  # rotation and move
 
 
@@ -50,12 +51,26 @@ class Member:
         return [self.obj[name] for name in MOTION] if self.moves else None
 
 
-def placed(shape: Shape, wishes: Wishes, placing: Placing) -> tuple[Shape, Wishes]:
-    """Returns a mesh put to its place in a tree's space, and the wishes that it then needs."""
+def used_of(shape: Shape) -> list[int]:
+    """Returns the numbers of the points that faces have, those that are there."""
+    return sorted({point for face in shape.faces for point in face if point < len(shape.points)})
+
+
+def in_place(shape: Shape, size: float, placing: Placing) -> np.ndarray:
+    """Returns a mesh's points put to their places."""
     turn, move = placing
+    return product(np.nan_to_num(shape.points).clip(-FAR, FAR) * size, turn.T) + move
+
+
+def placed(shape: Shape, wishes: Wishes, placing: Placing, where: str) -> tuple[Shape, Wishes]:
+    """Returns a mesh put to its place in a tree's space, and the wishes that it then needs; refuses one that
+    is too far from the tree's middle."""
+    (turn, _), most = placing, layout.load().constants["MESH_REACH"]
     normals = shape.normals and [face and [tuple(product(turn, np.array(n))) for n in face]
                                  for face in shape.normals]
-    points = product(shape.points * wishes.size, turn.T) + move
+    points = in_place(shape, wishes.size, placing)
+    if (abs(points[used_of(shape)]) > most).any():
+        fail(where, f"a point is more than {most} units from the middle of its tree")
     return replace(shape, points=points, normals=normals), replace(wishes, size=1.0)
 
 
@@ -130,11 +145,9 @@ class Trees:
             shape = self.space.shape_of(obj["mesh"], f"{member.where}.mesh", map_of(material, texture).extent) \
                 if "mesh" in obj else Shape(np.array(obj["points"], float), obj["faces"])
             turn, position = space.rotated(obj["rotation"]), np.array(obj["position"])
-            used = np.unique([point for face in shape.faces for point in face if point < len(shape.points)])
-            here = product(shape.points[used] * obj["size"], turn.T) + position
             places.append((turn, position))
-            ends += [here.min(axis=0), here.max(axis=0)]
-        origin = np.rint((np.min(ends, axis=0) + np.max(ends, axis=0)) / 2)
+            ends += [*in_place(shape, obj["size"], places[-1])[used_of(shape)]]
+        origin = np.rint((np.min(ends, axis=0) + np.max(ends, axis=0)) / 2) if ends else np.zeros(3)
         return [(turn, position - origin) for turn, position in places], origin
 
     def build(self, member: Member, placing: Placing | None) -> Tables | None:

@@ -201,17 +201,20 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
     return objects, vertices, poses
 
 
-def compile_scene(path: Path, frames: int | None = None) -> Scene:
+def compile_scene(path: Path, frames: int | None = None, order: str | None = None) -> Scene:
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
-    the same speed. Prints on stderr what the scene's author should know.
+    the same speed. ``order``: of all meshes, instead of their own. Prints on stderr what the scene's author should know.
     """
     path = Path(path)
     text = text_of(path)
     content = content_of(text, path)
     with located(str(path), text):
-        made, notes = compiled(checked(content, path), path, frames)
+        spec = checked(content, path)
+        for obj in filter(scene_space.is_mesh, spec["objects"]):
+            obj["order"] = order or obj["order"]
+        made, notes = compiled(spec, path, frames)
     for note in notes:
         print(f"tmap: {with_line(note, str(path), text)}", file=sys.stderr)
     return made

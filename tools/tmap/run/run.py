@@ -235,6 +235,8 @@ def print_report(about: dict, out: Path) -> None:
                                "without display",
             "spans used": ", ".join(f"{kind} {pixels:,} pixels" for kind, pixels
                                     in totals["spans"].items()) or "none"}
+    if about["trees"]["nodes"]:
+        rows["trees"] = f"{about['trees']['faces']:,} faces in {about['trees']['nodes']:,} nodes, those counted that splits made"
     if about["animation"]:
         factor = about["animation"]["factor"]
         limit = f"a frame is shown for {GIF_LEAST_MS} ms at least" if factor > 1 \
@@ -270,6 +272,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
     about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form, "off": off,
              **provenance.record(), "width": scene.width, "height": scene.height,
              "format": scene.format, "lowering": lowering,
+             "trees": {"faces": len(scene.slots), "nodes": len(scene.nodes)},
              "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
              "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
