@@ -1,6 +1,7 @@
 """The scene compiler: its output for good scenes, and its errors for bad ones."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.build import layout
 from tmap.compiler.scene import compile_scene
+from tmap.model import model
 from tmap.scene_file import scene_file
 from tmap.scene_file.scene_file import Material
 
@@ -80,6 +82,23 @@ def placed(line: str) -> str:
 def cornered(vertices: str) -> str:
     """GOOD with other vertices in its last object."""
     return GOOD[:GOOD.index("vertices =")] + f"vertices = {vertices}"
+
+
+def test_a_scene_without_background(folder):
+    """It needs no palette entry, and what no polygon covers is not drawn."""
+    made = make(folder, changed('background = "#102030"', 'background = "none"'))
+    assert (made.cleared, made.palette[0].tolist()) == (0, [255, 0, 0])
+    assert make(folder).cleared == 1
+
+
+@pytest.mark.parametrize("path", [path for path in sorted(SCENES.glob("*.toml"))
+                                  if 'background = "none"' in path.read_text()], ids=lambda path: path.stem)
+def test_scenes_without_background_cover_their_frames(path):
+    """The first frame, the last and four between are the same on any background."""
+    made = compile_scene(path)
+    for number in np.linspace(0, made.frames - 1, 6).astype(int):
+        on = [model.render(replace(made, background=pixel), int(number)) for pixel in (0, 255)]
+        assert np.array_equal(*on), f"frame {number}: {(on[0] != on[1]).sum()} pixels are not covered"
 
 
 def test_content(folder):

@@ -70,7 +70,7 @@ def test_bytes_are_the_headers():
     assert data[:8] == b"TMAP\0\0\0\x0e"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[224:228] == b"\0" + scene.palette[0].tobytes()
+    assert data[228:232] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
