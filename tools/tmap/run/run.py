@@ -226,9 +226,10 @@ def print_report(about: dict, out: Path) -> None:
     print("Each material, pixels of its spans, and polygons to which each rule applied:\n")
     print_lowering(about["lowering"])
     mean, worst = totals["cycles"] / count, max(frames, key=lambda frame: frame["cycles"])
-    each = totals["cycles_per_pixel"]
+    each, shown = totals["cycles_per_pixel"], about["width"] * about["height"] * count
     rows = {"frames": count, "polygons": f"{totals['polygons']:,}",
             "pixels": f"{totals['pixels']:,}" + (f", {each:.1f} cycles each" if each else ""),
+            "overdraw": f"{totals['pixels'] / shown:.2f} pixels drawn for one of the frame",
             "cycles a frame": f"{mean:,.0f} mean, {worst['cycles']:,} worst "
                               f"(frame {worst['number']})",
             "frames a second": f"{CLOCK_HZ / mean:.1f}, an estimate for {CLOCK_HZ / 1e6} MHz "
