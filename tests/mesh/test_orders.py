@@ -174,7 +174,8 @@ def test_wrong_trees_are_not_written(table: str, row: int, column: int, value: i
 
 @pytest.mark.parametrize("which, field, value, said", [
     (0, "tree", 5, r"instances\[0\].tree: 5 is not from 0 to 0"), (1, "tree", 1, r"instances\[1\].tree: 1 is not"),
-    (2, "tree", -1, "scene: nodes: 6 is not from 5 to 5"), (1, "slot", 13, r"instances\[1\].slot: 13 is not from 0 to 12")])
+    (2, "tree", -1, "scene: nodes: 6 is not from 5 to 5"),
+    (1, "slot", 13, r"instances\[1\].slot: 13 is not from 0 to 12")])
 def test_instances_in_wrong_trees_are_not_written(which: int, field: str, value: int, said: str) -> None:
     scene = mesh_cases.trees(1)
     setattr(scene.instances[which], field, value)

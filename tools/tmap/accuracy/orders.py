@@ -89,11 +89,11 @@ def wrong_pixels(scene: Scene, whole: Scene, number: int, step: int = 1) -> int:
 def row(name: str, order: str, machine: str) -> list[str]:
     """Draws a scene in an order; returns its row of the table."""
     scene, whole = (compile_scene(SCENES / f"{name}.toml", order=each) for each in (order, "depth"))
-    figures = run.total(run.render(scene, machine, "addx").figures)
+    totals = run.total(run.render(scene, machine, "addx").figures)
     wrong = [wrong_pixels(scene, whole, number) for number in range(0, scene.frames, STEP)]
-    return [name, order, *(f"{n:,}" for n in (len(scene.faces), len(scene.nodes), round(sum(wrong) / len(wrong)), max(wrong),
-                                              round(figures["polygons"] / scene.frames),
-                                              round(figures["cycles"] / scene.frames)))]
+    numbers = (len(scene.faces), len(scene.nodes), sum(wrong) / len(wrong), max(wrong),
+               totals["polygons"] / scene.frames, totals["cycles"] / scene.frames)
+    return [name, order, *(f"{number:,.0f}" for number in numbers)]
 
 
 def write(folder: Path, machine: str, on_step=None, names=NAMES) -> str:

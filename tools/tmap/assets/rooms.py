@@ -43,24 +43,35 @@ def wall(z: float, left: float, right: float, height: float) -> list[Box]:
     """Returns a wall across the house with a door from x ``left`` to ``right``: what is beside and above
     it."""
     back, half = z - THICK, WIDTH / 2
-    return [between("wall", (-half, 0, back), (left, HEIGHT, z)), between("wall", (right, 0, back), (half, HEIGHT, z)),
+    return [between("wall", (-half, 0, back), (left, HEIGHT, z)),
+            between("wall", (right, 0, back), (half, HEIGHT, z)),
             between("wall", (left, height, back), (right, HEIGHT, z))]
 
 
 def boxes() -> list[Box]:
     """Returns all of the house, and what is in it."""
-    half, end = WIDTH / 2, -LENGTH
-    return [between("floor", (-half, -THICK, end), (half, 0, 0)), between("roof", (-half, HEIGHT, end), (half, HEIGHT + THICK, 0)),
-            between("wall", (-half - THICK, 0, end), (-half, HEIGHT, 0)), between("wall", (half, 0, end), (half + THICK, HEIGHT, 0)),
-            between("wall", (-half, 0, end - THICK), (half, HEIGHT, end)), between("wall", (-half, 0, 0), (half, HEIGHT, THICK)),
+    half, end, top = WIDTH / 2, -LENGTH, HEIGHT
+    return [between("floor", (-half, -THICK, end), (half, 0, 0)),
+            between("roof", (-half, top, end), (half, top + THICK, 0)),
+            between("wall", (-half - THICK, 0, end), (-half, top, 0)),
+            between("wall", (half, 0, end), (half + THICK, top, 0)),
+            between("wall", (-half, 0, end - THICK), (half, top, end)),
+            between("wall", (-half, 0, 0), (half, top, THICK)),
             *wall(-8, -1.2, 0.8, 2.3), *wall(-16, 1.0, 2.8, 2.3),
-            Box("beam", (0, 2.7, -4), (9, 0.3, 0.3), (40, 0)), Box("beam", (0, 2.7, -4), (9, 0.3, 0.3), (-40, 0)),
-            Box("beam", (0.5, 1.6, -12), (4.6, 0.35, 0.35), (0, 38)), Box("beam", (0.5, 1.6, -12), (4.6, 0.35, 0.35), (0, -38)),
-            Box("beam", (0.5, 1.6, -12), (0.3, 3.2, 0.3), (45, 0)), Box("beam", (0.5, 1.6, -12), (0.25, 0.25, 5), (20, 0)),
-            Box("crate", (-2.6, 0.6, -9.3), (1.2, 1.2, 1.2), (20, 0)), Box("crate", (-2.1, 0.5, -9.8), (1, 1, 1), (55, 0)),
-            Box("crate", (2.9, 0.5, -6.8), (1, 1, 1), (30, 0)), Box("crate", (-2.6, 0.4, -3), (0.8, 0.8, 0.8), (15, 0)),
-            Box("crate", (2.2, 0.7, -19), (1.4, 1.4, 1.4), (25, 0)), Box("crate", (2.5, 1.2, -19.4), (0.9, 0.9, 0.9), (50, 30)),
-            Box("beam", (-1.5, 1.5, -20), (5, 0.4, 0.4), (30, 25)), Box("beam", (-1.5, 1.5, -20), (5, 0.4, 0.4), (-50, -15))]
+            Box("beam", (0, 2.7, -4), (9, 0.3, 0.3), (40, 0)),
+            Box("beam", (0, 2.7, -4), (9, 0.3, 0.3), (-40, 0)),
+            Box("beam", (0.5, 1.6, -12), (4.6, 0.35, 0.35), (0, 38)),
+            Box("beam", (0.5, 1.6, -12), (4.6, 0.35, 0.35), (0, -38)),
+            Box("beam", (0.5, 1.6, -12), (0.3, 3.2, 0.3), (45, 0)),
+            Box("beam", (0.5, 1.6, -12), (0.25, 0.25, 5), (20, 0)),
+            Box("crate", (-2.6, 0.6, -9.3), (1.2, 1.2, 1.2), (20, 0)),
+            Box("crate", (-2.1, 0.5, -9.8), (1, 1, 1), (55, 0)),
+            Box("crate", (2.9, 0.5, -6.8), (1, 1, 1), (30, 0)),
+            Box("crate", (-2.6, 0.4, -3), (0.8, 0.8, 0.8), (15, 0)),
+            Box("crate", (2.2, 0.7, -19), (1.4, 1.4, 1.4), (25, 0)),
+            Box("crate", (2.5, 1.2, -19.4), (0.9, 0.9, 0.9), (50, 30)),
+            Box("beam", (-1.5, 1.5, -20), (5, 0.4, 0.4), (30, 25)),
+            Box("beam", (-1.5, 1.5, -20), (5, 0.4, 0.4), (-50, -15))]
 
 
 def rooms() -> bytes:
@@ -76,7 +87,8 @@ def rooms() -> bytes:
             places = [(size[s] * (k >> s & 1) * SCALE, size[t] * (k >> t & 1) * SCALE) for k in ring]
             faces.append("f " + " ".join(f"{first + k}/{len(texels) + i + 1}" for i, k in enumerate(ring)))
             texels += [f"vt {u:.4f} {v:.4f}" for u, v in places]
-    return ("\n".join(["# Three rooms, with beams and crates that cross each other", *points, *texels, *faces]) + "\n").encode()
+    title = "# Three rooms, with beams and crates that cross each other"
+    return ("\n".join([title, *points, *texels, *faces]) + "\n").encode()
 
 
 FILES = {"rooms.obj": rooms}

@@ -185,7 +185,8 @@ class Trees:
         limits, where = layout.load().constants, self.members[0].where
         tree = bsp.build(faces, limits["SCENE_COUNT_MAX"])
         if tree is None:
-            fail(f"{where}.order", f"more than {limits['SCENE_COUNT_MAX']} faces in a tree, those counted that it splits")
+            fail(f"{where}.order", f"more than {limits['SCENE_COUNT_MAX']} faces in a tree, those counted that "
+                                   "splits make")
         root, slot = len(self.nodes), 0
         found: dict[int, list] = {id(member): [] for member in self.members}
         for node, counts in zip(tree.nodes, tree.counts):

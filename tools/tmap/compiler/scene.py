@@ -205,7 +205,8 @@ def compile_scene(path: Path, frames: int | None = None, order: str | None = Non
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
-    the same speed. ``order``: of all meshes, instead of their own. Prints on stderr what the scene's author should know.
+    the same speed. ``order``: of all meshes, instead of their own. Prints on stderr what the scene's
+    author should know.
     """
     path = Path(path)
     text = text_of(path)

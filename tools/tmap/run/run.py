@@ -237,7 +237,8 @@ def print_report(about: dict, out: Path) -> None:
             "spans used": ", ".join(f"{kind} {pixels:,} pixels" for kind, pixels
                                     in totals["spans"].items()) or "none"}
     if about["trees"]["nodes"]:
-        rows["trees"] = f"{about['trees']['faces']:,} faces in {about['trees']['nodes']:,} nodes, those counted that splits made"
+        rows["trees"] = f"{about['trees']['faces']:,} faces in {about['trees']['nodes']:,} nodes, those counted " \
+                        "that splits made"
     if about["animation"]:
         factor = about["animation"]["factor"]
         limit = f"a frame is shown for {GIF_LEAST_MS} ms at least" if factor > 1 \

@@ -22,7 +22,8 @@ def check_tree(nodes: list[list[int]], root: int, name: str) -> int:
         require(name, f"{where}.back", node[BACK], 0, left - node[FRONT])
         for part, first in ((FRONT, number + 1), (BACK, number + 1 + node[FRONT])):
             if node[part] and size_of(nodes[first]) != node[part]:
-                raise UserError(f"{name}: {where}: {node[part]} nodes, but nodes[{first}] begins {size_of(nodes[first])}")
+                raise UserError(f"{name}: {where}: {node[part]} nodes, but nodes[{first}] begins "
+                                f"{size_of(nodes[first])}")
         for axis, value in zip("xyz", node):
             require(name, f"{where}.{axis}", value, -unit, unit)
         require(name, f"{where}.slot", node[SLOT], slot, slot)
