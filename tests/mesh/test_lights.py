@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 
 from tmap.base.errors import UserError
+from tmap.base.paths import SCENES
 from tmap.compiler import lights
 from tmap.compiler.scene import compile_scene
 from tmap.model import mesh as model_mesh
 from tmap.scene_file import scene_file
 
 ONE = 65536
+CHECKER = SCENES / "checker.png"
 START = """\
 width = 64
 height = 48
@@ -114,3 +116,105 @@ def test_refused(tmp_path, text: str, message: str) -> None:
     with pytest.raises(UserError) as caught:
         make(tmp_path, text)
     assert message in str(caught.value) and str(caught.value).count("\n") == 0
+
+
+def corners_of(made, which: int = 0) -> list[tuple]:
+    """Returns place, unit normal of its face and shade of each corner of a mesh, in the mesh's space."""
+    instance = made.instances[which]
+    mesh = made.meshes[instance.mesh]
+    points, normals, corners, faces = (getattr(made, name)[first:first + count].tolist() for name, first, count in (
+        ("points", mesh.point, mesh.points), ("normals", mesh.normal, mesh.normals),
+        ("corners", mesh.corner, mesh.corners), ("faces", mesh.face, mesh.faces)))
+    _, _, shades = model_mesh.looks_of(instance, normals, made.views[instance.view].tolist())
+    return [([c / ONE for c in points[point]], [c / 2 ** 30 for c in face[:3]], shades[normal])
+            for face in faces for point, normal, *_ in corners[face[4]:face[4] + face[5]]]
+
+
+def rounding(instance) -> float:
+    """Returns how far a baked shade may be from the exact one: the brightness is rounded to 2.14, bright -
+    dark to 9.7, their product down to 1/65536, dark and bright to 1/65536; faces' normals are 2.30."""
+    span = (instance.bright - instance.dark) / ONE
+    return span * (2 ** -15 + 2 ** -26) + 2 ** -8 + 2 ** -16 + 2 * 2 ** -17
+
+
+def turned(vector, degrees: float) -> tuple[float, float, float]:
+    """Returns a vector turned about the y axis."""
+    x, y, z = vector
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return x * c + z * s, y, z * c - x * s
+
+
+def assert_shades(made, which: int, turn: float, move) -> list[float]:
+    """Asserts that the shades of an instance's corners are those of the lights; returns the shares of
+    full light."""
+    instance, found = made.instances[which], []
+    for place, normal, shade in corners_of(made, which):
+        here = [a + b for a, b in zip(turned(place, turn), move)]
+        right = min(sum(max(part, 0) for part in shares(SPEC, here, turned(normal, turn))), 1)
+        exact = (instance.dark + (instance.bright - instance.dark) * right) / ONE
+        assert abs(shade / ONE - exact) <= rounding(instance), (place, normal, shade / ONE, exact)
+        found.append(right)
+    return found
+
+
+@pytest.mark.parametrize("grid", ["", "grid = 0.5\n"])
+def test_what_stands_still_has_every_light_at_each_corner(tmp_path, grid: str) -> None:
+    made = make(tmp_path, FACING + f"rotation = [0, 30, 0]\nposition = [0.5, 0.25, 1]\nsize = 1.5\n{grid}")
+    found = assert_shades(made, 0, 30, (0.5, 0.25, 1))
+    assert len(set(found)) > (20 if grid else 6) and max(found) - min(found) > 0.3
+    assert (made.views == made.views[0]).all()
+
+
+def test_still_parts_of_still_parents_are_baked_where_they_are(tmp_path) -> None:
+    """The parent turns and moves its part, whose own rotation comes first."""
+    parent = ROOF.replace("[[objects]]", '[[objects]]\nname = "base"') + 'normals = "faces"\nrotation = [0, 40, 0]\n' \
+        "position = [1, 0, 0]\nsize = 0.5\n"
+    part = ROOF + 'normals = "faces"\nparent = "base"\nrotation = [0, -10, 0]\nposition = [0, 2, 0]\n'
+    made = make(tmp_path, START + ALL + parent + part)
+    assert_shades(made, 0, 40, (1, 0, 0))
+    assert_shades(made, 1, 30, (1, 1, 0))
+    moving = make(tmp_path, START + ALL + parent.replace('name = "base"', 'name = "base"\nturns = 1') + part)
+    assert all(len(np.unique(moving.views[each.view:each.view + 8, 21:], axis=0)) > 1 for each in moving.instances)
+
+
+def test_trees_bake_each_mesh_where_it_is(tmp_path) -> None:
+    """Both get the place in the middle of all of them; none is split."""
+    one, other = (ROOF + f'normals = "faces"\norder = "bsp"\nrotation = [0, {turn}, 0]\nposition = {place}\n'
+                  for turn, place in ((20, [-4, 0, 1]), (0, [3, 0.25, 0])))
+    made = make(tmp_path, START + ALL + one + other)
+    assert {each.tree for each in made.instances} == {0}
+    eye = made.views[0, 12:15] / ONE
+    for which in range(2):
+        assert len(set(assert_shades(made, which, 0, (0 - eye[0], 0 - eye[1], 30 - eye[2])))) > 4
+
+
+def test_lit_faces_have_the_mean_of_their_corners(tmp_path) -> None:
+    """The mapper "lit" has one shade a face."""
+    text = FACING.replace('grey.shades = ["#000000", "#ffffff"]', 'grey = { texture = "map", mapper = "lit" }') + \
+        "uvs = [[[0, 0], [9, 0], [9, 9], [0, 9]]]\n" + f'[textures]\nmap.image = "{CHECKER}"\n'
+    made = make(tmp_path, text)
+    instance, found = made.instances[0], corners_of(made)
+    assert made.meshes[0].faces == 2
+    for face in (found[:4], found[4:]):
+        rights = [min(sum(max(part, 0) for part in shares(SPEC, place, normal)), 1) for place, normal, _ in face]
+        exact = (instance.dark + (instance.bright - instance.dark) * sum(rights) / 4) / ONE
+        assert len({shade for *_, shade in face}) == 1
+        assert abs(face[0][2] / ONE - exact) <= rounding(instance)
+
+
+def test_a_mirror_takes_lights_as_one_direction_and_says_so(tmp_path, capsys) -> None:
+    text = FACING.replace('grey.shades = ["#000000", "#ffffff"]',
+                          'grey = { texture = "map", mapper = "lit_gouraud" }')
+    text += f'mapping = "environment"\n[textures]\nmap.image = "{CHECKER}"\n'
+    made = make(tmp_path, text)
+    assert 'objects[0].mapping: "environment" needs the normals' in capsys.readouterr().err
+    lengths = np.linalg.norm(made.normals[:, :3] / 2 ** 14, axis=1)
+    assert abs(lengths - 1).max() < 2 ** -13
+
+
+def test_a_lamp_on_the_surface_shines_straight_on_it(tmp_path) -> None:
+    lamp = "[[lights]]\nposition = [-2, 0, 1]\nreach = 1\nbrightness = 0.5\n"
+    made = make(tmp_path, START + "[light]\nambient = 0\n" + lamp + ROOF + 'normals = "faces"\n')
+    instance = made.instances[0]
+    assert [abs(shade / ONE - (instance.dark + instance.bright) / 2 / ONE) <= rounding(instance)
+            for place, _, shade in corners_of(made)] == [place == [-2, 0, 1] for place, *_ in corners_of(made)]

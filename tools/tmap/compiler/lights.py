@@ -5,11 +5,13 @@ its own brightness times the cosine of the angle at which it falls on a surface,
 A light with a place also grows weaker with the distance d: by (1 - d^2 / reach^2)^2, to 0 at its reach.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from tmap.base.fields import REQUIRED, choice, fail, number, rows, table
-from tmap.base.linear import length
-from tmap.compiler import space
+from tmap.base.linear import length, product
+from tmap.compiler import hierarchy, parts, space
 
 COUNT_MAX = 64
 USUAL = [0.5, -1, -1]  # the direction if a scene says nothing of light
@@ -75,3 +77,58 @@ def towards(spec: dict, place: np.ndarray) -> np.ndarray:
     for way, bright in (fall(light, place) for light in spec["lights"]):
         total = total + way * bright
     return total / max(1.0, length(total))
+
+
+def is_lit_still(spec: dict, obj: dict, material: dict) -> bool:
+    """Returns True if several lights shine on an object in space that stands still."""
+    return bool(spec["lights"]) and parts.has_light(material) and hierarchy.is_still(obj)
+
+
+def needs_normals(spec: dict, obj: dict, material: dict) -> bool:
+    """Returns True if the shades of such an object cannot be computed here, as s and t need its normals."""
+    return is_lit_still(spec, obj, material) and obj["mapping"] == "environment"
+
+
+def is_baked(spec: dict, obj: dict, material: dict) -> bool:
+    """Returns True if the shades of an object in space are computed here."""
+    return is_lit_still(spec, obj, material) and obj["mapping"] != "environment"
+
+
+@dataclass(frozen=True)
+class Baking:
+    """Lights, and where the mesh is on which they shine: numbers alone, so that equal ones have equal
+    texts."""
+
+    lights: tuple[dict, ...]
+    turn: tuple[tuple[float, ...], ...]
+    move: tuple[float, ...]
+
+    def without(self, move: np.ndarray) -> "Baking":
+        """Returns the same for a mesh that is already turned, and moved by ``move``."""
+        still = tuple(map(tuple, np.eye(3).tolist()))
+        return Baking(self.lights, still, tuple((np.array(self.move) - move).tolist()))
+
+    def brightness(self, place: np.ndarray, normal: np.ndarray) -> float:
+        """Returns the brightness, 0 to 1, of a surface at a place of the mesh, with a normal of any length
+        but 0. A light at that place shines straight on it."""
+        turn, total = np.array(self.turn), 0.0
+        place, normal = product(turn, place) + self.move, product(turn, space.unit(normal))
+        for way, bright in (fall(light, place) for light in self.lights):
+            total += bright * (max(float(product(way, normal)), 0.0) if way.any() else 1.0)
+        return min(total, 1.0)
+
+
+def baking_of(spec: dict, obj: dict, material: dict) -> Baking | None:
+    """Returns what the shades of a mesh are computed from; None if they are the Amiga's work."""
+    if not is_baked(spec, obj, material):
+        return None
+    turn, move = hierarchy.placed_at(obj, obj["first"], spec["frames"])
+    return Baking(tuple(spec["lights"]), tuple(map(tuple, turn.tolist())), tuple(move.tolist()))
+
+
+def factors(spec: dict, obj: dict, material: dict, turn: np.ndarray, position: np.ndarray) -> np.ndarray:
+    """Returns what the rows of an object's normals are multiplied by to get brightness: the light in the
+    mesh's space, or, where they hold brightness already, 1 for that."""
+    if is_baked(spec, obj, material):
+        return np.array([1.0, 0.0, 0.0])
+    return product(turn.T, towards(spec, position))

@@ -13,8 +13,8 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (billboards, glide, hierarchy, lights, materials, mesh_build, mesh_file, mtl_file, orders,
-                           parts, projectors as scene_projectors, space)
+from tmap.compiler import (billboards, glide, grids, hierarchy, lights, materials, mesh_build, mesh_file, mtl_file,
+                           orders, parts, projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
@@ -42,7 +42,7 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
                            "the key's frame, counted from the object's `first`"),
                  "position": (place, None, "`position` in this frame; without it, the object's"),
                  "rotation": (angles, None, "`rotation` in this frame; without it, the object's")})
-    placing = hierarchy.FIELDS | {
+    placing = hierarchy.FIELDS | grids.FIELDS | {
         "position": (place, [0, 0, 0], "where the mesh's origin is: x, y, z"),
         "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z"),
         "size": (number(1e-6, 1e6), 1, "factor of all points, before rotation and position"),
@@ -205,7 +205,8 @@ class Space:
             parts.has_light(material),
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"],
-            obj["names"], obj["order"] == "bsp")
+            obj["names"], obj["order"] == "bsp", obj["grid"],
+            lights.baking_of(self.spec, obj, material), mapper == "lit")
 
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
                   ) -> mesh_build.Tables | None:
@@ -296,7 +297,8 @@ class Space:
         focal = space.focal_length(spec["width"], fov) / guard
         lens = np.array([focal, focal, 1.0])
         seen = product(axes, turn)
-        light = product(turn.T, lights.towards(spec, position)) * shades
+        material = spec["materials"][obj["material"]]
+        light = lights.factors(spec, obj, material, turn, position) * shades
         return (lens[:, None] * seen, lens * product(axes, position - eye),
                 product(turn.T, eye - position), np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
 
@@ -323,6 +325,9 @@ class Space:
     def place(self, obj: dict, look: tuple, before: int, where: str) -> None:
         """Adds an object. ``look``: its material's number, the material, texture and ramp."""
         _, material, texture, _ = look
+        if lights.needs_normals(self.spec, obj, material):
+            self.notes[f"{where}.mapping"] = f'{where}.mapping: "environment" needs the normals, so all lights are ' \
+                                             "taken as one direction, as those of an object that moves"
         if obj["order"] == "bsp":
             if lives_of(obj, self.count) >= 1:
                 self.trees.add(obj, look, before, where)

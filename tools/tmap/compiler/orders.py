@@ -56,7 +56,8 @@ def placed(shape: Shape, wishes: Wishes, placing: Placing) -> tuple[Shape, Wishe
     normals = shape.normals and [face and [tuple(product(turn, np.array(n))) for n in face]
                                  for face in shape.normals]
     points = product(shape.points * wishes.size, turn.T) + move
-    return replace(shape, points=points, normals=normals), replace(wishes, size=1.0)
+    return replace(shape, points=points, normals=normals), \
+        replace(wishes, size=1.0, baking=wishes.baking and wishes.baking.without(move))
 
 
 def faces_of(tables: Tables, first: int, two_sided: bool, where: str) -> list[polygons.Polygon]:
