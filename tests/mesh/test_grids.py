@@ -10,6 +10,7 @@ from tests.mesh.test_meshes import assert_models
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.compiler import grids
+from tmap.model import mesh16
 from tmap.scene_file.scene_file import Scene
 
 #: Corners of a closed body without parallel sides, whatever their places.
@@ -33,6 +34,12 @@ def rings_of(made: Scene) -> list[list[int]]:
 def area(ring: np.ndarray) -> float:
     """Returns a polygon's area."""
     return float(np.linalg.norm(np.cross(ring - ring[0], np.roll(ring, -1, 0) - ring[0]).sum(axis=0))) / 2
+
+
+def has_16_bits(made: Scene) -> bool:
+    """Returns True if some mesh has 16-bit operands in its first frame."""
+    return any(each.view16 >= 0 and mesh16.is_used(made.materials[each.material], made.views16[each.view16])
+               for each in made.instances)
 
 
 @pytest.mark.parametrize("seed", range(24))
@@ -84,6 +91,29 @@ def test_areas_are_kept(tmp_path) -> None:
         assert abs(sums[0] - sums[1]) < 1e-3 * sums[0]
 
 
+def test_straight_corners_stay_between_neighbours(tmp_path) -> None:
+    """The square has a corner in the middle of its upper side, where two squares meet it: the triangles that
+    shades need all end there."""
+    made = make(tmp_path, START + ALL + """[[objects]]
+material = "grey"
+normals = "faces"
+points = [[-2, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [-2, 2, 0], [0, 4, 0], [2, 4, 0], [-2, 4, 0]]
+faces = [[2, 3, 4, 0, 1], [3, 2, 6, 5], [4, 3, 5, 7]]
+""")
+    edges = Counter((a, b) for ring in rings_of(made) for a, b in zip(ring, ring[1:] + ring[:1]))
+    outer = [(a, b) for a, b in edges if (b, a) not in edges]
+    assert set(edges.values()) == {1} and len(outer) == 7
+    assert sum(area(made.points[ring] / ONE) for ring in rings_of(made)) == 16
+
+
+def test_opposite_normals_have_a_middle(tmp_path) -> None:
+    """Between them, on a plane of the grid, the face's own normal is taken."""
+    (tmp_path / "mesh.obj").write_text("v -1 0 0\nv 1 0 0\nv 0 2 0\nvn 1 0 0\nvn -3 0 0\nf 1//1 2//2 3//1\n")
+    for motion in ("", "turns = 1\n"):
+        made = make(tmp_path, START + ALL + f'[[objects]]\nmaterial = "grey"\nmesh = "mesh.obj"\ngrid = 1\n{motion}')
+        assert len(made.faces) > 3
+
+
 def test_frames_are_the_models(tmp_path) -> None:
     """On the emulated A1200: shades with 16-bit and 32-bit operands, lit textures in perspective, a tree."""
     lit = START.replace('grey.shades = ["#000000", "#ffffff"]',
@@ -97,7 +127,11 @@ def test_frames_are_the_models(tmp_path) -> None:
               "smooth": snapped + near + ROOF, "lit": lit + near + ROOF + "grid = 1\n" + maps,
               "tree": START + near + ROOF + 'order = "bsp"\ngrid = 1\n'
               + ROOF + 'order = "bsp"\nrotation = [0, 50, 20]\n'}
+    scenes["n64"] = START.replace('grey.shades = ["#000000", "#ffffff"]', 'grey.n64.combine = "shade"').replace(
+        "[materials]", 'format = "rgba8888"\n[materials]').replace('red.colour = "#ff0000"\n', "") + near + ROOF \
+        + "grid = 1\nuvs = [[[0, 0], [9, 0], [9, 9], [0, 9]]]\n"
     made = {name: make(tmp_path, text) for name, text in scenes.items()}
+    assert has_16_bits(made["snapped"]) and not has_16_bits(made["exact"])
     for frames in assert_models(made).values():
         assert all(len(np.unique(frame)) > 4 for frame in frames)
 
@@ -106,8 +140,8 @@ def test_frames_are_the_models(tmp_path) -> None:
     (FACING + "grid = 0\n", "objects[0].grid: must be from 0.0625 to 2048"),
     (FACING + "grid = true\n", "objects[0].grid: must be a number, not true or false"),
     (FACING + "grid = 0.0625\nsize = 100\n", "objects[0].faces[0]: the grid cuts it into more than 4096 parts"),
-    (FACING + "grid = 0.0625\nsize = 1.2\n",
-     "objects[0].faces: more than 4096 faces, those counted as triangles that are cut into them and as cells of the grid"),
+    (FACING + "grid = 0.0625\nsize = 1.2\n", "objects[0].faces: more than 4096 faces, those counted as triangles that "
+                                             "are cut into them and as cells of the grid"),
     (START + '[[objects]]\nmaterial = "red"\nvertices = [[0, 0], [9, 0], [0, 9]]\ngrid = 1\n',
      "objects[0].grid: unknown field"),
 ])

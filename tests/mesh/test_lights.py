@@ -165,6 +165,17 @@ def test_what_stands_still_has_every_light_at_each_corner(tmp_path, grid: str) -
     assert (made.views == made.views[0]).all()
 
 
+def test_smooth_normals_are_those_of_the_file(tmp_path) -> None:
+    """Two corners have normals of their own, at either end of an edge."""
+    (tmp_path / "mesh.obj").write_text("v -1 0 0\nv 1 0 0\nv 0 2 0\nvn 0 0 3\nvn 1 0 2\nvn 0 4 1\nf 1//1 2//2 3//3\n")
+    made = make(tmp_path, START + ALL + '[[objects]]\nmaterial = "grey"\nmesh = "mesh.obj"\n')
+    instance, normals = made.instances[0], ((0, 0, 3), (1, 0, 2), (0, 4, 1))
+    for (place, _, shade), normal in zip(corners_of(made), normals, strict=True):
+        right = min(sum(max(part, 0) for part in shares(SPEC, place, normal)), 1)
+        exact = (instance.dark + (instance.bright - instance.dark) * right) / ONE
+        assert abs(shade / ONE - exact) <= rounding(instance)
+
+
 def test_still_parts_of_still_parents_are_baked_where_they_are(tmp_path) -> None:
     """The parent turns and moves its part, whose own rotation comes first."""
     parent = ROOF.replace("[[objects]]", '[[objects]]\nname = "base"') + 'normals = "faces"\nrotation = [0, 40, 0]\n' \

@@ -225,8 +225,9 @@ def parts_of(face: Face, places: np.ndarray, wishes: Wishes) -> list[Face]:
 
 def in_cells(face: Face, places: list[tuple], pitch: float, most: int) -> list[Face]:
     """Returns the parts of a convex face in the cells of a grid; appends their new corners to ``places``.
-    Values change evenly along its edges."""
-    texels, normals = (list(map(tuple, of)) if of else [()] * len(face.points) for of in (face.texels, face.normals))
+    Texels and unit normals change evenly along its edges; where opposite normals meet, the face's is taken."""
+    texels = list(map(tuple, face.texels)) if face.texels else [()] * len(face.points)
+    normals = [tuple(space.unit(n)) for n in face.normals] if face.normals else [()] * len(face.points)
     cells = grids.cells([(*places[p], *t, *n) for p, t, n in zip(face.points, texels, normals)], pitch, most)
     if cells is None:
         fail(face.at, f"the grid cuts it into more than {most} parts")
@@ -234,8 +235,10 @@ def in_cells(face: Face, places: list[tuple], pitch: float, most: int) -> list[F
     for cell in cells:
         points = list(range(len(places), len(places) + len(cell)))
         places += [corner[:3] for corner in cell]
-        made.append(Face(points, [corner[3:first_normal] for corner in cell],
-                         [corner[first_normal:] for corner in cell], face.normal, face.at, face.number))
+        turned = [corner[first_normal:] for corner in cell]
+        turned = [n if not n or length(n) > SMALL else tuple(face.normal) for n in turned]
+        made.append(Face(points, [corner[3:first_normal] for corner in cell], turned, face.normal, face.at,
+                         face.number))
     return made
 
 
@@ -257,8 +260,11 @@ def lit_parts(face: Face, places: list[tuple], wishes: Wishes, most: int) -> lis
         ring = np.array([places[p] for p in part.points]) / ONE
         if wishes.baking:
             bake(part, ring, wishes)
-        cuts = cutting.fan(len(ring)) if is_cut(part, ring, wishes) else [range(len(ring))]
-        made += [part.part(cut) for cut in cuts if unit_normal(ring[list(cut)]) is not None]
+        cuts = [list(range(len(ring)))]
+        if is_cut(part, ring, wishes):
+            whole = np.array([places[p] for p in part.points], np.int64)
+            cuts = cutting.triangles_in_space(whole, face.normal) or cutting.fan(len(ring))
+        made += [part.part(cut) for cut in cuts if unit_normal(ring[cut]) is not None]
     return made
 
 
