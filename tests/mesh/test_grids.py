@@ -122,14 +122,17 @@ def test_frames_are_the_models(tmp_path) -> None:
     near = ALL.replace("[light]", 'keys = [{ frame = 0, eye = [3, 2, 5] }, { frame = 8, eye = [-3, 3, 4] }]\n[light]')
     grey = 'grey = { shades = ["#000000", "#ffffff"], edges = "snapped" }'
     snapped = START.replace('grey.shades = ["#000000", "#ffffff"]', grey)
-    scenes = {"exact": START + near + ROOF + 'normals = "faces"\ngrid = 0.75\n',
+    exact = START.replace('grey.shades = ["#000000", "#ffffff"]', grey.replace("snapped", "exact"))
+    scenes = {"exact": exact + near + ROOF + 'normals = "faces"\ngrid = 0.75\n',
               "snapped": snapped + near + ROOF + 'normals = "faces"\ngrid = 0.75\n',
               "smooth": snapped + near + ROOF, "lit": lit + near + ROOF + "grid = 1\n" + maps,
               "tree": START + near + ROOF + 'order = "bsp"\ngrid = 1\n'
               + ROOF + 'order = "bsp"\nrotation = [0, 50, 20]\n'}
-    scenes["n64"] = START.replace('grey.shades = ["#000000", "#ffffff"]', 'grey.n64.combine = "shade"').replace(
-        "[materials]", 'format = "rgba8888"\n[materials]').replace('red.colour = "#ff0000"\n', "") + near + ROOF \
-        + "grid = 1\nuvs = [[[0, 0], [9, 0], [9, 9], [0, 9]]]\n"
+    tiles = f'[{{ image = "{SCENES / "n64/bricks.png"}", format = "rgba16" }}]'
+    units = START.replace('grey.shades = ["#000000", "#ffffff"]',
+                          f'grey.n64 = {{ combine = "modulate", tiles = {tiles} }}')
+    units = units.replace("[materials]", 'format = "rgba8888"\n[materials]')
+    scenes["n64"] = units + near + ROOF + "grid = 1\nuvs = [[[0, 0], [9, 0], [9, 9], [0, 9]]]\n"
     made = {name: make(tmp_path, text) for name, text in scenes.items()}
     assert has_16_bits(made["snapped"]) and not has_16_bits(made["exact"])
     for frames in assert_models(made).values():
