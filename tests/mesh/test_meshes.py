@@ -22,7 +22,7 @@ from tmap.scene_file.scene_file import ONE
 
 MACHINE = "a1200-fast"
 PLAIN = 4  # random scenes that are drawn in the plain forms too
-NAMES = ("cube", "face", "floor", "corridor", "environment", "shaded", "crane", "grove")
+NAMES = ("cube", "face", "floor", "corridor", "environment", "shaded", "crane", "grove", "lamps")
 SPLIT = ("rooms",)  # new corners are rounded, so its faces are not exactly flat: tests/mesh/test_trees.py
 EVERY = 1 if os.environ.get("SCENES") == "all" else 13
 

@@ -10,7 +10,7 @@ LIMITS = 1e-3, 1e4  # units of a side
 #: What it has of other objects in space, and what they have instead of the rest.
 SHARED = ("name", "parent", "position", "size", "keys")
 FIXED = {"rotation": [0, 0, 0], "axis": [0, 1, 0], "turns": 0, "mapping": None, "normals": None, "crease": None,
-         "triangles": False, "two_sided": False, "projector": None, "order": "depth"}
+         "triangles": False, "two_sided": False, "projector": None, "order": "depth", "grid": None}
 
 
 def fields(placing: dict) -> dict:

@@ -38,6 +38,11 @@ def check(objects: list[dict], where: str) -> None:
         obj["whole_size"] = math.prod(each["size"] for each in (obj, *obj["above"]))
 
 
+def is_still(obj: dict) -> bool:
+    """Returns True if neither an object in space nor one above it moves."""
+    return not any(each["keys"] or each["turns"] for each in (obj, *obj["above"]))
+
+
 def placed_at(obj: dict, frame: int, loop: int) -> tuple[np.ndarray, np.ndarray]:
     """Returns rotation and position in space of an object in a frame of the scene: the product of its
     own and those above it. Each one's motion starts with its own first frame."""

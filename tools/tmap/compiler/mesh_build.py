@@ -14,7 +14,8 @@ from tmap.base.fields import fail
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, off_plane, product
 from tmap.build import layout
-from tmap.compiler import cutting, space
+from tmap.compiler import cutting, grids, space
+from tmap.compiler.lights import Baking
 from tmap.compiler.mesh_file import Shape, check_counts
 from tmap.scene_file.meshes import UNIT_14, UNIT_30
 
@@ -39,6 +40,9 @@ class Wishes:
     two_sided: bool = False
     names: tuple[str, ...] | None = None  # materials of the file whose faces are drawn; None: all
     level: bool = False  # cut faces whose corners are not on one plane, but for rounding
+    grid: float | None = None  # units between the planes that cut all faces
+    baking: Baking | None = None  # lights that are computed here: normals become brightness
+    one_shade: bool = False  # baked faces have one brightness
 
     @property
     def turns_normals(self) -> bool:
@@ -219,6 +223,51 @@ def parts_of(face: Face, places: np.ndarray, wishes: Wishes) -> list[Face]:
     return [part for part in parts if unit_normal(places[part.points] / ONE) is not None]
 
 
+def in_cells(face: Face, places: list[tuple], pitch: float, most: int) -> list[Face]:
+    """Returns the parts of a convex face in the cells of a grid; appends their new corners to ``places``.
+    Texels and unit normals change evenly along its edges; where opposite normals meet, the face's is taken."""
+    texels = list(map(tuple, face.texels)) if face.texels else [()] * len(face.points)
+    normals = [tuple(space.unit(n)) for n in face.normals] if face.normals else [()] * len(face.points)
+    cells = grids.cells([(*places[p], *t, *n) for p, t, n in zip(face.points, texels, normals)], pitch, most)
+    if cells is None:
+        fail(face.at, f"the grid cuts it into more than {most} parts")
+    made, first_normal = [], 3 + len(texels[0])
+    for cell in cells:
+        points = list(range(len(places), len(places) + len(cell)))
+        places += [corner[:3] for corner in cell]
+        turned = [corner[first_normal:] for corner in cell]
+        turned = [n if not n or length(n) > SMALL else tuple(face.normal) for n in turned]
+        made.append(Face(points, [corner[3:first_normal] for corner in cell], turned, face.normal, face.at,
+                         face.number))
+    return made
+
+
+def bake(face: Face, ring: np.ndarray, wishes: Wishes) -> None:
+    """Replaces the normals of a face by the brightness of its corners, 2.14."""
+    bright = [wishes.baking.brightness(place, np.array(normal)) for place, normal in zip(ring, face.normals)]
+    if wishes.one_shade:
+        bright = [sum(bright) / len(bright)] * len(bright)
+    face.normals = [(round(each * UNIT_14), 0, 0) for each in bright]
+
+
+def lit_parts(face: Face, places: list[tuple], wishes: Wishes, most: int) -> list[Face]:
+    """Returns the parts of a convex face that the grid and baked lights make; triangles where they need
+    them."""
+    if not (wishes.grid or wishes.baking):
+        return [face]
+    made = []
+    for part in in_cells(face, places, wishes.grid, most) if wishes.grid else [face]:
+        ring = np.array([places[p] for p in part.points]) / ONE
+        if wishes.baking:
+            bake(part, ring, wishes)
+        cuts = [list(range(len(ring)))]
+        if is_cut(part, ring, wishes):
+            whole = np.array([places[p] for p in part.points], np.int64)
+            cuts = cutting.triangles_in_space(whole, face.normal) or cutting.fan(len(ring))
+        made += [part.part(cut) for cut in cuts if unit_normal(ring[cut]) is not None]
+    return made
+
+
 def numbered(rows: list[tuple]) -> tuple[np.ndarray, list[int]]:
     """Returns the distinct rows, and for each given row its index among them."""
     order = {row: i for i, row in enumerate(dict.fromkeys(rows))}
@@ -242,8 +291,8 @@ def tables(faces: list[Face], places: np.ndarray, wishes: Wishes, left_out: list
     used = [tuple(places[p].tolist()) for f in faces for p in f.points]
     turned = [n for f in faces for n in f.normals] if wishes.turns_normals else \
         [(0.0, 0.0, 1.0)] * len(used)  # unused
-    unit = [np.rint(space.unit(n) * UNIT_14).astype(int) for n in turned]
-    points, normals, point_of, normal_of = vertices(used, [(*n.tolist(), 0) for n in unit])
+    stored = turned if wishes.baking else [np.rint(space.unit(n) * UNIT_14).astype(int).tolist() for n in turned]
+    points, normals, point_of, normal_of = vertices(used, [(*n, 0) for n in stored])
     texels = [t for f in faces for t in f.texels] if wishes.mapping == "uv" else \
         [(0.0, 0.0)] * len(point_of)
     corners = [[point, normal, *map(fix, texel)]
@@ -281,11 +330,14 @@ def build(shape: Shape, wishes: Wishes, where: str) -> Tables | None:
     check_counts(0, len(drawn), where)
     if wishes.turns_normals:
         set_normals(faces, drawn, places, wishes)
-    made, most = [], limits["MESH_COUNT_MAX"]
+    made, most, all_places = [], limits["MESH_COUNT_MAX"], list(map(tuple, places.tolist()))
     for face in drawn:
-        made += parts_of(face, places, wishes)
+        for part in parts_of(face, places, wishes):
+            made += lit_parts(part, all_places, wishes, most)
         if len(made) > most:
-            fail(where, f"more than {most} faces, those counted as triangles that are cut into them")
+            fail(where, f"more than {most} faces, those counted as triangles that are cut into them"
+                        + " and as cells of the grid" * bool(wishes.grid))
+    places = np.array(all_places, np.int64)
     found = tables(made, places, wishes, left_out)
     check_counts(len(found.points), len(found.faces), where)
     if len(found.normals) > most:

@@ -13,8 +13,8 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (billboards, glide, hierarchy, materials, mesh_build, mesh_file, mtl_file, orders, parts,
-                           projectors as scene_projectors, space)
+from tmap.compiler import (billboards, glide, grids, hierarchy, lights, materials, mesh_build, mesh_file, mtl_file,
+                           orders, parts, projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
@@ -42,7 +42,7 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
                            "the key's frame, counted from the object's `first`"),
                  "position": (place, None, "`position` in this frame; without it, the object's"),
                  "rotation": (angles, None, "`rotation` in this frame; without it, the object's")})
-    placing = hierarchy.FIELDS | {
+    placing = hierarchy.FIELDS | grids.FIELDS | {
         "position": (place, [0, 0, 0], "where the mesh's origin is: x, y, z"),
         "rotation": (angles, [0, 0, 0], "turns it about x, then y, then z"),
         "size": (number(1e-6, 1e6), 1, "factor of all points, before rotation and position"),
@@ -79,11 +79,8 @@ def schema(limits: dict[str, int]) -> dict:
     camera = table(space.camera_fields(limits, [0, 0, 0])
                    | {"near": (number(limits["W_MIN"] / ONE, 1000, "units"), 0.125,
                                "what is nearer than this is cut off")})
-    light = table({"direction": (rows(number(-space.AWAY, space.AWAY), 3, 3), REQUIRED,
-                                 "the way that it shines: x, y, z of any length but 0"),
-                   "ambient": (number(0, 1), 0.25, "brightness of faces that turn away from it")})
     return {"camera": (camera, None, "where objects in space are seen from; they need it"),
-            "light": (light, {"direction": [0.5, -1, -1], "ambient": 0.25}, "light on objects in space"),
+            **lights.schema(),
             "projectors": (named(scene_projectors.schema(limits)), {}, "pictures thrown on objects in space")}
 
 
@@ -109,19 +106,13 @@ def fill_keys(spec: dict, names: tuple[str, ...], where: str) -> None:
     space.check_keys(spec["keys"], f"{where}.keys")
 
 
-def check_length(vector: list[float], where: str) -> None:
-    """Refuses a direction without length; any other length will do."""
-    if not any(vector):
-        fail(where, "must have a length")
-
-
 def check_view(spec: dict, where: str) -> None:
     """Refuses a camera or projector with invalid keys or upward direction; fills in fields that
     keys leave out."""
-    check_length(spec["up"], f"{where}.up")
+    space.check_length(spec["up"], f"{where}.up")
     fill_keys(spec, space.LENS, where)
     for stop, at in space.stops(spec, where):
-        check_length(stop["up"], f"{at}.up")
+        space.check_length(stop["up"], f"{at}.up")
 
 
 def check_camera(camera: dict, width: int, where: str) -> None:
@@ -138,7 +129,7 @@ def check_camera(camera: dict, width: int, where: str) -> None:
 def check_object(obj: dict, material: dict, projectors: dict, where: str) -> None:
     """Refuses an object in space that its material does not draw; fills in its mapping and the
     fields that its keys leave out."""
-    check_length(obj["axis"], f"{where}.axis")
+    space.check_length(obj["axis"], f"{where}.axis")
     fill_keys(obj, ("position", "rotation"), where)
     scene_projectors.check_object(obj, material, projectors, where)
     allowed, name = parts.mappings_of(material), obj["material"]
@@ -167,7 +158,7 @@ def check(spec: dict, where: str) -> None:
         check_camera(spec["camera"], spec["width"], f"{where}camera")
     for name, projector in spec["projectors"].items():
         check_view(projector, join(f"{where}projectors", name))
-    check_length(spec["light"]["direction"], f"{where}light.direction")
+    lights.check(spec, where)
     for obj in filter(is_mesh, spec["objects"]):
         if not spec["camera"]:
             fail(f"{where}camera", f"is missing; {obj['at'].removeprefix(where)} has a mesh")
@@ -214,7 +205,8 @@ class Space:
             parts.has_light(material),
             obj["triangles"] or mapper != "flat" and material["gradients"] == "polygon",
             mapper != "flat" and material["gradients"] == "plane", obj["two_sided"],
-            obj["names"], obj["order"] == "bsp")
+            obj["names"], obj["order"] == "bsp", obj["grid"],
+            lights.baking_of(self.spec, obj, material), mapper == "lit")
 
     def tables_of(self, obj: dict, material: dict, where: str, uvs: str = "uvs"
                   ) -> mesh_build.Tables | None:
@@ -305,7 +297,8 @@ class Space:
         focal = space.focal_length(spec["width"], fov) / guard
         lens = np.array([focal, focal, 1.0])
         seen = product(axes, turn)
-        light = product(turn.T, -space.unit(spec["light"]["direction"])) * shades
+        material = spec["materials"][obj["material"]]
+        light = lights.factors(spec, obj, material, turn, position) * shades
         return (lens[:, None] * seen, lens * product(axes, position - eye),
                 product(turn.T, eye - position), np.array([RADIUS * seen[0], RADIUS * seen[1], light]))
 
@@ -332,6 +325,9 @@ class Space:
     def place(self, obj: dict, look: tuple, before: int, where: str) -> None:
         """Adds an object. ``look``: its material's number, the material, texture and ramp."""
         _, material, texture, _ = look
+        if lights.needs_normals(self.spec, obj, material):
+            self.notes[f"{where}.mapping"] = f'{where}.mapping: "environment" needs the normals, so all lights are ' \
+                                             "taken as one direction, as those of an object that moves"
         if obj["order"] == "bsp":
             if lives_of(obj, self.count) >= 1:
                 self.trees.add(obj, look, before, where)

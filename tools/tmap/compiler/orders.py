@@ -65,13 +65,14 @@ def in_place(shape: Shape, size: float, placing: Placing) -> np.ndarray:
 def placed(shape: Shape, wishes: Wishes, placing: Placing, where: str) -> tuple[Shape, Wishes]:
     """Returns a mesh put to its place in a tree's space, and the wishes that it then needs; refuses one that
     is too far from the tree's middle."""
-    (turn, _), most = placing, layout.load().constants["MESH_REACH"]
+    (turn, move), most = placing, layout.load().constants["MESH_REACH"]
     normals = shape.normals and [face and [tuple(product(turn, np.array(n))) for n in face]
                                  for face in shape.normals]
     points = in_place(shape, wishes.size, placing)
     if (abs(points[used_of(shape)]) > most).any():
         fail(where, f"a point is more than {most} units from the middle of its tree")
-    return replace(shape, points=points, normals=normals), replace(wishes, size=1.0)
+    return replace(shape, points=points, normals=normals), \
+        replace(wishes, size=1.0, baking=wishes.baking and wishes.baking.without(move))
 
 
 def faces_of(tables: Tables, first: int, two_sided: bool, where: str) -> list[polygons.Polygon]:

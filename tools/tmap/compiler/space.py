@@ -40,6 +40,12 @@ def unit(vector) -> np.ndarray:
     return vector / length(vector)
 
 
+def check_length(vector: list[float], where: str) -> None:
+    """Refuses a direction without length; any other length will do."""
+    if not any(vector):
+        fail(where, "must have a length")
+
+
 def about(axis, angle: float) -> np.ndarray:
     """Returns the rotation by an angle (radians) about an axis of any length."""
     x, y, z = unit(axis)
