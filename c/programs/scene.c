@@ -25,7 +25,8 @@ int main(void)
     struct renderer renderer = {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0};
 
     scene_place(&scene, scene_data);
-    scene_make(&scene, MEMORY_ANY);     /* mem_need ends the program if memory is short */
+    scene_copy_maps(&scene, MEMORY_ANY);        /* mem_need ends the program if memory is short */
+    scene_make(&scene, MEMORY_ANY);
     frame.width = scene.header->width;
     frame.height = scene.header->height;
     frame.pixel_bytes = scene_pixel_bytes(scene.header->format);

@@ -59,7 +59,7 @@ static int32 usable(const uint8 *data, uint32 bytes, const char *name)
         return text_refuse(name, "not a usable file of questions: magic");
     if (h->version != VECTOR_VERSION)
         return text_refuse(name, "not a usable file of questions: version");
-    if (h->checksum != crc32(data + summed, bytes - summed))
+    if (h->checksum != crc32(0, data + summed, bytes - summed))
         return text_refuse(name, "not a usable file of questions: checksum");
     at = h->operations_at;
     if (at & 3 || at > bytes)

@@ -29,21 +29,21 @@ uint32 scene_pixel_max(const struct scene_header *h)
     return ~(uint32)0 >> (32 - 8 * scene_pixel_bytes(h->format));
 }
 
-const char *scene_wrong_header(const struct scene_header *h, uint32 bytes)
+const char *scene_wrong_start(const struct scene_header *h, uint32 bytes)
 {
-    const uint32 summed = (uint32)((const uint8 *)&h->width - (const uint8 *)h);
-    const uint32 *count = &h->textures, *at = &h->textures_at;
-
     if (bytes < sizeof *h)
         return "size";
     if (h->magic != SCENE_MAGIC)
         return "magic";
     if (h->version != SCENE_VERSION)
         return "version";
-    if (h->size != bytes)
-        return "size";
-    if (h->checksum != crc32((const uint8 *)h + summed, bytes - summed))
-        return "checksum";
+    return h->size == bytes ? 0 : "size";
+}
+
+const char *scene_wrong_header(const struct scene_header *h)
+{
+    const uint32 *count = &h->textures, *at = &h->textures_at;
+
     if (h->width < 4 || h->width > FRAME_SIDE_MAX || h->width & 3)
         return "width";
     if (h->height < 1 || h->height > FRAME_SIDE_MAX)
@@ -56,10 +56,21 @@ const char *scene_wrong_header(const struct scene_header *h, uint32 bytes)
         return "background";
     if (h->cleared > 1)
         return "cleared";
-    if (!table_usable(h->palette_at, 256, 4, bytes))
+    if (!table_usable(h->palette_at, 256, 4, h->size))
         return "palette_at";
     for (uint32 i = 0; i < sizeof tables / sizeof *tables; i++, count++, at++)
-        if (!table_usable(*at, *count, tables[i].size, bytes))
+        if (!table_usable(*at, *count, tables[i].size, h->size))
             return tables[i].wrong;
     return 0;
+}
+
+uint32 scene_tables_end(const struct scene_header *h)
+{
+    const uint32 *count = &h->textures, *at = &h->textures_at;
+    uint32 most = h->palette_at + 256 * 4;
+
+    for (uint32 i = 0; i < sizeof tables / sizeof *tables; i++, count++, at++)
+        if (*at + *count * tables[i].size > most)
+            most = *at + *count * tables[i].size;
+    return most;
 }

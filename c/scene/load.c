@@ -1,4 +1,4 @@
-#include "scene/scene.h"
+#include "scene/maps.h"
 
 #include "math/math.h"
 #include "perspective/tolerance.h"
@@ -46,6 +46,8 @@ static const char *wrong_texture(const struct scene *scene)
     const struct scene_header *h = scene->header;
     int32 bytes = scene_pixel_bytes(h->format);
 
+    uint32 at = scene_tables_end(h);
+
     for (uint32 i = 0; i < h->textures; i++) {
         const struct scene_texture *t = &scene->textures[i];
 
@@ -56,9 +58,10 @@ static const char *wrong_texture(const struct scene *scene)
             return "texture.texel_bytes";
         if (!size_usable(t->width, t->height, (enum map_layout)t->layout))
             return "texture.width or texture.height";
-        if (t->at < sizeof *h
-            || !table_inside(t->at, (uint32)(t->width * t->height), t->texel_bytes, h->size))
+        if (t->at != at
+            || !table_inside(at, (uint32)(t->width * t->height), t->texel_bytes, h->size))
             return "texture.at";
+        at += ((uint32)(t->width * t->height) * t->texel_bytes + 3) & ~(uint32)3;
     }
     return 0;
 }
@@ -263,26 +266,77 @@ static const char *wrong_entry(const struct scene *scene)
     return wrong ? wrong : scene_wrong_mesh(scene);
 }
 
+/* Reads the header and the tables behind it into new memory. Returns the scene's file, or 0: *wrong is the
+   first wrong field, or 0 if a line was printed. */
+static const struct scene_header *read_tables(struct scene_input *input, const char **wrong)
+{
+    struct scene_header start;
+    const uint32 whole = input->left, unsummed = (uint32)((uint8 *)&start.width - (uint8 *)&start);
+    uint32 bytes;
+    uint8 *data;
+
+    *wrong = 0;
+    if (!scene_input_read(input, &start, whole < sizeof start ? whole : (uint32)sizeof start))
+        return 0;
+    *wrong = scene_wrong_start(&start, whole);
+    if (*wrong)
+        return 0;
+    input->sum = crc32(0, (uint8 *)&start + unsummed, (uint32)sizeof start - unsummed);
+    *wrong = scene_wrong_header(&start);
+    if (*wrong) {
+        if (!scene_input_sound(input, start.checksum))
+            *wrong = "checksum";
+        return 0;
+    }
+    bytes = scene_tables_end(&start);
+    if (!mem_alloc(&data, (int32)bytes, MEMORY_ANY)) {
+        outcome_lack_memory(input->name, "the tables");
+        return 0;
+    }
+    for (uint32 i = 0; i < sizeof start; i++)
+        data[i] = ((uint8 *)&start)[i];
+    return scene_input_read(input, data + sizeof start, bytes - (uint32)sizeof start)
+        ? (const struct scene_header *)data : 0;
+}
+
+/* Reads and checks a scene and its maps; prints a line and returns 0 if it cannot. */
+static int32 read_scene(struct scene *scene, struct scene_input *input, int32 kind)
+{
+    const char *wrong;
+    const struct scene_header *header = read_tables(input, &wrong);
+
+    if (header) {
+        scene_place(scene, (const uint8 *)header);
+        wrong = wrong_entry(scene);
+        if (!wrong) {
+            if (!scene_take_maps(scene, kind))
+                return outcome_lack_memory(input->name, "the textures");
+            if (!scene_read_maps(scene, input))
+                return 0;
+        }
+        if (!scene_input_sound(input, header->checksum))
+            wrong = "checksum";
+    }
+    return wrong ? refuse(input->name, wrong) : header != 0;
+}
+
 int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
     static const char *const purposes[] = {
-        "", "the textures", "the reciprocals", "the materials", "the meshes", "the texture units"
+        "", "the transparent texels' rows", "the reciprocals", "the materials", "the meshes",
+        "the texture units"
     };
+    struct scene_input input;
     enum scene_memory lacks;
-    const char *wrong;
-    uint8 *data;
-    uint32 bytes;
+    int32 is_read;
 
-    if (!file_load(name, &data, &bytes))
+    if (!scene_input_open(&input, name))
         return 0;
-    wrong = scene_wrong_header((const struct scene_header *)data, bytes);
-    if (wrong)
-        return refuse(name, wrong);
-    scene_place(scene, data);
-    wrong = wrong_entry(scene);
-    if (wrong)
-        return refuse(name, wrong);
-    lacks = scene_make(scene, kind);
+    is_read = read_scene(scene, &input, kind);
+    file_close(input.file);
+    if (!is_read)
+        return 0;
+    lacks = scene_make_rows(scene) ? scene_make(scene, kind) : SCENE_TEXTURES;
     if (lacks == SCENE_CROWDED)
         return refuse(name, "points, normals or faces of meshes between two objects");
     if (lacks != SCENE_MADE)

@@ -1,4 +1,4 @@
-/* Prepares a scene in memory for drawing; nothing here checks it. */
+/* Prepares a scene in memory for drawing, but its maps; nothing here checks it. */
 #include "scene/scene.h"
 
 #include "scene/tables.h"
@@ -175,8 +175,6 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
     scene->reciprocals = 0;
     scene->triangles = 0;
     scene->tried_reciprocals = scene->tried_triangles = 0;
-    if (!scene_make_maps(scene, kind))
-        return SCENE_TEXTURES;
     if ((scene->header->units && !scene_make_units(scene, kind))
         || (scene->header->pipes && !scene_make_pipes(scene, kind)))
         return SCENE_UNITS;

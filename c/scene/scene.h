@@ -46,12 +46,43 @@ struct scene {
     struct glide_tile_store *tiles;     /* of all pipes */
 };
 
-/* Copies the textures of a checked scene to memory of the kind given, each in its layout; returns 0
-   if memory is short. */
-int32 scene_make_maps(struct scene *scene, int32 kind);
+/* A scene file that is being read from its start to its end. */
+struct scene_input {
+    const char *name;
+    int32 file;                 /* its handle */
+    uint32 left;                /* bytes that are not read yet */
+    uint32 sum;                 /* CRC-32 of those that are, without the first fields */
+};
 
-/* Returns the name of the first field of a header that is wrong, or 0; bytes: of the file. */
-const char *scene_wrong_header(const struct scene_header *header, uint32 bytes);
+/* input.c. Opens a scene file; prints a line and returns 0 if it cannot. */
+int32 scene_input_open(struct scene_input *input, const char *name);
+
+/* Reads the next bytes; prints a line and returns 0 if it cannot. */
+int32 scene_input_read(struct scene_input *input, void *to, uint32 bytes);
+
+/* Reads the rest of the file and returns 1 if the checksum is the header's, 0 if not, or if it cannot be
+   read. */
+int32 scene_input_sound(struct scene_input *input, uint32 checksum);
+
+/* maps.c, for programs that have the scene linked in: copies the textures of a checked scene to memory
+   of the kind given, each in its layout; returns 0 if memory is short. Texels are then in memory twice. */
+int32 scene_copy_maps(struct scene *scene, int32 kind);
+
+/* maps_read.c, for scene files. Takes memory of the kind given for the textures of a checked scene, in as
+   many blocks as it needs: of any kind, fast RAM before chip RAM. Returns 0 if memory is short. */
+int32 scene_take_maps(struct scene *scene, int32 kind);
+
+/* Reads the textures, each to its memory and in its layout; prints a line and returns 0 if it cannot. */
+int32 scene_read_maps(struct scene *scene, struct scene_input *input);
+
+/* Returns the name of the first field of a scene file's start that is wrong, or 0; bytes: of the file. */
+const char *scene_wrong_start(const struct scene_header *header, uint32 bytes);
+
+/* The same for the rest of the header. */
+const char *scene_wrong_header(const struct scene_header *header);
+
+/* Returns the offset where all tables have ended: that of the first texture's texels. */
+uint32 scene_tables_end(const struct scene_header *header);
 
 /* Returns the greatest value of a pixel in the header's format. */
 uint32 scene_pixel_max(const struct scene_header *header);
@@ -120,7 +151,7 @@ enum scene_memory {
     SCENE_UNITS, SCENE_CROWDED  /* the last: more than SCENE_COUNT_MAX at once */
 };
 
-/* Makes maps, materials and all other data from which a checked scene is drawn; textures go to
+/* Makes materials and all other data from which a checked scene with its maps is drawn; texture units take
    memory of the kind given. */
 enum scene_memory scene_make(struct scene *scene, int32 kind);
 

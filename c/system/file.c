@@ -41,11 +41,11 @@ int32 file_save(const char *name, const void *data, uint32 bytes)
     return text_refuse(name, "cannot be written");
 }
 
-uint32 crc32(const uint8 *data, uint32 bytes)
+uint32 crc32(uint32 crc, const uint8 *data, uint32 bytes)
 {
     static uint32 table[256];
-    uint32 crc = 0xffffffff;
 
+    crc = ~crc;
     if (!table[1])
         for (uint32 i = 0; i < 256; i++) {
             uint32 rest = i;

@@ -40,6 +40,8 @@ int32 mem_asked(int32 *kind);
 int32 mem_largest(int32 kind);
 int32 mem_take(void *address, int32 bytes, int32 kind);
 void mem_reserve(void);
+int32 mem_take_at(void *address, int32 bytes);
+uint32 mem_lists(void);
 uint32 mem_mark(void);
 void mem_release(uint32 mark);
 int32 mem_need(void *address, int32 bytes, int32 kind);

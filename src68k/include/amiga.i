@@ -14,6 +14,7 @@ _LVOEnable              equ     -126
 _LVOAddIntServer        equ     -168
 _LVORemIntServer        equ     -174
 _LVOAllocMem            equ     -198
+_LVOAllocAbs            equ     -204
 _LVOFreeMem             equ     -210
 _LVOAvailMem            equ     -216
 _LVOFindTask            equ     -294

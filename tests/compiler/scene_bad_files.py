@@ -172,6 +172,8 @@ def bad_scenes() -> list[tuple[bytes, str]]:
     many.meshes[0].points, many.meshes[1].point, many.textures = 4096, 0, many.textures[:0]
     many.materials, many.instances = [Material()], [Instance(0, 0, 0, 0, 1, 0)] * 17
     cases.append((scene_file.write(many), NOT_USABLE + "points, normals or faces of meshes"))
-    cases += [(bytes(3 << 20), f": not enough memory for the file: {3 << 20} bytes; the largest"),
-              (scene_file.write(example(14)), ": not enough memory for the textures: ")]
+    long = example(0)
+    long.dram = bytes(3 << 20)
+    cases += [(scene_file.write(long), ": not enough memory for the tables: 31"),
+              (scene_file.write(example(30)), ": not enough memory for the textures: ")]
     return cases

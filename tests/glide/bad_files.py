@@ -3,6 +3,7 @@
 import numpy as np
 
 from tests.helpers.wrong_fields import M32, Row, WrongFields
+from tmap.build import layout
 from tmap.scene_file.scene_file import IDENTITY, Material, Object, Scene
 
 LOCAL = 0x1 << 12 | 0x1 << 18 | 0x1 << 21 | 0x1 << 27  # colours are the texels
@@ -26,6 +27,7 @@ def wrong_pipes() -> list[Row]:
     rows: list[Row] = []
     wrong = WrongFields(scene(), rows)
     entry, memory = wrong.entry, "glide_memory or glide_memory_at"
+    constants = layout.load().constants
     registers = "glide_unit.mode, lod, detail or base"
     wrong.header("glide_memory", 257, 1 << 20, M32, said=memory)
     wrong.header("glide_memory_at", 0, 2, len(wrong.data), M32 - 7, said=memory)
@@ -48,7 +50,7 @@ def wrong_pipes() -> list[Row]:
     entry("pipes", 1, "own", 1, 3, M32)
     entry("pipes", 0, "adds", 2, M32)
     entry("materials", 0, "unit", 2, M32)
-    entry("materials", 0, "mapper", 10, 12)
+    entry("materials", 0, "mapper", constants["MAPPER_N64"], constants["MAPPER_KINDS"])
     entry("materials", 0, "primitive", 1)
     entry("materials", 0, "edges", 0)
     entry("objects", 1, "vertices", 3, 5)

@@ -272,10 +272,10 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
         for layout in LAYOUTS:
             if (name, layout) in wanted:
                 number[name, layout] = len(stored)
-                stored.append(Texture(array, layout))
+                stored.append(Texture(array, layout, name[0]))
     light = len(stored)
     if lit:
-        stored.append(Texture(palette.light(colours), "light"))
+        stored.append(Texture(palette.light(colours), "light", "(light)"))
     return colours, stored, [
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[(m["texture"], is_keyed(m)), MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,

@@ -16,6 +16,7 @@ from tmap.compiler.scene import compile_scene, parse
 from tmap.guest import emulator, provenance
 from tmap.guest.emulator import CLOCK_HZ, CYCLES_PER_TICK
 from tmap.model import model
+from tmap.run import memory
 from tmap.scene_file.materials import SETTINGS
 from tmap.scene_file.scene_file import Scene, write
 
@@ -265,6 +266,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
     """Renders a scene file into the directory ``out``; returns run.json's content."""
     check_directory(out)
     scene = compile_scene(path, frames)
+    memory.check(scene, machine)
     done = render(scene, machine, form, rules(off))
     content = parse(path)
     lowering = {name: {"asked": {kind: getattr(material, kind) for kind in SETTINGS}

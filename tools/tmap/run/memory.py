@@ -1,0 +1,137 @@
+"""The memory that a scene takes on a machine, before the machine is booted.
+
+``requests`` lists what the program ``render`` asks for, in its order: c/scene/load.c, maps_read.c, make.c and
+c/programs/render.c. What texture units take while they draw is not in it: they draw without it, or say so.
+"""
+
+from pathlib import Path
+
+from tmap.base.errors import UserError
+from tmap.base.paths import PROGRAMS
+from tmap.build import layout
+from tmap.guest.memory import Memory
+from tmap.scene_file import scene_file
+from tmap.scene_file.scene_file import Scene
+from tmap.scene_file.textures import Texture, ordered
+
+PAGE, LIGHT = 1 << 16, 1 << 14
+CANARIES = 2 * 4096  # around render's frame
+LARGEST = 3  # textures that a refusal names
+#: Units of the maps that begin at certain multiples: bytes of a unit, units of a map, units more of a block.
+UNITS = {"pages": (PAGE, 1, 0), "margins": (PAGE, 2, 1), "light": (LIGHT, 1, 0)}
+
+
+def order_of(texture: Texture) -> str | None:
+    """Returns the key of UNITS of a texture; None if it may be anywhere: scene_map_order in c/scene/maps.c."""
+    if texture.texels.itemsize > 1:
+        return None
+    if texture.layout in ("page", "tiled") or texture.layout == "linear" and texture.texels.shape == (256, 256):
+        return "pages"
+    return texture.layout if texture.layout in UNITS else None
+
+
+def map_bytes(texture: Texture) -> int:
+    """Returns the bytes of a texture's map in memory."""
+    if texture.layout == "page":
+        return PAGE * texture.texels.itemsize
+    return 2 * PAGE if texture.layout == "margins" else -(-texture.texels.nbytes // 4) * 4
+
+
+def hunks(program: Path) -> list[int]:
+    """Returns the bytes of a program's hunks in memory."""
+    longs = [int.from_bytes(program.read_bytes()[at:at + 4], "big") for at in range(8, 40, 4)]
+    return [4 * size for size in longs[3:3 + longs[0]]]
+
+
+def loaded(machine: str) -> Memory:
+    """Returns a machine's memory when render has been loaded."""
+    memory = Memory.of(machine)
+    for size in hunks(PROGRAMS / "render"):
+        memory.take(size)
+    return memory
+
+
+def needs_reciprocals(scene: Scene) -> bool:
+    """Returns True if a material takes the table of reciprocals: tables_needed in c/scene/tables.c."""
+    return scene.pixel.bytes == 1 and any(
+        m.perspective != "none" and (m.perspective in ("every8", "every16") or m.tolerance)
+        for m in scene.materials)
+
+
+def mesh_bytes(scene: Scene) -> list[int]:
+    """Returns the requests for meshes: make_work in c/scene/make.c."""
+    if not scene.instances:
+        return []
+    size = {name: layout.load().struct(name).size for name in
+            ("mesh_placed", "mesh_point", "mesh_place", "mesh_attributes", "mesh_face", "mesh_point16")}
+    groups: dict[int, list] = {}
+    for each in scene.instances:
+        groups.setdefault(each.before, []).append(scene.meshes[each.mesh])
+    most = max(map(len, groups.values()))
+    points, normals, faces = (max(sum(getattr(mesh, table) for mesh in group) for group in groups.values())
+                              for table in ("points", "normals", "faces"))
+    return [most * size["mesh_placed"], points * size["mesh_point"], points * size["mesh_place"],
+            normals * size["mesh_attributes"], faces * size["mesh_face"], points + 4 & ~3,
+            *([len(scene.points) * size["mesh_point16"]] if len(scene.views16) else []), len(scene.meshes)]
+
+
+def requests(scene: Scene) -> tuple[list[int], list[int]]:
+    """Returns the sizes of render's requests before those for maps, and of those after them."""
+    built = layout.load()
+    size = {name: built.struct(name).size for name in
+            ("map", "map_row", "material", "scene_scratch", "triangle_tables", "draw_counts", "n64_unit", "glide",
+             "glide_pipe", "glide_tile_store")}
+    texels = sum(-(-len(ordered(t)) // 4) * 4 for t in scene.textures)
+    before = [len(scene_file.write(scene)) - texels, len(scene.textures) * size["map"]]
+    after = [size["map_row"] * sum(scene.textures[m.texture].texels.shape[0] for m in scene.materials
+                                   if m.mapper == "keyed")]
+    after = after if after[0] else []
+    if len(scene.units):
+        after.append(len(scene.units) * size["n64_unit"])
+    if len(scene.pipes):
+        after += [len(scene.glide_units) * size["glide"], len(scene.pipes) * size["glide_pipe"],
+                  size["glide_tile_store"]]
+    after += [len(scene.materials) * size["material"], size["scene_scratch"]]
+    if needs_reciprocals(scene):
+        after.append(2 * built.constants["FAR_COUNT"])
+    if any(m.edges == "snapped" for m in scene.materials):
+        after.append(size["triangle_tables"])
+    after += [*mesh_bytes(scene), *[len(scene.materials) * size["draw_counts"]] * 2]
+    return before, after + [scene.width * scene.height * scene.pixel.bytes + CANARIES]
+
+
+def take_maps(memory: Memory, textures: list[Texture]) -> bool:
+    """Takes the maps' memory as scene_take_maps does; returns False if there is not enough."""
+    for order, (unit, each, rest) in UNITS.items():
+        left, kinds = sum(order_of(t) == order for t in textures), ["fast", "chip"]
+        while left and kinds:
+            units = memory.take_units(unit, left * each + rest, kinds[0])
+            here = max(units - rest, 0) // each
+            left -= here
+            if not here:
+                del kinds[0]
+        if left:
+            return False
+    return all([memory.take(map_bytes(t)) for t in textures if not order_of(t)])
+
+
+def fits(scene: Scene, machine: str) -> bool:
+    """Returns True if render can load and draw a scene on a machine."""
+    memory = loaded(machine)
+    before, after = requests(scene)
+    return all([memory.take(size) for size in before]) and take_maps(memory, scene.textures) \
+        and all([memory.take(size) for size in after])
+
+
+def check(scene: Scene, machine: str) -> None:
+    """Refuses a scene that does not fit a machine."""
+    if fits(scene, machine):
+        return
+    before, after = requests(scene)
+    maps = sum(map(map_bytes, scene.textures))
+    free = " and ".join(f"{size:,} bytes of {kind} RAM" for kind, size in loaded(machine).free().items())
+    largest = sorted(scene.textures, key=map_bytes, reverse=True)[:LARGEST]
+    said = ", ".join(f"{texture.name} {map_bytes(texture):,}" for texture in largest)
+    raise UserError(f"the scene needs {maps + sum(before) + sum(after):,} bytes of memory, {maps:,} of them for textures, "
+                    f"in pieces that {machine} has not: {free} are free"
+                    + (f"; the largest textures: {said}" if largest else ""))
