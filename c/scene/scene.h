@@ -7,6 +7,7 @@
 #include "n64/polygons/unit.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
+#include "system/input.h"
 
 /* Of objects that are drawn together, the most and the room for their vertices. */
 enum { RUN_POLYGONS = 42, RUN_VERTICES = 128 };
@@ -46,24 +47,6 @@ struct scene {
     struct glide_tile_store *tiles;     /* of all pipes */
 };
 
-/* A scene file that is being read from its start to its end. */
-struct scene_input {
-    const char *name;
-    int32 file;                 /* its handle */
-    uint32 left;                /* bytes that are not read yet */
-    uint32 sum;                 /* CRC-32 of those that are, without the first fields */
-};
-
-/* input.c. Opens a scene file; prints a line and returns 0 if it cannot. */
-int32 scene_input_open(struct scene_input *input, const char *name);
-
-/* Reads the next bytes; prints a line and returns 0 if it cannot. */
-int32 scene_input_read(struct scene_input *input, void *to, uint32 bytes);
-
-/* Reads the rest of the file and returns 1 if the checksum is the header's, 0 if not, or if it cannot be
-   read. */
-int32 scene_input_sound(struct scene_input *input, uint32 checksum);
-
 /* maps.c, for programs that have the scene linked in: copies the textures of a checked scene to memory
    of the kind given, each in its layout; returns 0 if memory is short. Texels are then in memory twice. */
 int32 scene_copy_maps(struct scene *scene, int32 kind);
@@ -73,7 +56,7 @@ int32 scene_copy_maps(struct scene *scene, int32 kind);
 int32 scene_take_maps(struct scene *scene, int32 kind);
 
 /* Reads the textures, each to its memory and in its layout; prints a line and returns 0 if it cannot. */
-int32 scene_read_maps(struct scene *scene, struct scene_input *input);
+int32 scene_read_maps(struct scene *scene, struct input *input);
 
 /* Returns the name of the first field of a scene file's start that is wrong, or 0; bytes: of the file. */
 const char *scene_wrong_start(const struct scene_header *header, uint32 bytes);
@@ -90,10 +73,6 @@ uint32 scene_pixel_max(const struct scene_header *header);
 /* Returns the name of the first field of meshes, instances or views that is wrong, or 0. The tables
    must be inside the file, and materials checked. */
 const char *scene_wrong_mesh(const struct scene *scene);
-
-/* trees.c. Returns the name of the first field of nodes, slots or instances' trees that is wrong, or 0.
-   The tables must be inside the file, and meshes checked. */
-const char *scene_wrong_tree(const struct scene *scene);
 
 /* Returns "s" or "t" if that one is outside a map that is not repeated, else 0. */
 const char *scene_wrong_texel(const struct scene *scene, const struct scene_material *material,

@@ -1,5 +1,6 @@
 """What fits a machine's memory is known before the boot: at the edge the emulator agrees, on both sides."""
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -91,3 +92,14 @@ def test_refusal_before_the_boot(tmp_path: Path, monkeypatch) -> None:
     assert "\n" not in said and "4,063,232 of them for textures" in said
     assert "the largest textures: margins 131,072, page 0 65,536, page 1 65,536" in said
     assert "a1200 has not: 1," in said and "bytes of chip RAM are free" in said
+
+
+@pytest.mark.parametrize("pages, said", [
+    (4, "262,256 bytes of fast RAM"),
+    (130, "@ bytes of fast RAM and @ bytes of chip RAM: texels cost more in chip RAM")])
+def test_a_run_says_where_textures_are(pages: int, said: str) -> None:
+    """Four pages, the head of their block and its walls; more than fast RAM has."""
+    kinds = memory.for_textures(scene_of((), pages, 0), "a1200-fast")
+    text = run.textures_text(kinds)
+    assert text == said or re.fullmatch(said.replace("@", r"[\d,]+"), text), text
+    assert sum(kinds.values()) >= pages << 16

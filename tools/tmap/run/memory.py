@@ -123,6 +123,16 @@ def fits(scene: Scene, machine: str) -> bool:
         and all([memory.take(size) for size in after])
 
 
+def for_textures(scene: Scene, machine: str) -> dict[str, int]:
+    """Returns the bytes of each kind of memory that the textures take, with the blocks' ends."""
+    memory = loaded(machine)
+    for size in requests(scene)[0]:
+        memory.take(size)
+    before = dict(memory.taken)
+    take_maps(memory, scene.textures)
+    return {kind: size - before.get(kind, 0) for kind, size in memory.taken.items() if size > before.get(kind, 0)}
+
+
 def check(scene: Scene, machine: str) -> None:
     """Refuses a scene that does not fit a machine."""
     if fits(scene, machine):

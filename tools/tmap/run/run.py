@@ -211,6 +211,12 @@ def print_lowering(materials: dict) -> None:
     print()
 
 
+def textures_text(kinds: dict[str, int]) -> str:
+    """Returns what a run's table says of the memory of textures."""
+    text = " and ".join(f"{size:,} bytes of {kind} RAM" for kind, size in kinds.items())
+    return text + (": texels cost more in chip RAM" if len(kinds) > 1 else "")
+
+
 def print_report(about: dict, out: Path) -> None:
     """Prints a short table: each frame if there are few, the spans executed, then the whole run."""
     frames, totals = about["frames"], about["totals"]
@@ -240,6 +246,8 @@ def print_report(about: dict, out: Path) -> None:
     if about["trees"]["nodes"]:
         rows["trees"] = f"{about['trees']['faces']:,} faces in {about['trees']['nodes']:,} nodes, those counted " \
                         "that splits made"
+    if about["textures"]:
+        rows["textures"] = textures_text(about["textures"])
     if about["animation"]:
         factor = about["animation"]["factor"]
         limit = f"a frame is shown for {GIF_LEAST_MS} ms at least" if factor > 1 \
@@ -279,7 +287,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
              "trees": {"faces": len(scene.slots), "nodes": len(scene.nodes)},
              "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
-             "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
+             "textures": memory.for_textures(scene, machine), "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
     with replaced(out, WRITTEN, WRITTEN[0]) as folder:
         save(folder, done.frames, scene, about)
     return about

@@ -1,12 +1,11 @@
-/* Reads a scene file piece by piece, with its checksum. */
-#include "scene/scene.h"
+#include "system/input.h"
 
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
-int32 scene_input_open(struct scene_input *input, const char *name)
+int32 input_open(struct input *input, const char *name)
 {
     int32 size;
 
@@ -24,7 +23,7 @@ int32 scene_input_open(struct scene_input *input, const char *name)
     return 1;
 }
 
-int32 scene_input_read(struct scene_input *input, void *to, uint32 bytes)
+int32 input_read(struct input *input, void *to, uint32 bytes)
 {
     if (file_read(input->file, to, (int32)bytes) != (int32)bytes)
         return text_refuse(input->name, "cannot be read to its end");
@@ -33,7 +32,7 @@ int32 scene_input_read(struct scene_input *input, void *to, uint32 bytes)
     return 1;
 }
 
-int32 scene_input_sound(struct scene_input *input, uint32 checksum)
+int32 input_sound(struct input *input, uint32 checksum)
 {
     uint8 rest[256];
 
