@@ -19,7 +19,8 @@ def level(count: int) -> Scene:
     vertices = []
     for number in range(count):
         x, y = number % COLUMNS * SIDE, number // COLUMNS * SIDE
-        for dx, dy, s, t, depth in ((0, 0, 0, 0, 2), (SIDE, 0, 700, 0, 3), (SIDE, SIDE, 700, 500, 2), (0, SIDE, 0, 500, 1)):
+        for dx, dy, s, t, depth in ((0, 0, 0, 0, 2), (SIDE, 0, 700, 0, 3), (SIDE, SIDE, 700, 500, 2),
+                                    (0, SIDE, 0, 500, 1)):
             vertices.append([x + dx << 16, y + dy << 16, s << 16, t << 16, 0, depth << 16])
     return Scene(WIDTH, HEIGHT, 1, 0, random.integers(0, 256, (256, 3)).astype(np.uint8),
                  [Texture(random.integers(0, 256, (64, 64)).astype(np.uint8), name=str(n)) for n in range(count)],

@@ -1,4 +1,4 @@
-"""Maps read from scene files: every shape, layout and format is in memory as mappers expect, bit for bit the model's."""
+"""Maps read from scene files: pixels of every shape, layout and format are the model's, bit for bit."""
 
 import numpy as np
 import pytest

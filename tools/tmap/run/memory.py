@@ -133,15 +133,16 @@ def for_textures(scene: Scene, machine: str) -> dict[str, int]:
     return {kind: size - before.get(kind, 0) for kind, size in memory.taken.items() if size > before.get(kind, 0)}
 
 
-def check(scene: Scene, machine: str) -> None:
-    """Refuses a scene that does not fit a machine."""
+def check(scene: Scene, machine: str, name: str) -> None:
+    """Refuses a scene that does not fit a machine; ``name``: of its file."""
     if fits(scene, machine):
         return
     before, after = requests(scene)
     maps = sum(map(map_bytes, scene.textures))
+    whole = maps + sum(before) + sum(after)
     free = " and ".join(f"{size:,} bytes of {kind} RAM" for kind, size in loaded(machine).free().items())
     largest = sorted(scene.textures, key=map_bytes, reverse=True)[:LARGEST]
     said = ", ".join(f"{texture.name} {map_bytes(texture):,}" for texture in largest)
-    raise UserError(f"the scene needs {maps + sum(before) + sum(after):,} bytes of memory, {maps:,} of them for textures, "
-                    f"in pieces that {machine} has not: {free} are free"
+    raise UserError(f"{name}: textures: no room on {machine}: the scene needs {whole:,} bytes, "
+                    f"{maps:,} of them for textures; free are {free}"
                     + (f"; the largest textures: {said}" if largest else ""))

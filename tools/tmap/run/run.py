@@ -274,7 +274,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
     """Renders a scene file into the directory ``out``; returns run.json's content."""
     check_directory(out)
     scene = compile_scene(path, frames)
-    memory.check(scene, machine)
+    memory.check(scene, machine, str(path))
     done = render(scene, machine, form, rules(off))
     content = parse(path)
     lowering = {name: {"asked": {kind: getattr(material, kind) for kind in SETTINGS}
