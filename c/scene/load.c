@@ -268,7 +268,7 @@ static const char *wrong_entry(const struct scene *scene)
 
 /* Reads the header and the tables behind it into new memory. Returns the scene's file, or 0: *wrong is the
    first wrong field, or 0 if a line was printed. */
-static const struct scene_header *read_tables(struct input *input, const char **wrong)
+static const struct scene_header *read_tables(struct file_input *input, const char **wrong)
 {
     struct scene_header start;
     const uint32 whole = input->left, unsummed = (uint32)((uint8 *)&start.width - (uint8 *)&start);
@@ -276,7 +276,7 @@ static const struct scene_header *read_tables(struct input *input, const char **
     uint8 *data;
 
     *wrong = 0;
-    if (!input_read(input, &start, whole < sizeof start ? whole : (uint32)sizeof start))
+    if (!file_input_read(input, &start, whole < sizeof start ? whole : (uint32)sizeof start))
         return 0;
     *wrong = scene_wrong_start(&start, whole);
     if (*wrong)
@@ -284,7 +284,7 @@ static const struct scene_header *read_tables(struct input *input, const char **
     input->sum = crc32(0, (uint8 *)&start + unsummed, (uint32)sizeof start - unsummed);
     *wrong = scene_wrong_header(&start);
     if (*wrong) {
-        if (!input_sound(input, start.checksum))
+        if (!file_input_sound(input, start.checksum))
             *wrong = "checksum";
         return 0;
     }
@@ -295,12 +295,12 @@ static const struct scene_header *read_tables(struct input *input, const char **
     }
     for (uint32 i = 0; i < sizeof start; i++)
         data[i] = ((uint8 *)&start)[i];
-    return input_read(input, data + sizeof start, bytes - (uint32)sizeof start)
+    return file_input_read(input, data + sizeof start, bytes - (uint32)sizeof start)
         ? (const struct scene_header *)data : 0;
 }
 
 /* Reads and checks a scene and its maps; prints a line and returns 0 if it cannot. */
-static int32 read_scene(struct scene *scene, struct input *input, int32 kind)
+static int32 read_scene(struct scene *scene, struct file_input *input, int32 kind)
 {
     const char *wrong;
     const struct scene_header *header = read_tables(input, &wrong);
@@ -314,7 +314,7 @@ static int32 read_scene(struct scene *scene, struct input *input, int32 kind)
             if (!scene_read_maps(scene, input))
                 return 0;
         }
-        if (!input_sound(input, header->checksum))
+        if (!file_input_sound(input, header->checksum))
             wrong = "checksum";
     }
     return wrong ? refuse(input->name, wrong) : header != 0;
@@ -326,11 +326,11 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
         "", "the transparent texels' rows", "the reciprocals", "the materials", "the meshes",
         "the texture units"
     };
-    struct input input;
+    struct file_input input;
     enum scene_memory lacks;
     int32 is_read;
 
-    if (!input_open(&input, name))
+    if (!file_input_open(&input, name))
         return 0;
     is_read = read_scene(scene, &input, kind);
     file_close(input.file);

@@ -149,22 +149,22 @@ int32 scene_take_maps(struct scene *scene, int32 kind)
 
 /* Reads a map that is repeated over a page, into the page's last bytes first. Of wider texels, whose page
    begins with row 128, the halves of a map of 256 rows change places. */
-static int32 read_page(const struct scene_texture *t, struct input *input, uint8 *page)
+static int32 read_page(const struct scene_texture *t, struct file_input *input, uint8 *page)
 {
     const int32 bytes = (int32)t->texel_bytes, row = MAP_PAGE_SIDE * bytes;
     const uint32 all = (uint32)(t->width * t->height * bytes);
     const uint32 first = bytes > 1 && t->height == MAP_PAGE_SIDE ? all / 2 : all;
     uint8 *from = page + row * MAP_PAGE_SIDE - all;
 
-    if (!input_read(input, from + (all - first), first)
-        || (first < all && !input_read(input, from, all - first)))
+    if (!file_input_read(input, from + (all - first), first)
+        || (first < all && !file_input_read(input, from, all - first)))
         return 0;
     if (from != page)
         scene_page_fill(page, from, t->width * bytes, t->height, row, 0);
     return 1;
 }
 
-int32 scene_read_maps(struct scene *scene, struct input *input)
+int32 scene_read_maps(struct scene *scene, struct file_input *input)
 {
     for (uint32 i = 0; i < scene->header->textures; i++) {
         const struct scene_texture *t = &scene->textures[i];
@@ -175,14 +175,14 @@ int32 scene_read_maps(struct scene *scene, struct input *input)
         if (t->layout == MAP_PAGE) {
             if (!read_page(t, input, t->texel_bytes > 1 ? texels - HALF_PAGE * t->texel_bytes : texels))
                 return 0;
-        } else if (!input_read(input, texels, bytes)) {
+        } else if (!file_input_read(input, texels, bytes)) {
             return 0;
         }
         if (t->layout == MAP_MARGINS)
             scene_margins_fill(texels);
         else if (t->layout == MAP_LIGHT)
             scene_judge_light(&scene->maps[i]);
-        if (bytes & 3 && !input_read(input, padding, 4 - (bytes & 3)))
+        if (bytes & 3 && !file_input_read(input, padding, 4 - (bytes & 3)))
             return 0;
     }
     return 1;

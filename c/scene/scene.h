@@ -56,7 +56,7 @@ int32 scene_copy_maps(struct scene *scene, int32 kind);
 int32 scene_take_maps(struct scene *scene, int32 kind);
 
 /* Reads the textures, each to its memory and in its layout; prints a line and returns 0 if it cannot. */
-int32 scene_read_maps(struct scene *scene, struct input *input);
+int32 scene_read_maps(struct scene *scene, struct file_input *input);
 
 /* Returns the name of the first field of a scene file's start that is wrong, or 0; bytes: of the file. */
 const char *scene_wrong_start(const struct scene_header *header, uint32 bytes);

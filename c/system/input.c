@@ -5,7 +5,7 @@
 #include "system/system.h"
 #include "system/text.h"
 
-int32 input_open(struct input *input, const char *name)
+int32 file_input_open(struct file_input *input, const char *name)
 {
     int32 size;
 
@@ -23,7 +23,7 @@ int32 input_open(struct input *input, const char *name)
     return 1;
 }
 
-int32 input_read(struct input *input, void *to, uint32 bytes)
+int32 file_input_read(struct file_input *input, void *to, uint32 bytes)
 {
     if (file_read(input->file, to, (int32)bytes) != (int32)bytes)
         return text_refuse(input->name, "cannot be read to its end");
@@ -32,7 +32,7 @@ int32 input_read(struct input *input, void *to, uint32 bytes)
     return 1;
 }
 
-int32 input_sound(struct input *input, uint32 checksum)
+int32 file_input_sound(struct file_input *input, uint32 checksum)
 {
     uint8 rest[256];
 

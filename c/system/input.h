@@ -5,7 +5,7 @@
 #include "compiler.h"
 
 /* A file that is being read from its start to its end. */
-struct input {
+struct file_input {
     const char *name;
     int32 file;                 /* its handle */
     uint32 left;                /* bytes that are not read yet */
@@ -13,13 +13,13 @@ struct input {
 };
 
 /* Opens a file; prints a line and returns 0 if it cannot. */
-int32 input_open(struct input *input, const char *name);
+int32 file_input_open(struct file_input *input, const char *name);
 
 /* Reads the next bytes; prints a line and returns 0 if it cannot. */
-int32 input_read(struct input *input, void *to, uint32 bytes);
+int32 file_input_read(struct file_input *input, void *to, uint32 bytes);
 
 /* Reads the rest of the file and returns 1 if its sum is `checksum`, 0 if not, or if it cannot be
    read. */
-int32 input_sound(struct input *input, uint32 checksum);
+int32 file_input_sound(struct file_input *input, uint32 checksum);
 
 #endif

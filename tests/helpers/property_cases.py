@@ -15,7 +15,7 @@ from tmap.scene_file.scene_file import ONE
 
 WIDTH, HEIGHT = 96, 72
 LATTICE = 243  # units; odd, so that gradients have no end in binary
-REPEATING = ("affine", "tiled", "columns", "generated", "dithered")  # mappers of maps that repeat
+REPEATING = ("affine", "tiled", "columns", "generated", "dithered", "keyed")  # mappers of maps that repeat
 
 
 def planar(rng: random.Random, points) -> tuple:
@@ -149,7 +149,7 @@ def uneven_case(rng: random.Random, origin: str) -> Case:
     points, mapper = convex(rng, 4), rng.choice((*REPEATING, "arbitrary", "gouraud", "lit_gouraud"))
     settings = any_settings(rng, 4, gradients="plane", mapper=mapper)
     deep = mapper == "affine" and rng.random() < 0.5
-    if deep or mapper in ("dithered", "lit_gouraud"):
+    if deep or mapper in ("dithered", "keyed", "lit_gouraud"):
         settings = replace(settings, start="subtexel",
                            perspective=rng.choice(("every16", "fine")) if deep else "none")
     vertices = list(planar(rng, [(x // LATTICE * LATTICE, y // LATTICE * LATTICE) for x, y in points]))
