@@ -34,7 +34,7 @@ int32 file_input_read(struct file_input *input, void *to, uint32 bytes)
 
 int32 file_input_sound(struct file_input *input, uint32 checksum)
 {
-    uint8 rest[256];
+    uint8 rest[1024];
 
     while (input->left) {
         uint32 bytes = input->left < sizeof rest ? input->left : (uint32)sizeof rest;
