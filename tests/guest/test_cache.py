@@ -131,7 +131,7 @@ def test_scene_files_are_those_it_names() -> None:
     """Textures and meshes in the scene's folder; pictures of packages are pinned with the
     packages."""
     assert {path.name for path in cache.scene_files(SCENES / "mappers.toml")} == {
-        "mappers.toml", "checker.png"}
+        "mappers.toml", "bush.png", "checker.png"}
     assert "knot.obj" in {path.name for path in cache.scene_files(SCENES / "shaded.toml")}
 
 
