@@ -64,9 +64,7 @@ allocate:
         tst.l   d0
         beq.s   .short
         movea.l d0,a0
-        move.l  mem_blocks,(a0)
-        move.l  d3,BLOCK_SIZE(a0)
-        move.l  a0,mem_blocks
+        keep_block d3
         addq.l  #BLOCK_HEAD,d0
         movea.l d2,a0
         move.l  d0,(a0)

@@ -23,9 +23,7 @@
         tst.l   d0
         beq.s   .none
         movea.l d0,a0
-        move.l  mem_blocks,(a0)
-        move.l  d2,BLOCK_SIZE(a0)
-        move.l  a0,mem_blocks
+        keep_block d2
         moveq   #1,d0
 .none   movem.l (sp)+,d2/a6
         rts

@@ -69,6 +69,13 @@ mh_Upper                equ     24
 BLOCK_SIZE              equ     4       ; after the address of the previous block
 BLOCK_HEAD              equ     8
 
+; Notes the block a0 of \1 bytes, which is freed at the program's end.
+keep_block macro
+        move.l  mem_blocks,(a0)
+        move.l  \1,BLOCK_SIZE(a0)
+        move.l  a0,mem_blocks
+        endm
+
 ; dos.library
 _LVOOpen                equ     -30
 _LVOClose               equ     -36

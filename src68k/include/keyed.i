@@ -18,6 +18,19 @@ pass_keyed macro
         bra.s   .drawn\1
         endm
 
+; Opens a span whose texels are in one row, up to the start of each line in d0, which a4 is to be added to.
+keyed_row_line macro
+        alone_open dudx
+        pack_alone d2,d5,a4
+        move.l  (sp),d3
+        lea     .pixels_end-12(pc),a3
+        span_line d0,d1
+        span_rounds 3
+        move.w  d0,d4                   ; mmVv
+        move.b  d1,d5
+        move.w  d5,d0                   ; uu-U
+        endm
+
 ; The next texel of a row. 4 bytes.
 row_next macro
         move.b  d0,d4                   ; mmVU

@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "eye.i"
 
 ; mesh_faces_wide - faces that are seen from the front and not wholly outside one border
 ;
@@ -20,22 +20,7 @@
         movea.l faces_plan_from(a0),a1
         move.l  a3,-(sp)
         move.l  faces_plan_count(a0),-(sp)
-.face   move.l  d5,d0
-        muls.l  (a1),d1:d0              ; scene_face_x
-        move.l  d0,d3
-        move.l  d1,d2
-        move.l  d6,d0
-        muls.l  scene_face_y(a1),d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        move.l  d7,d0
-        muls.l  scene_face_z(a1),d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        add.l   d3,d3                   ; 46 fraction bits -> 48, the upper longword's 16
-        addx.l  d2,d2
-        add.l   d3,d3
-        addx.l  d2,d2
+.face   eye_along a1,scene_face
         cmp.l   scene_face_distance(a1),d2
         ble.s   .next
         move.l  scene_face_corner(a1),d0

@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "eye.i"
 
 ; mesh_walk - the faces in a tree's slots as a list, back to front as seen from the eye
 ;
@@ -45,22 +45,7 @@ faces   macro
 .node   move.l  scene_node_front(a0),d4
         or.l    scene_node_back(a0),d4
         beq     .last
-        move.l  d5,d0
-        muls.l  (a0),d1:d0              ; scene_node_x
-        move.l  d0,d3
-        move.l  d1,d2
-        move.l  d6,d0
-        muls.l  scene_node_y(a0),d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        move.l  d7,d0
-        muls.l  scene_node_z(a0),d1:d0
-        add.l   d0,d3
-        addx.l  d1,d2
-        add.l   d3,d3                   ; 46 fraction bits -> 48, the upper longword's 16
-        addx.l  d2,d2
-        add.l   d3,d3
-        addx.l  d2,d2
+        eye_along a0,scene_node
         move.l  scene_node_front(a0),d0
         move.l  scene_node_back(a0),d1
         move.l  d0,d3

@@ -6,15 +6,7 @@
 ; reads:   the plan, its lines (start0 = uu, start1 = Vv, start2 = v-tU; t: 1 if texels may be 0), the map
 
         span span_keyed_rows
-        alone_open dudx
-        pack_alone d2,d5,a4
-        move.l  (sp),d3
-        lea     .pixels_end-12(pc),a3
-        span_line d0,d1
-        span_rounds 3
-        move.w  d0,d4                   ; mmVv
-        move.b  d1,d5
-        move.w  d5,d0                   ; uu-U
+        keyed_row_line
         btst    #8,d1
         beq     .opaque
         add.l   a4,d0

@@ -38,7 +38,7 @@ def test_pieces_are_the_machines(tmp_path: Path, machine: str) -> None:
 
 
 def scene_of(layouts: tuple[str, ...], pages: int, rest: int) -> Scene:
-    """A scene of maps of each layout, of further pages, and of ``rest`` bytes of texels besides."""
+    """A scene of maps of each layout, of further pages, and of ``rest`` bytes of other texels."""
     sizes = {"linear": (100, 300), "light": (64, 256)}
     maps = [Texture(np.full(sizes.get(layout, (256, 256)), 7, np.uint8), layout, layout) for layout in layouts]
     maps += [Texture(np.zeros((64, 64), np.uint8), name=f"page {n}") for n in range(pages)]
@@ -53,7 +53,7 @@ def scene_of(layouts: tuple[str, ...], pages: int, rest: int) -> Scene:
 
 
 def most(layouts: tuple[str, ...], machine: str) -> tuple[int, int]:
-    """Returns the most pages, and the most bytes besides, in steps of 8, that fit."""
+    """Returns the most pages that fit, and the most bytes beside them, in steps of 8."""
     def last(fits, step: int = 1) -> int:
         low, high = 0, 1
         while fits(high * step):

@@ -11,7 +11,7 @@ from tmap.scene_file.textures import Texture
 
 SIDE = 40
 SHAPES = ((8, 8), (64, 64), (8, 256), (256, 8), (128, 256), (256, 128), (256, 256))  # width, height
-#: Layouts besides pages, their mappers and shapes; odd numbers of bytes are padded in the file.
+#: Layouts other than pages, their mappers and shapes; odd numbers of bytes are padded in the file.
 OTHERS = (("linear", "arbitrary", (7, 9)), ("linear", "arbitrary", (256, 256)), ("tiled", "tiled", (256, 256)),
           ("margins", "generated", (256, 256)), ("columns", "columns", (16, 64)), ("margins", "generated", (256, 256)))
 
