@@ -175,7 +175,7 @@ define COMPILE_vbcc
 @$(VASM) $(VASM_FLAGS) -o $@ $(@:.o=.s)
 endef
 
-$(C_OUT)/system/%.o $(filter-out %/draw_faces.o %/draw_meshes.o %/time.o,$(filter $(C_OUT)/scene/%,$(C_OBJECTS))) \
+$(C_OUT)/system/%.o $(filter-out %/draw_faces.o %/draw_meshes.o %/time.o,$(filter $(C_OUT)/scene/% $(C_OUT)/frames/%,$(C_OBJECTS))) \
   $(SCENE_OBJECT): GCC_FLAGS += $(SMALL_FLAGS)
 
 $(C_OUT)/%.o: c/%.c build/obj/flags | setup

@@ -1,6 +1,7 @@
 #include "demo/picture.h"
 #include "demo/player.h"
 
+#include "frames/frames.h"
 #include "polygon/counts.h"
 #include "system/system.h"
 

@@ -9,8 +9,8 @@
    rules of lowering that are not followed, by commas, or all; UNTIMED prints 0
    as ticks and ends earlier, as it does not wait for the beam; ACCURACY and PERSPECTIVE
    set all materials to a step (scene/settings.h), numbered from 0. */
+#include "frames/counts.h"
 #include "polygon/scratch.h"
-#include "scene/counts.h"
 #include "scene/settings.h"
 #include "system/arguments.h"
 #include "system/file.h"

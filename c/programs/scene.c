@@ -2,8 +2,8 @@
 
    No arguments. It writes frame_000.chunky and so on into the current directory, as render
    does, and prints a line a frame: colour clocks. tools/tmap/product/scene_program.py links it. */
+#include "frames/frames.h"
 #include "polygon/scratch.h"
-#include "scene/scene.h"
 #include "system/system.h"
 #include "system/text.h"
 

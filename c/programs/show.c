@@ -16,6 +16,7 @@
    - how many pixels differ from the most accurate steps of both axes: by drawing the frame a second time into a buffer of its own. A frame is measured when paused, and
      one now and then while it runs, so that no more than a fifth of the time goes there; the figures
      of all that were since the last change of a step are added up. */
+#include "frames/frames.h"
 #include "polygon/scratch.h"
 #include "scene/settings.h"
 #include "screen/screen.h"

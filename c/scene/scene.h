@@ -137,25 +137,8 @@ enum scene_memory scene_make(struct scene *scene, int32 kind);
 /* Reserves memory for data that texture units make while they draw, if a scene has any. */
 void scene_reserve(const struct scene *scene);
 
-/* Draws a frame between quiet_enter and quiet_leave; sets *ticks to the time it took. Without ticks
-   it does not wait for the beam first, which takes longer than a frame of few polygons. */
-enum polygon_result scene_time(struct renderer *renderer, struct scene *scene, int32 number,
-                               uint32 *ticks);
-
-/* Writes a frame as frame_000.chunky and so on; prints a line and returns 0 if it cannot. */
-int32 scene_save(const struct frame *frame, int32 number);
-
 /* Loads and checks a scene; textures go to memory of the kind given. On an error prints a line with
    file and field and returns 0. */
 int32 scene_load(struct scene *scene, const char *name, int32 kind);
-
-/* Draws the background and one frame, with the scene's tables; returns why a polygon was refused,
-   or POLYGON_DRAWN. */
-enum polygon_result scene_draw(struct renderer *renderer, struct scene *scene, int32 number);
-
-/* Adds the polygons, rules and pixels of the frame that was drawn last to counts, one a
-   material. */
-void scene_count(struct renderer *renderer, struct scene *scene, int32 number,
-                 struct draw_counts *counts);
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef SHOW_FIGURES_H
 #define SHOW_FIGURES_H
 
-#include "scene/counts.h"
+#include "frames/counts.h"
 
 #define FIELDS 50               /* a second */
 

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from tmap.base.errors import UserError
-from tmap.compiler import cutting, mesh_build
-from tmap.compiler.mesh_file import Shape
+from tmap.compiler import mesh_build
+from tmap.shapes import cutting
+from tmap.shapes.mesh_file import Shape
 
 ONE = 65536
 

@@ -3,8 +3,8 @@
    renderers FIRST SECOND FRAMES n
    saves frame_000.chunky on for the first scene and frame_100.chunky on for the second. Each frame is
    saved when the other scene has been drawn and both were counted. */
+#include "frames/counts.h"
 #include "polygon/scratch.h"
-#include "scene/counts.h"
 #include "system/outcome.h"
 #include "system/system.h"
 

@@ -8,9 +8,9 @@ from PIL import Image
 
 from tmap import assets
 from tmap.base.paths import SCENES
-from tmap.compiler import mesh_file
 from tmap.guest import cache
 from tmap.report import readme
+from tmap.shapes import mesh_file
 
 AGAIN = "PYTHONPATH=tools .deps/venv/bin/python -m tmap.assets"
 

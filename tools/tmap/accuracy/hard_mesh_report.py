@@ -9,7 +9,6 @@ import numpy as np
 
 from tmap.base.errors import UserError
 from tmap.compiler import mesh_build, space
-from tmap.compiler.mesh_file import Shape
 from tmap.compiler.objects import FACTOR_BITS, RADIUS, rounded
 from tmap.corpus import random_maps
 from tmap.corpus.hard_case import HEIGHT, WIDTH, called
@@ -24,6 +23,7 @@ from tmap.scene_file.meshes import ENVIRONMENT, LIT, Instance, Mesh
 from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, ONE, SETTINGS, Material, Scene,
                                         Texture)
 from tmap.setup.texturing import Settings
+from tmap.shapes.mesh_file import Shape
 
 DARK, BRIGHT = 20, 220  # darkest and brightest shade of the light
 LIGHT = (Fraction(2, 3), -Fraction(1, 3), -Fraction(2, 3))  # direction towards the light

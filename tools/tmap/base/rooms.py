@@ -13,9 +13,9 @@ from tmap.base.markdown import table
 from tmap.base.paths import ROOT
 
 #: tools/tmap; each room's docstring gives its purpose. The top folder has the command line.
-TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model", "trees", "compiler", "guest",
-         "vectors", "corpus", "ideal", "run", "fuzz", "bench/modes bench/examples", "bench", "accuracy",
-         "report", "product assets", ".")
+TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model", "trees", "shapes",
+         "compiler", "guest", "vectors", "corpus", "ideal", "run", "fuzz",
+         "bench/modes bench/examples", "bench", "accuracy", "report", "product assets", ".")
 #: tests, in the same way. The top folder has conftest.py.
 TESTS = ("helpers", "mesh n64 glide", "compiler", "kernels/trials", "kernels", "polygon", "accuracy",
          "screen", "guest", "product", ".")
@@ -29,7 +29,8 @@ C = {".": "integer types and the limits that all rooms keep to",
      "drawing": "lowering, and the way from vertices to spans",
      "n64 glide": "the N64's texture engine and Glide's texture unit: state, commands, pixel by pixel",
      "n64/polygons glide/polygons mesh screen": "the units' polygons, by passes; meshes; display",
-     "scene": "the scene file: checked, loaded, drawn, saved",
+     "scene": "the scene file: checked, loaded",
+     "frames": "a scene's frames: drawn, timed, counted, saved",
      "plain show": "routines in C as the bench calls them; figures below a picture",
      "bench demo": "plans and reports of the bench; the demo's parts",
      "programs": "the programs themselves"}

@@ -14,10 +14,11 @@ from tmap.base.fields import fail
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, off_plane, product
 from tmap.build import layout
-from tmap.compiler import cutting, grids, space
+from tmap.compiler import grids, space
 from tmap.compiler.lights import Baking
-from tmap.compiler.mesh_file import Shape, check_counts
 from tmap.scene_file.meshes import UNIT_14, UNIT_30
+from tmap.shapes import cutting
+from tmap.shapes.mesh_file import Shape, check_counts
 
 FLAT = 1 / 256  # tolerance for corners off a face's plane and for dents, as a part of its size
 UNEVEN = 1 / 64  # tolerance for s and t off a plane, in their units

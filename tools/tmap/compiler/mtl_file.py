@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tmap.base.fields import fail
-from tmap.compiler import materials, mesh_file, obj_file
+from tmap.compiler import materials
 from tmap.images import images
+from tmap.shapes import mesh_file, obj_file
 
 FILE = "file"  # materials = "file"
 COLOUR = "#cccccc"  # of a material that states none

@@ -13,12 +13,13 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (billboards, glide, grids, hierarchy, lights, materials, mesh_build, mesh_file, mtl_file,
-                           orders, parts, projectors as scene_projectors, space)
+from tmap.compiler import (glide, grids, hierarchy, lights, materials, mesh_build, mtl_file, orders, parts,
+                           projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
 from tmap.scene_file.textures import UNITS
+from tmap.shapes import billboards, mesh_file
 
 FACTOR_BITS = 7  # fraction bits of the factors that normals are multiplied by
 RADIUS = 127.0  # of an environment in its map, in s or t

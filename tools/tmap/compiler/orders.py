@@ -13,11 +13,12 @@ import numpy as np
 from tmap.base.fields import fail
 from tmap.base.linear import product
 from tmap.build import layout
-from tmap.compiler import cutting, materials, mesh_build, space
+from tmap.compiler import materials, mesh_build, space
 from tmap.compiler.map_range import inside_map, map_of
 from tmap.compiler.mesh_build import Tables, Wishes
-from tmap.compiler.mesh_file import Shape
 from tmap.scene_file.meshes import UNIT_30
+from tmap.shapes import cutting
+from tmap.shapes.mesh_file import Shape
 from tmap.trees import bsp, polygons
 
 MOTION = ("position", "rotation", "axis", "turns", "keys", "first")  # fields of a motion

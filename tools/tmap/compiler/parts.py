@@ -4,7 +4,7 @@ materials take of an object's fields."""
 from tmap.base.fields import fail, join
 from tmap.compiler import materials
 from tmap.compiler.glide import has_own
-from tmap.compiler.mesh_file import Shape
+from tmap.shapes.mesh_file import Shape
 
 #: Mappings that a mapper takes; all other mappers take "uv" or "environment".
 MAPPINGS = {"gouraud": ("shade",), "flat": ("none",), "arbitrary": ("uv",)}

@@ -18,12 +18,13 @@ from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
 from tmap.base.toml_lines import located, with_line
 from tmap.build import layout
-from tmap.compiler import (billboards, glide, glide_build, hierarchy, materials, mtl_file, n64_build, objects as scene_space,
-                           parts, primitives, projectors, views16)
+from tmap.compiler import (glide, glide_build, hierarchy, materials, mtl_file, n64_build, objects as
+                           scene_space, parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
 from tmap.scene_file.scene_file import IDENTITY, Object, Scene
 from tmap.setup import planarity
+from tmap.shapes import billboards
 
 
 @reader('colour, `"#rrggbb"`, or `"none"`')

@@ -27,7 +27,7 @@ from tmap.product import sdk_include
 #: Displays are left to the programs.
 C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "span", "texture", "triangle",
            "glide", "glide/polygons", "n64", "n64/polygons")
-C_FILES = (Path("scene/draw_faces.c"), Path("scene/draw_meshes.c"), Path("scene/draw_meshes.h"),
+C_FILES = (Path("frames/draw_faces.c"), Path("frames/draw_meshes.c"), Path("frames/draw_meshes.h"),
            Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.

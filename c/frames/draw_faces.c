@@ -1,6 +1,6 @@
 /* Draws faces of instances whose points are placed: in batches of triangles where routines for those
    can, else one by one, clipped if they cross a border. */
-#include "scene/draw_meshes.h"
+#include "frames/draw_meshes.h"
 
 #include "drawing/fan.h"
 #include "math/math.h"

@@ -4,7 +4,7 @@ of it has one depth, so that it is drawn without perspective and the picture's r
 import numpy as np
 
 from tmap.base.fields import REQUIRED, fail, number, rows
-from tmap.compiler.mesh_file import Shape
+from tmap.shapes.mesh_file import Shape
 
 LIMITS = 1e-3, 1e4  # units of a side
 #: What it has of other objects in space, and what they have instead of the rest.

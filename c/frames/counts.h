@@ -1,8 +1,8 @@
 /* Counts of polygons, rules and pixels by material, and their output. */
-#ifndef SCENE_COUNTS_H
-#define SCENE_COUNTS_H
+#ifndef FRAMES_COUNTS_H
+#define FRAMES_COUNTS_H
 
-#include "scene/scene.h"
+#include "frames/frames.h"
 
 struct scene_counts {
     uint32 materials;           /* 0: nothing is counted */

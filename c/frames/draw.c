@@ -1,7 +1,7 @@
-#include "scene/scene.h"
+#include "frames/frames.h"
 
+#include "frames/draw_meshes.h"
 #include "math/math.h"
-#include "scene/draw_meshes.h"
 #include "polygon/kind.h"
 #include "polygon/scratch.h"
 

@@ -1,6 +1,6 @@
 /* Draws the instances that are at one place in a scene's order. */
-#ifndef SCENE_DRAW_MESHES_H
-#define SCENE_DRAW_MESHES_H
+#ifndef FRAMES_DRAW_MESHES_H
+#define FRAMES_DRAW_MESHES_H
 
 #include "scene/scene.h"
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from tmap.base.fields import fail
 from tmap.build import layout
-from tmap.compiler import obj_file
 from tmap.images import images
+from tmap.shapes import obj_file
 
 BYTES_MAX = 16 << 20  # of an OBJ file; a larger one is a mistake or an attack
 #: Names of other formats for meshes, by the ends of their files' names.

@@ -2,7 +2,7 @@
    16-bit operands where the file has factors for them and all points are on the screen.
    Faces seen from the back or wholly outside one border are dropped; the others are put in order: by
    their tree, or from the farthest to the nearest. */
-#include "scene/draw_meshes.h"
+#include "frames/draw_meshes.h"
 
 #include "triangle/polygon.h"
 

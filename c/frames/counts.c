@@ -1,4 +1,4 @@
-#include "scene/counts.h"
+#include "frames/counts.h"
 
 #include "system/system.h"
 #include "system/text.h"

@@ -1,4 +1,4 @@
-#include "scene/scene.h"
+#include "frames/frames.h"
 
 #include "system/system.h"
 

@@ -1,0 +1,1 @@
+"""Meshes before scaling: OBJ files, lists of points and faces, billboards; faces cut into convex ones."""
