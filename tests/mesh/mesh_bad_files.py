@@ -63,7 +63,9 @@ def wrong_meshes() -> list[Row]:
 
 def wrong_trees(rows: list[Row]) -> None:
     """Adds trees with wrong planes, parts that overlap or leave the tree, and slots that are not its own."""
-    wrong = WrongFields(mesh_cases.trees(1), rows)
+    made = mesh_cases.trees(1)
+    made.textures = [Texture(np.zeros((8, 8), np.uint8))]  # few bytes to load
+    wrong = WrongFields(made, rows)
     said = "node.front or back"
     for field in "xyz":
         wrong.entry("nodes", 2, field, UNIT + 1, -UNIT - 1, 2**31, said="node.x, y or z")
