@@ -55,7 +55,7 @@ static int32 usable_image(const uint8 *plan, uint32 at, uint32 image, uint32 byt
         return 0;
     for (uint32 size; image; image -= size, piece++) {
         size = image < PLAN_PIECE ? image : PLAN_PIECE;
-        if (*piece && !table_inside(*piece, size, 1, bytes))
+        if (*piece > PLAN_WRITTEN && !table_inside(*piece & ~(uint32)PLAN_WRITTEN, size, 1, bytes))
             return 0;
     }
     return 1;

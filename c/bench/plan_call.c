@@ -29,6 +29,8 @@ int32 plan_arenas_make(struct plan_arenas *arenas, const uint8 *plan)
         if (cases->far > *far)
             *far = cases->far;
     }
+    for (int32 i = 0; i < PLAN_HELD; i++)
+        arenas->any_held[i] = arenas->chip_held[i] = PLAN_WRITTEN;
     return make_arena(&arenas->near, near, MEMORY_ANY)
         && make_arena(&arenas->any, any, MEMORY_ANY)
         && make_arena(&arenas->chip, chip, MEMORY_CHIP);
@@ -54,15 +56,37 @@ void plan_copy(uint8 *to, const uint8 *from, uint32 bytes)
         *to_long++ = *from_long++;
 }
 
-static void place(uint8 *to, const uint8 *plan, uint32 at, uint32 bytes)
+static void place_piece(uint8 *to, const uint8 *plan, uint32 piece, uint32 bytes)
 {
     static const uint8 zeros[PLAN_PIECE];
+
+    plan_copy(to, piece > PLAN_WRITTEN ? plan + (piece & ~(uint32)PLAN_WRITTEN) : zeros, bytes);
+}
+
+static void place(uint8 *to, const uint8 *plan, uint32 at, uint32 bytes)
+{
     const uint32 *piece = (const uint32 *)(plan + at);
 
-    for (uint32 size; bytes; bytes -= size, to += size, piece++) {
-        size = bytes < PLAN_PIECE ? bytes : PLAN_PIECE;
-        plan_copy(to, *piece ? plan + *piece : zeros, size);
+    for (; bytes > PLAN_PIECE; bytes -= PLAN_PIECE, to += PLAN_PIECE)
+        place_piece(to, plan, *piece++, PLAN_PIECE);
+    if (bytes)
+        place_piece(to, plan, *piece, bytes);
+}
+
+/* The same but for whole pieces that are there. */
+static void place_far(uint8 *to, uint32 *held, const uint8 *plan, uint32 at, uint32 bytes)
+{
+    const uint32 *piece = (const uint32 *)(plan + at);
+    const uint32 *const end = held + PLAN_HELD;
+
+    for (; bytes > PLAN_PIECE && held < end; bytes -= PLAN_PIECE, to += PLAN_PIECE) {
+        if (*held != (*piece & ~(uint32)PLAN_WRITTEN))
+            place_piece(to, plan, *piece, PLAN_PIECE);
+        *held++ = *piece++;
     }
+    if (held < end)
+        *held = PLAN_WRITTEN;
+    place(to, plan, (uint32)((const uint8 *)piece - plan), bytes);
 }
 
 static void relocate(uint8 *near, const uint8 *offsets, uint32 count, const uint8 *base)
@@ -76,7 +100,7 @@ static void relocate(uint8 *near, const uint8 *offsets, uint32 count, const uint
 static void prepare(struct plan_call *call, const struct plan_case *c, const uint8 *plan)
 {
     place(call->near, plan, c->near_at, c->near);
-    place(call->far, plan, c->far_at, c->far);
+    place_far(call->far, call->held, plan, c->far_at, c->far);
     relocate(call->near, plan + c->near_offsets_at, c->near_offsets, call->near);
     relocate(call->near, plan + c->far_offsets_at, c->far_offsets, call->far);
     for (int32 i = 0; i < PLAN_REGISTERS; i++) {
@@ -89,7 +113,7 @@ static void prepare(struct plan_call *call, const struct plan_case *c, const uin
 }
 
 int32 plan_call(struct plan_call *call, const struct plan_case *c, const uint8 *plan,
-                const struct plan_arenas *arenas)
+                struct plan_arenas *arenas)
 {
     const char *name = (const char *)(plan + c->name_at);
 
@@ -98,6 +122,7 @@ int32 plan_call(struct plan_call *call, const struct plan_case *c, const uint8 *
         return text_refuse(name, "no such kernel");
     call->near = arenas->near;
     call->far = c->far_memory == MEMORY_CHIP ? arenas->chip : arenas->any;
+    call->held = c->far_memory == MEMORY_CHIP ? arenas->chip_held : arenas->any_held;
     prepare(call, c, plan);
     quiet_enter();
     clock_start((int32)c->limit);

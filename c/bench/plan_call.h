@@ -5,9 +5,13 @@
 #include "bench/plan_file.h"
 #include "compiler.h"
 
-/* Memory shared by all cases: a piece for each use, as large as the largest image. */
+enum { PLAN_HELD = 1024 };      /* pieces of an arena that are known */
+
+/* Memory shared by all cases: a piece for each use, as large as the largest image; and the offsets of the
+   pieces that are in the last two, PLAN_WRITTEN where they may have been written. */
 struct plan_arenas {
     uint8 *near, *any, *chip;
+    uint32 any_held[PLAN_HELD], chip_held[PLAN_HELD];
 };
 
 /* A call: its memory and its registers. The last longword is the stack pointer's change during the
@@ -15,6 +19,7 @@ struct plan_arenas {
 struct plan_call {
     void (*routine)(void);
     uint8 *near, *far;
+    uint32 *held;               /* of far */
     uint32 registers[PLAN_REGISTERS + 1];
 };
 
@@ -24,7 +29,7 @@ int32 plan_arenas_make(struct plan_arenas *arenas, const uint8 *plan);
 /* Prepares a case's memory and calls its routine once, in quiet mode; prints a line and returns 0
    if there is no such routine. clock_open must have succeeded. */
 int32 plan_call(struct plan_call *call, const struct plan_case *c, const uint8 *plan,
-                const struct plan_arenas *arenas);
+                struct plan_arenas *arenas);
 
 /* Prepares the same memory again and calls the routine `repeats` times; returns the time in colour
    clocks. */

@@ -8,9 +8,10 @@
 
 enum plan_constants {
     PLAN_MAGIC = 0x504c414e,    /* "PLAN" */
-    PLAN_VERSION = 4,
+    PLAN_VERSION = 5,
     PLAN_REGISTERS = 15,        /* d0-d7/a0-a6 */
     PLAN_PIECE = 1024,          /* bytes of an image's piece */
+    PLAN_WRITTEN = 1,           /* bit of a piece's offset: the call may write it */
     ARENA_ALIGN = 65536         /* arenas begin at a multiple of this */
 };
 
@@ -36,7 +37,9 @@ struct plan_header {
    piece or the other is added to the listed longwords of `near` and to the marked registers.
 
    An image is a list with a longword for each PLAN_PIECE of its bytes, of which the last may be
-   shorter: the piece's offset in the file, or 0 for zeros. Cases share equal pieces. */
+   shorter: the piece's offset in the file, or 0 for zeros, and PLAN_WRITTEN. Cases share equal pieces.
+   A piece of `far` that the last call may not write, and that the next one has at the same place, is
+   not copied again: that is most of a map's. */
 struct plan_case {
     uint32 name_at;             /* the kernel's name, ended by 0 */
     uint32 near_at, near;       /* offset of the image's list; its bytes: multiples of 4 */

@@ -40,7 +40,7 @@ static int32 results_add(int32 file, const uint8 *from, uint32 bytes)
     return 1;
 }
 
-static int32 run(const struct plan_case *c, const uint8 *plan, const struct plan_arenas *arenas,
+static int32 run(const struct plan_case *c, const uint8 *plan, struct plan_arenas *arenas,
                  int32 file)
 {
     struct plan_call call;

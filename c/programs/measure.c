@@ -127,7 +127,7 @@ static int32 show_case(const struct plan_case *c, const char *title, uint32 tick
 
 /* Returns 1 if all were measured. Returns 0 after a break or an error, for which a line is
    printed. */
-static int32 measure(const uint8 *plan, const struct plan_arenas *arenas, struct measured *measured)
+static int32 measure(const uint8 *plan, struct plan_arenas *arenas, struct measured *measured)
 {
     const struct plan_case *cases = plan_cases(plan);
     const uint32 count = ((const struct plan_header *)plan)->cases;

@@ -6,6 +6,8 @@ every byte of memory that the trial does not expect to be written. Each block of
 guards of noise.
 """
 
+from collections.abc import Callable
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -120,22 +122,38 @@ def complaints(trial: Trial, result: kernels.Result, contract: Contract) -> list
     return lines + [also] if also else lines
 
 
+def with_writes(trial: Trial) -> kernels.Case:
+    """Returns the trial's case with what it changes of the far arena: what else it changes is found there,
+    after this call or a later one."""
+    image, step, writes = trial.case.far.data, layout.load().constants["PLAN_PIECE"], []
+    for write in trial.writes if trial.case.far.data else ():
+        for at in range(0, len(write.expected) if write.far else 0, step):
+            part = write.expected[at:at + step]
+            if write.mask or write.pointer or part != image[write.at + at:write.at + at + len(part)]:
+                writes.append((write.at + at, len(part)))
+    return replace(trial.case, writes=writes)
+
+
 def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | str | None]:
     """Calls all trials in a few boots; returns the results in their order.
 
     A crash ends a boot. The trial that caused it is then searched among the trials of the routine
     in which the crash was, and by halves. Its result is the crash report, and no further trial of
     that kernel is called (None).
+
+    Unchanged pieces of the far arena are not restored between calls, so a kernel that writes where it must
+    not may be found at another's: all trials of the kernels concerned are called again, each with the whole
+    arena restored.
     """
     results: list[kernels.Result | str | None] = [None] * len(trials)
     crashed: set[str] = set()
 
-    def attempt(part: list[int]) -> None:
+    def attempt(part: list[int], case_of: Callable[[Trial], kernels.Case]) -> None:
         part = [index for index in part if trials[index].case.kernel not in crashed]
         if not part:
             return
         try:
-            called = kernels.call_batch([trials[index].case for index in part], machine, None)
+            called = kernels.call_batch([case_of(trials[index]) for index in part], machine, None)
         except UserError as error:
             if "crashed" not in str(error):
                 raise
@@ -147,15 +165,18 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
             others = [i for i in part if i not in blamed]
             middle = len(part) // 2
             for some in (others, blamed) if blamed and others else (part[:middle], part[middle:]):
-                attempt(some)
+                attempt(some, case_of)
             return
         for index, result in zip(part, called):
             results[index] = result
 
     done = 0
     for batch in kernels.batches([trial.case for trial in trials], machine):
-        attempt(list(range(done, done + len(batch))))
+        attempt(list(range(done, done + len(batch))), with_writes)
         done += len(batch)
+    wrong = {trial.case.kernel for trial, result in zip(trials, results)
+             if isinstance(result, kernels.Result) and trial.memory_complaint(result, True)}
+    attempt([index for index, trial in enumerate(trials) if trial.case.kernel in wrong], lambda trial: trial.case)
     return results
 
 

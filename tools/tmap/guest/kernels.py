@@ -107,6 +107,7 @@ class Case:
     repeats: int = 0
     display: str = "OFF"  # name in enum plan_display, while it is timed
     limit: int = 100  # of the watchdog, in units of 92 ms
+    writes: list[tuple[int, int]] | None = None  # offsets and bytes of far that it may write; None: all
     shown: Shown | None = None
 
 
@@ -142,6 +143,7 @@ def plan(cases: list[Case]) -> bytes:
     header, case_shape = shapes.struct("plan_header"), shapes.struct("plan_case")
     body = bytearray(header.size + len(cases) * case_shape.size)
     kept: dict[bytes, int] = {}
+    size = shapes.constants["PLAN_PIECE"]
 
     def place(content: bytes) -> int:
         if content not in kept:
@@ -153,9 +155,12 @@ def plan(cases: list[Case]) -> bytes:
     def place_text(text: str) -> int:
         return place(text.encode("ascii") + b"\0")
 
-    def place_image(image: bytes) -> int:
-        return place(np.array([place(piece) if piece else 0 for piece in pieces(image)],
-                              ">u4").tobytes())
+    def place_image(image: bytes, writes: list[tuple[int, int]] | None = None) -> int:
+        listed = np.array([place(piece) if piece else 0 for piece in pieces(image)], ">u4")
+        for first, count in [(0, len(image))] if writes is None else writes:
+            if count:
+                listed[first // size:(first + count - 1) // size + 1] |= shapes.constants["PLAN_WRITTEN"]
+        return place(listed.tobytes())
 
     def mask(registers: dict[str, int]) -> int:
         return sum(1 << REGISTERS.index(name) for name in registers)
@@ -169,7 +174,8 @@ def plan(cases: list[Case]) -> bytes:
         at = header.size + index * case_shape.size
         body[at:at + case_shape.size] = case_shape.pack(
             name_at=place_text(case.kernel), title_at=place_text(shown.pop("title", "")),
-            near_at=place_image(near), near=len(near), far_at=place_image(far), far=len(far),
+            near_at=place_image(near), near=len(near), far_at=place_image(far, case.writes),
+            far=len(far),
             far_memory=shapes.constants["MEMORY_CHIP" if case.chip else "MEMORY_ANY"],
             near_offsets_at=place(np.array(case.arena.pointers, ">u4").tobytes()),
             near_offsets=len(case.arena.pointers),
