@@ -83,10 +83,10 @@ def measure_kernels(machine: str, only: str, on_case=None) -> dict[str, list[dic
     return found
 
 
-def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]]:
+def measure(machine: str, only: str = "*", on_case=None, plain: bool = True) -> dict[str, list[dict]]:
     """Rows of one machine by kind: those of kernels, then frames, polygons with and without a rule of
     lowering, polygons with depth, and modes of the texture engines. ``machine``: of CONDITIONS; ``only``: a pattern of
-    names; ``on_case``: told how many kernels were begun."""
+    names; ``on_case``: told how many kernels were begun; ``plain``: with modes in plain C."""
     def chosen(prefix: str, names) -> list[str]:
         return [name for name in names if fnmatch.fnmatch(prefix + name, only)]
 
@@ -95,7 +95,7 @@ def measure(machine: str, only: str = "*", on_case=None) -> dict[str, list[dict]
             | {"frames": scenes.measure(machine, chosen(scenes.ROW, scenes.NAMES)),
                "rules": bench_rules.measure(machine, rules),
                "deep": deep.measure(machine, chosen(deep.ROW, deep.MATERIALS))}
-            | bench_modes.measure(machine, chosen(bench_modes.ROW, bench_modes.EVERY)))
+            | bench_modes.measure(machine, chosen(bench_modes.ROW, bench_modes.EVERY), plain))
 
 
 def key(row: dict) -> tuple:
@@ -161,11 +161,11 @@ def plot(rows: list[dict], machines: list[str], path: Path) -> None:
     plt.close(figure)
 
 
-def bench(machines: list[str], only: str = "*", on_case=None) -> dict:
-    """The content of bench.json."""
+def bench(machines: list[str], only: str = "*", on_case=None, plain: bool = True) -> dict:
+    """The content of bench.json; parameters as in ``measure``."""
     found = {kind: [] for kind in UNITS}
     for machine in machines:
-        for kind, rows in measure(machine, only, on_case).items():
+        for kind, rows in measure(machine, only, on_case, plain).items():
             found[kind] += rows
     return provenance.record() | {
         "conditions": "DMA and interrupts off (but for rows ..._low, _high, _super: eight planes of "
