@@ -147,17 +147,19 @@ def plot(rows: list[dict], machines: list[str], path: Path) -> None:
     for row in rows:
         longest[row["name"]] = max(longest.get(row["name"], 0), row["length"])
     names = sorted(longest, key=lambda n: -min(cycles(r) for r in rows if r["name"] == n))
-    figure, axes = plt.subplots(figsize=(9, 0.32 * len(names) + 1.5), layout="constrained")
+    figure, axes = plt.subplots(figsize=(11, 0.17 * len(names) + 1.2), layout="constrained")
     height = 0.8 / len(machines)
     values = figures(rows)
     for k, machine in enumerate(machines):
         axes.barh([i + (k - (len(machines) - 1) / 2) * height for i in range(len(names))],
                   [values.get((n, machine, longest[n]), 0) for n in names], height, label=machine)
-    axes.set_yticks(range(len(names)), [f"{n} ({longest[n]})" for n in names])
+    axes.set_yticks(range(len(names)), [f"{n} ({longest[n]})" for n in names], fontsize=7)
+    axes.set_ylim(-0.6, len(names) - 0.4)
+    axes.set_xscale("log")
     axes.set_xlabel("68020 cycles a pixel (or a step), emulated A1200; in brackets the length")
     axes.grid(axis="x", alpha=0.3)
-    axes.legend()
-    figure.savefig(path, dpi=110)
+    axes.legend(loc="upper right")
+    figure.savefig(path, dpi=100)
     plt.close(figure)
 
 
