@@ -1,22 +1,17 @@
 """Scenes with Glide's texture units: valid TOML, its compiled form, and the guest's frames."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from tests.helpers import guest_runs
 from tests.helpers.guest_runs import Asked
-from tests.helpers.engine_scenes import check_refused, compiled, folder, scene_text  # noqa: F401
-from tmap.base.paths import SCENES
-from tmap.compiler.scene import compile_scene
+from tests.helpers.engine_scenes import check_refused, compiled, folder, scene_text, shown  # noqa: F401
 from tmap.glide import images
 from tmap.glide.mipmap import levels
 from tmap.glide.words import FORMATS
 from tmap.model import model
 from tmap.n64.images import read
 from tmap.scene_file import pipes, scene_file
-from tmap.scene_file.scene_file import Scene
 
 NAMES = ("dithered", "glide_aspects", "glide_floor", "glide_lightmap", "glide_wall", "glide_window")
 
@@ -36,17 +31,6 @@ def make(folder, *args, **kinds):
 
 def units(*each: str) -> str:
     return "units = [" + ", ".join(f"{{ {unit} }}" for unit in each) + "]"
-
-
-def shown(name: str, off: str | None) -> Scene:
-    """A scene's first frame; without rules, which is slow, only its middle."""
-    whole = compile_scene(SCENES / f"{name}.toml", 1)
-    if not off:
-        return whole
-    width, height = whole.width // 8 * 4, whole.height // 2
-    poses = whole.poses.copy()  # meshes are centred on the frame anyway
-    poses[:, 4:] -= np.array([whole.width - width, whole.height - height]) << 15
-    return replace(whole, width=width, height=height, poses=poses)
 
 
 def test_frames_are_the_models() -> None:

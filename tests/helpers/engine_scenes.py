@@ -1,11 +1,14 @@
 """Small scene files of texture engines, and checks of their errors."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PIL import Image
 
 from tests.helpers.refusals import without_line
 from tmap.base.errors import UserError
+from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.scene_file.scene_file import Scene
 
@@ -60,3 +63,14 @@ def check_refused(folder, text: str, message: str) -> None:
         compiled(folder, text)
     said = without_line(str(caught.value), folder / "scene.toml")
     assert said.startswith(f"{folder / 'scene.toml'}: {message}"), said
+
+
+def shown(name: str, off: str | None) -> Scene:
+    """A scene's first frame; without rules, which is slow, only its middle."""
+    whole = compile_scene(SCENES / f"{name}.toml", 1)
+    if not off:
+        return whole
+    width, height = whole.width // 8 * 4, whole.height // 2
+    poses = whole.poses.copy()  # meshes are centred on the frame anyway
+    poses[:, 4:] -= np.array([whole.width - width, whole.height - height]) << 15
+    return replace(whole, width=width, height=height, poses=poses)
