@@ -133,6 +133,7 @@ def checked(content: dict, path: Path) -> dict:
     where = f"{path}: "
     spec = schema(layout.load().constants)(content, where)
     mtl_file.add(spec, path.parent, where)
+    materials.settle_sizes(spec, path.parent, where)
     materials.check(spec, where)
     billboards.complete(spec["objects"], where)
     hierarchy.check(spec["objects"], where)
