@@ -8,24 +8,31 @@ map's own page; it shares the page by rows. A polygon is first moved by whole re
 begins, so that all windows overlap as far as they can.
 
 **How far outside its corners a polygon reads.** Edges are exact or snapped: the pixels' centres are inside the
-polygon that is drawn, so exact s and t there are between those of its corners, in perspective too. What is drawn
-may differ (tools/tmap/ideal/bounds.py and its neighbours have the sums):
+polygon that is drawn, so exact s and t there are between those of its corners, in perspective too: more than three
+corners are on one plane but for rounding, or drawn as triangles (c/drawing/fan.c). What is drawn may differ
+(tools/tmap/ideal/bounds.py and its neighbours have the sums):
 
-* affine: steps of u and v are rounded to 1/65536 texel and starts are raised, 2^-15 texel for each of the
-  2,048 lines and pixels at most, or 1/64 by snapped edges, 6/65536 more for each texel a pixel: together below 1/8
-  texel up to 2^10 texels a pixel. Dithering moves points by 3/8 texel. One texel is enough. The corner itself has
-  the texel that begins there: parts end at whole texels, so that is in this one.
+* affine: steps of u and v are rounded to 1/65536 texel and starts are raised, 2^-15 texel for each of the 2,048
+  lines and pixels at most, or 1/48 by snapped edges, 6/65536 more for each texel a pixel: together below 1/4 texel
+  up to 2^10 texels a pixel. Dithering moves points by 3/8 texel. One texel is enough: windows begin and end at whole
+  texels, and a corner at such an end is in the texel that begins there.
 * each pixel, "pixel" and "fine": these, and 1/32 texel by the setting. One texel is enough.
 * pieces, "every16" and "every8": lines from their far end go along chords of K + C / q between exact values. A
   chord is on the far side of the curve, as 1 / q is convex, and not beyond the far end's value: so it does not
-  leave the polygon's range, even where the last piece ends beyond the near end. Even spans' ends are ahead by 3/8
-  of a chord's error; a piece's length is chosen so that this error is below half of the texels of its pixels: 3/16
-  of a pixel's texels outside, and 1/4 for K, C and the table. Four texels are enough up to 20 texels a pixel.
+  leave the polygon's range, even where the last piece ends beyond the near end. Ends of even spans' pieces are ahead
+  by 3/8 of a chord's error; pieces are so short that this error is below half of a pixel's texels: 3/16 of a pixel's
+  texels outside, and 1/4 for K, C and the table. Four texels are enough up to 20 texels a pixel.
 * a tolerance adds as much: at most one texel more.
 
-Beyond these steepnesses the texel of a neighbour in the page may be read in a polygon's first or last pixel; nothing
-else is. Rounded edges, "truncated" starts, steps of other gradients than planes, mirrors (s and t of normals) and
-transparent texels (whose rows the map describes) keep pages of their own.
+Beyond these steepnesses, and in polygons of more than three corners whose depth varies too much for exact planes
+("unsure"), the texel of a neighbour in the page may be read at an edge; nothing but the page is. Rounded edges,
+"truncated" starts, steps of other gradients than planes, mirrors (s and t of normals) and transparent texels (whose
+rows the map describes) keep pages of their own.
+
+**The same bits.** Corners are rounded to texels here as set-up rounds them, and a page's scale is 1: u and v differ by
+whole texels alone. Set-up divides distances from a polygon's middle texel, so perspective is the same bit for bit. Affine
+lines spare u's lowest bit for the times that v passes the page's border, which is elsewhere; and meshes that are cut
+at the near plane round s and t there as texels: a texel may be its neighbour where its border is on a pixel's centre.
 """
 
 from dataclasses import dataclass, field, replace
