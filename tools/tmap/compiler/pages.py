@@ -20,8 +20,9 @@ corners are on one plane but for rounding, or drawn as triangles (c/drawing/fan.
 * pieces, "every16" and "every8": lines from their far end go along chords of K + C / q between exact values. A
   chord is on the far side of the curve, as 1 / q is convex, and not beyond the far end's value: so it does not
   leave the polygon's range, even where the last piece ends beyond the near end. Ends of even spans' pieces are ahead
-  by 3/8 of a chord's error; pieces are so short that this error is below half of a pixel's texels: 3/16 of a pixel's
-  texels outside, and 1/4 for K, C and the table. Four texels are enough up to 20 texels a pixel.
+  by 3/8 of a chord's error, which is a pixel at most (c/span/far.h): 3/8 of the texels of a line's nearest pixel
+  outside. Roundings are 5/4 unit for each texel from K, which is at most 49,152 texels away: below one texel. Four
+  texels are enough up to 8 texels a pixel.
 * a tolerance adds as much: at most one texel more.
 
 Beyond these steepnesses, and in polygons of more than three corners whose depth varies too much for exact planes
@@ -30,9 +31,10 @@ Beyond these steepnesses, and in polygons of more than three corners whose depth
 rows the map describes) keep pages of their own.
 
 **The same bits.** Corners are rounded to texels here as set-up rounds them, and a page's scale is 1: u and v differ by
-whole texels alone. Set-up divides distances from a polygon's middle texel, so perspective is the same bit for bit. Affine
-lines spare u's lowest bit for the times that v passes the page's border, which is elsewhere; and meshes that are cut
-at the near plane round s and t there as texels: a texel may be its neighbour where its border is on a pixel's centre.
+whole texels alone. Set-up divides distances from a polygon's middle texel, so perspective is the same bit for bit.
+Affine lines spare u's lowest bit for the times that v passes the page's border, which is elsewhere; and meshes that
+are cut at the near plane round s and t there as texels: a texel may be its neighbour where its border is on a pixel's
+centre.
 """
 
 from dataclasses import dataclass, field, replace

@@ -18,7 +18,6 @@ from tmap.scene_file.textures import Texture
 from tmap.setup.texturing import Settings
 
 SIDE, CELL, COLUMNS = 160, 40, 4
-SETTINGS = [("exact", "none"), ("snapped", "none"), *(("exact", each) for each in ("every16", "every8", "pixel", "fine"))]
 
 
 def triangles(seed: int, edges: str, perspective: str, repeats: tuple[float, float], size=(64, 64), **more) -> Scene:
@@ -58,7 +57,8 @@ def coordinates(scene: Scene, number: int):
     size, settings = texels.shape[::-1], Settings(material.edges, "plane", "subtexel", mapper="affine")
     vertices = [tuple(map(int, v)) for v in scene.vertices[3 * number:3 * number + 3]]
     polygon = model.set_up(model.adapt(vertices, settings, max(size)), SIDE, SIDE, True, settings, size)
-    return texels, [polygon.coordinates(line, y) for y, line in enumerate(polygon.lines, polygon.top)] if polygon else []
+    lines = enumerate(polygon.lines, polygon.top) if polygon else ()
+    return texels, [polygon.coordinates(line, y) for y, line in lines]
 
 
 @pytest.mark.parametrize("repeats", [(1, 1), (2, 1), (6, 1), (1, 6)])
@@ -122,6 +122,14 @@ def test_level_of_24_textures_on_a1200(tmp_path: Path, perspective: str) -> None
     if perspective == "every16":
         found = run.render(shared, "a1200", "addx").frames
         assert all(np.array_equal(each, model.render(shared, n)) for n, each in enumerate(found))
+
+
+@pytest.mark.parametrize("mapper", ["lit", "lit_gouraud"])
+def test_lit_maps(tmp_path: Path, mapper: str) -> None:
+    """A pass of light goes over the texels of shared pages too."""
+    own, shared = (compile_scene(level(tmp_path, 6, each, f'every16"\nmapper = "{mapper}')) for each in ("own", "shared"))
+    assert (len(own.textures), len(shared.textures)) == (7, 3) and shared.textures[0].layout == "light"
+    assert np.array_equal(model.render(shared, 1), model.render(own, 1))
 
 
 def test_wider_pixels(tmp_path: Path) -> None:
