@@ -116,7 +116,7 @@ class Uses:
 
     polygons: dict[int, list[slice]]  # of the vertices, by texture
     faces: dict[int, list[slice]]  # of the corners
-    unbounded: set[int]  # textures that need a page of their own
+    fixed: set[int]  # textures that need pages of their own
 
 
 def faces_of(scene: Scene, number: int) -> list[slice]:
@@ -126,24 +126,30 @@ def faces_of(scene: Scene, number: int) -> list[slice]:
             for first, count in scene.faces[mesh.face:mesh.face + mesh.faces, 4:6].tolist()]
 
 
-def apart(scene: Scene) -> Scene:
+def unbounded(scene: Scene) -> set[int]:
+    """Returns the textures that need pages of their own whatever s and t are, and those that have other layouts."""
+    found = {n for n, texture in enumerate(scene.textures) if texture.layout != "page"}
+    found |= {m.texture for m in scene.materials if gutter_of(m) is None}
+    return found | {scene.materials[i.material].texture for i in scene.instances if i.flags & ENVIRONMENT}
+
+
+def apart(scene: Scene, fixed: set[int]) -> Scene:
     """Returns a scene in which materials with different textures have different meshes; copies have the same points,
-    normals and faces, and corners of their own."""
+    normals and faces, and corners of their own. ``fixed``: textures whose s and t do not change."""
     users: dict[tuple[int, int], int] = {}  # mesh and texture: the mesh to have
     meshes, corners, instances, taken = list(scene.meshes), [scene.corners], [], set()
     count = len(scene.corners)
     for each in scene.instances:
         texture = scene.materials[each.material].texture
-        key = each.mesh, texture
+        key = each.mesh, -1 if texture in fixed else texture
         if texture >= 0 and key not in users:
-            mesh = scene.meshes[each.mesh]
+            users[key] = each.mesh
             if each.mesh in taken:
+                mesh = scene.meshes[each.mesh]
                 corners.append(scene.corners[mesh.corner:mesh.corner + mesh.corners])
                 users[key] = len(meshes)
                 meshes.append(replace(mesh, corner=count))
                 count += mesh.corners
-            else:
-                users[key] = each.mesh
             taken.add(each.mesh)
         instances.append(replace(each, mesh=users.get(key, each.mesh)))
     if max(count, len(meshes)) > layout.load().constants["SCENE_COUNT_MAX"]:
@@ -151,22 +157,20 @@ def apart(scene: Scene) -> Scene:
     return replace(scene, meshes=meshes, corners=np.concatenate(corners), instances=instances)
 
 
-def uses_of(scene: Scene) -> Uses:
-    """Returns the rows of all textured polygons of a scene that is ``apart``."""
-    found = Uses({}, {}, {n for n, t in enumerate(scene.textures) if t.layout != "page"})
-    found.unbounded |= {m.texture for m in scene.materials if gutter_of(m) is None}
-    owner: dict[tuple[str, int], int] = {}
+def uses_of(scene: Scene, fixed: set[int]) -> Uses:
+    """Returns the rows of all textured polygons of a scene. Where a mesh has several textures, as its copies were too
+    many, none of them can move. ``fixed``: as in ``apart``."""
+    found, owner = Uses({}, {}, set(fixed)), {}
     for obj in scene.objects:
         texture = scene.materials[obj.material].texture
         if texture >= 0:
             found.polygons.setdefault(texture, []).append(slice(obj.vertex, obj.vertex + obj.vertices))
     for each in scene.instances:
         texture = scene.materials[each.material].texture
-        if texture < 0:
-            continue
-        if each.flags & ENVIRONMENT or owner.setdefault(("mesh", each.mesh), texture) != texture:
-            found.unbounded |= {texture, owner.get(("mesh", each.mesh), texture)}
-    for (_, mesh), texture in owner.items():
+        first = owner.setdefault(each.mesh, texture) if texture >= 0 else texture
+        if first != texture and not {first, texture} <= fixed:
+            found.fixed |= {first, texture}
+    for mesh, texture in owner.items():
         found.faces.setdefault(texture, []).extend(faces_of(scene, mesh))
     return found
 
@@ -198,7 +202,7 @@ def windows_of(scene: Scene, uses: Uses) -> list[Window]:
     """Returns the windows of the textures that could share a page."""
     found = []
     for number, texture in enumerate(scene.textures):
-        if number in uses.unbounded:
+        if number in uses.fixed:
             continue
         window = Window(number, max((gutter_of(m) for m in scene.materials if m.texture == number), default=0))
         for table, rows in ((scene.vertices, uses.polygons), (scene.corners, uses.faces)):
@@ -232,8 +236,9 @@ def moved(scene: Scene, uses: Uses, windows: list[Window]) -> tuple[np.ndarray, 
 
 def share(scene: Scene) -> Scene:
     """Returns a scene whose maps share pages where that saves some; the same scene if it saves none."""
-    made = apart(scene)
-    uses = uses_of(made)
+    fixed = unbounded(scene)
+    made = apart(scene, fixed)
+    uses = uses_of(made, fixed)
     if not is_plain(sum([*uses.polygons.values()], [])) or not is_plain(sum([*uses.faces.values()], [])):
         return scene
     windows = windows_of(made, uses)
