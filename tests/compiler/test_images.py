@@ -210,3 +210,31 @@ def test_palette_has_256_entries(count, pictures, taken):
         return
     with pytest.raises(UserError, match=f"^here: {count} palette entries for flat colours"):
         palette.build(exact, [noise] * pictures, "here")
+
+
+@pytest.mark.parametrize("size, sides", [
+    ((300, 300), (256, 256)), ((60, 40), (256, 256)), ((128, 64), (256, 128)), ((64, 128), (128, 256)),
+    ((126, 64), (256, 128)), ((120, 64), (256, 256)), ((400, 100), (256, 64)), ((500, 100), (256, 64)),
+    ((8192, 1), (256, 8))])
+def test_maps_have_the_proportions_of_their_pictures(tmp_path, size, sides):
+    """Powers of two, no longer than the picture but for 1/32; 8 texels at least."""
+    Image.new("RGB", size).save(tmp_path / "wall.png")
+    assert images.size_like("wall.png", tmp_path, WHERE) == sides
+
+
+def test_proportions_of_a_turned_picture_and_of_none(tmp_path):
+    """A camera's turn counts; a picture that cannot be read is refused when it is loaded."""
+    exif = Image.Exif()
+    exif[images.ORIENTATION] = 6
+    Image.new("RGB", (128, 64)).save(tmp_path / "wall.jpg", exif=exif)
+    assert images.size_like("wall.jpg", tmp_path, WHERE) == (128, 256)
+    assert images.size_like("roof.png", tmp_path, WHERE) == (256, 256)
+
+
+def test_a_whole_picture_is_stretched(tmp_path):
+    """Its left and right quarters, which are cut away otherwise."""
+    pixels = np.zeros((32, 64, 3), np.uint8)
+    pixels[:, :16] = pixels[:, 48:] = 200
+    Image.fromarray(pixels).save(tmp_path / "wall.png")
+    cut, whole = (images.load("wall.png", tmp_path, WHERE, 16, 16, "RGB", each) for each in (False, True))
+    assert (cut == 0).all() and (whole[:, [0, 15]] > 190).all() and (whole[:, 6:10] < 10).all()

@@ -80,6 +80,17 @@ def test_colours_and_pictures(folder):
     assert made.palette[made.materials[1].colour].tolist() == [128, 64, 255]
 
 
+def test_coordinates_are_on_the_whole_picture(folder):
+    """Three times as wide as high: nothing is cut from a map of half the height."""
+    pixels = np.zeros((30, 90, 3), np.uint8)
+    pixels[:, :15] = 200
+    Image.fromarray(pixels).save(folder / "models" / "old pictures" / "wall 1.png")
+    made = compile_scene(folder / "scene.toml")
+    assert made.textures[0].texels.shape == (128, 256)
+    assert (made.palette[made.textures[0].texels[:, 10]] == 200).all()
+    assert made.corners[:4, 2:4].max(axis=0).tolist() == [256 << 16, 128 << 16]
+
+
 def test_objects_share_a_file(folder):
     """Two objects of one file have the same materials, and one more library changes one of them."""
     (folder / "scene.toml").write_text(SCENE + SCENE[SCENE.index("[[objects]]"):])

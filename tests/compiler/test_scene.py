@@ -230,6 +230,10 @@ STAR = [[round(50 * math.cos(angle), 3), round(50 * math.sin(angle), 3), 0, 0]
 
 @pytest.mark.parametrize("text, message", [
     (changed("width = 64\n", ""), "scene.toml: width: is missing"),
+    (changed("width = 64", 'pages = "both"\nwidth = 64'),
+     "scene.toml: pages: 'both' is not one of shared, own"),
+    (changed('image = "wall.png"', 'image = "wall.png"\nfit = "fill"'),
+     "scene.toml: textures.wall.fit: 'fill' is not one of cut, whole"),
     (changed("width = 64", "width = 66"),
      "scene.toml: width: must be from 4 to 1024 and a multiple of 4"),
     (changed("width = 64", "width = 2048"), "width: must be from 4 to 1024"),

@@ -28,8 +28,12 @@ def texture_schema():
     side = integer(1, SIDE_MAX, unit="texels")
     return table({"image": (text, REQUIRED, "a PNG or JPEG file beside the scene, or `package:NAME/path`, a file of an "
                                             "installed Python package"),
-                  "width": (side, images.SIDE, "the map's width; the picture's middle is cut to its shape and scaled"),
-                  "height": (side, images.SIDE, f"the map's height; at most {TEXELS_MAX:,} texels together"),
+                  "width": (side, None, f"the map's width; without both sides, the longer one is {images.SIDE}, and the "
+                                        f"other as well, or {images.SIDE // 2} if the picture is twice as long as wide, "
+                                        f"and so on; without one, it is {images.SIDE}"),
+                  "height": (side, None, f"the map's height; at most {TEXELS_MAX:,} texels together"),
+                  "fit": (one_of("cut", "whole"), "cut", "a picture of other proportions: its middle is cut to the map's "
+                                                         "shape, or all of it is stretched to it"),
                   "key": (colour, None, "colour of pixels that the mapper `keyed` leaves out, beside those whose alpha is "
                                         "below a half")})
 
@@ -161,6 +165,18 @@ def check_texture(material: dict, textures: dict[str, dict], at: str) -> None:
         fail(f"{at}.mapper", f'"{mapper}" needs {needs}; texture {name!r} is {width}x{height}')
 
 
+def settle_sizes(spec: dict, folder: Path, where: str) -> None:
+    """Sets the sides of maps that state none. Maps of mappers that take one size only, and of mirrors, are squares."""
+    squares = {obj["material"] for obj in spec["objects"] if obj.get("mapping") == "environment"}
+    square = {m.get("texture") for name, m in spec["materials"].items()
+              if name in squares or MAPPER_LAYOUT.get(m.get("mapper")) in ("tiled", "margins")}
+    for name, texture in spec["textures"].items():
+        sides = texture["width"], texture["height"]
+        if sides == (None, None) and name not in square:
+            sides = images.size_like(texture["image"], folder, image_at(spec, name, where))
+        texture["width"], texture["height"] = (side or images.SIDE for side in sides)
+
+
 def check(spec: dict, where: str) -> None:
     """Refuses textures and materials that do not fit each other or the scene's pixels."""
     for name, texture in spec["textures"].items():
@@ -228,12 +244,12 @@ def load_pictures(spec: dict, used: set[tuple[str, bool]], folder: Path, where: 
     pictures, opaque = {}, {}
     for name, texture in spec["textures"].items():
         at = image_at(spec, name, where)
-        source = texture["image"], folder, at, texture["width"], texture["height"]
-        picture = images.load(*source, FORMATS[spec["format"]].channels)
+        source, whole = (texture["image"], folder, at, texture["width"], texture["height"]), texture["fit"] == "whole"
+        picture = images.load(*source, FORMATS[spec["format"]].channels, whole)
         if (name, False) in used:
             pictures[name, False] = picture
         if (name, True) in used:
-            pictures[name, True], mask = images.cut_out(*source, texture["key"])
+            pictures[name, True], mask = images.cut_out(*source, texture["key"], whole)
             opaque[len(pictures) - 1] = mask
             if not mask.any():
                 fail(at, f"{texture['image']} has no opaque pixel")
@@ -247,7 +263,8 @@ def transparent(spec: dict, folder: Path, where: str) -> list[str]:
     for name in dict.fromkeys(m["texture"] for m in spec["materials"].values()
                               if "texture" in m and not is_keyed(m)):
         texture, at = spec["textures"][name], image_at(spec, name, where)
-        if images.is_transparent(texture["image"], folder, at, texture["width"], texture["height"]):
+        if images.is_transparent(texture["image"], folder, at, texture["width"], texture["height"],
+                                 texture["fit"] == "whole"):
             notes.append(f"{at}: {texture['image']} has transparent pixels, which are drawn as they are")
     return notes
 

@@ -1,5 +1,6 @@
 """Materials of a scene from the material libraries (MTL) that an OBJ file names: flat colours from Kd,
-textures from map_Kd. All else in a library is about light, which flat and textured materials lack.
+textures from map_Kd, all of whose picture is on the texture coordinates 0 to 1. All else in a library is about
+light, which flat and textured materials lack.
 """
 
 import os
@@ -117,5 +118,5 @@ def add(spec: dict, folder: Path, where: str) -> None:
                 spec["materials"][made] = new_material({"colour": look.colour}, look.at)
                 continue
             images.locate(look.picture, folder, look.at)
-            spec["textures"][made] = new_texture({"image": look.picture}, look.at) | {"at": look.at}
+            spec["textures"][made] = new_texture({"image": look.picture, "fit": "whole"}, look.at) | {"at": look.at}
             spec["materials"][made] = new_material({"texture": made}, look.at)

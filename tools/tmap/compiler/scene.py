@@ -19,7 +19,7 @@ from tmap.base.pixel_formats import FORMATS
 from tmap.base.toml_lines import located, with_line
 from tmap.build import layout
 from tmap.compiler import (glide, glide_build, hierarchy, materials, mtl_file, n64_build, objects as
-                           scene_space, parts, primitives, projectors, views16)
+                           scene_space, pages, parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
 from tmap.scene_file.scene_file import IDENTITY, Object, Scene
@@ -88,6 +88,9 @@ def schema(limits: dict[str, int]) -> Reader:
         "format": (one_of(*FORMATS), "chunky", "pixels: entries of a palette of 256 colours, or colours"),
         "background": (backdrop, REQUIRED, "colour of pixels that no object covers; `\"none\"` if there are none: they are not "
                                            "cleared, which saves some 70,000 cycles of a frame of 320x200"),
+        "pages": (one_of("shared", "own"), "shared", "how small maps are in memory: side by side in pages of 256x256 texels, "
+                                                     "where polygons read so little of them that this saves pages; or each "
+                                                     "repeated over a page of its own"),
         "textures": (named(materials.texture_schema()), {}, "pictures for materials"),
         "materials": (named(materials.material_schema()), {}, "looks of objects"),
         **scene_space.schema(limits),
@@ -130,6 +133,7 @@ def checked(content: dict, path: Path) -> dict:
     where = f"{path}: "
     spec = schema(layout.load().constants)(content, where)
     mtl_file.add(spec, path.parent, where)
+    materials.settle_sizes(spec, path.parent, where)
     materials.check(spec, where)
     billboards.complete(spec["objects"], where)
     hierarchy.check(spec["objects"], where)
@@ -241,4 +245,6 @@ def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[st
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], int(bool(ground)), **space.tables(),
                  **engine_tables, **pipe_tables)
+    if spec["pages"] == "shared":
+        made = pages.share(made)
     return views16.add(made), [*space.notes.values(), *materials.transparent(spec, path.parent, where)]

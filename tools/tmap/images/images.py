@@ -10,9 +10,12 @@ from PIL import Image, ImageOps
 
 from tmap.base.errors import UserError
 
-SIDE = 256  # texels of a map's side by default
+SIDE = 256  # texels of a map's longer side by default
+SIDE_LEAST = 8  # of its shorter side
 SIDE_MAX = 8192  # pixels; more is a mistake or an attack
 PACKAGE = "package:"
+NEARLY = 1 / 32  # of a picture's longer side that its map's may be longer
+ORIENTATION = 0x0112  # Exif's
 
 
 def locate(reference: str, folder: Path, where: str) -> Path:
@@ -86,19 +89,41 @@ def middle(image: Image.Image, width: int, height: int) -> Image.Image:
     return image.crop((left, top, left + cut_wide, top + cut_high))
 
 
+def size_like(reference: str, folder: Path, where: str) -> tuple[int, int]:
+    """Returns a map's sides, powers of two and the longer one SIDE, as long as a picture but for NEARLY or less, so
+    that its middle has all of its shorter side. Those of a square if it cannot be read, which ``picture`` refuses."""
+    try:
+        with opened(locate(reference, folder, where)) as image:
+            wide, high = image.size
+            if image.getexif().get(ORIENTATION, 1) > 4:  # lies on its side
+                wide, high = high, wide
+    except Exception:
+        return SIDE, SIDE
+    shorter, longer = sorted((wide, high))
+    shift = 0
+    while shorter << shift + 1 <= longer * (1 + NEARLY) and SIDE >> shift > SIDE_LEAST:
+        shift += 1
+    return (SIDE, SIDE >> shift) if wide > high else (SIDE >> shift, SIDE)
+
+
+def fitted(image: Image.Image, width: int, height: int, whole: bool) -> Image.Image:
+    """Returns a picture, or the ``middle`` of it, scaled to width x height."""
+    image = image if whole else middle(image, width, height)
+    return image.resize((width, height), Image.Resampling.LANCZOS)
+
+
 def load(reference: str, folder: Path, where: str, width: int = SIDE,
-         height: int = SIDE, mode: str = "RGB") -> np.ndarray:
-    """Returns the ``middle`` of a ``picture`` as uint8 (height, width, channels), row 0 on top.
+         height: int = SIDE, mode: str = "RGB", whole: bool = False) -> np.ndarray:
+    """Returns a ``picture``, ``fitted``, as uint8 (height, width, channels), row 0 on top.
 
     It is resized by Pillow, in integers with weights of 22 bits. A sine's last bit can change a weight
     only if the exact one is halfway between two.
     """
-    image = middle(picture(reference, folder, where, mode), width, height)
-    return np.array(image.resize((width, height), Image.Resampling.LANCZOS))
+    return np.array(fitted(picture(reference, folder, where, mode), width, height, whole))
 
 
 def cut_out(reference: str, folder: Path, where: str, width: int = SIDE, height: int = SIDE,
-            key: tuple[int, int, int] | None = None) -> tuple[np.ndarray, np.ndarray]:
+            key: tuple[int, int, int] | None = None, whole: bool = False) -> tuple[np.ndarray, np.ndarray]:
     """Returns the picture that ``load`` returns, and which of its pixels are at least half opaque, bool
     (height, width). ``key``: a colour whose pixels are transparent. Colours are weighted by their alpha, so that
     those of transparent pixels do not show at the edges."""
@@ -107,15 +132,17 @@ def cut_out(reference: str, folder: Path, where: str, width: int = SIDE, height:
         pixels = np.array(image)
         pixels[(pixels[..., :3] == key).all(axis=-1), 3] = 0
         image = Image.fromarray(pixels)
-    made = np.array(middle(image, width, height).resize((width, height), Image.Resampling.LANCZOS))
+    made = np.array(fitted(image, width, height, whole))
     return made[..., :3], made[..., 3] >= 128
 
 
-def is_transparent(reference: str, folder: Path, where: str, width: int = SIDE, height: int = SIDE) -> bool:
+def is_transparent(reference: str, folder: Path, where: str, width: int = SIDE, height: int = SIDE,
+                   whole: bool = False) -> bool:
     """Returns true if pixels are not opaque in the part of a picture that ``load`` takes. It is a picture
     that ``load`` does not refuse."""
     with opened(locate(reference, folder, where)) as image:
         if not image.has_transparency_data:  # most have none and need not be decoded again
             return False
-    part = middle(picture(reference, folder, where, "RGBA"), width, height)
+    image = picture(reference, folder, where, "RGBA")
+    part = image if whole else middle(image, width, height)
     return part.getchannel("A").getextrema()[0] < 255

@@ -133,6 +133,12 @@ def for_textures(scene: Scene, machine: str) -> dict[str, int]:
     return {kind: size - before.get(kind, 0) for kind, size in memory.taken.items() if size > before.get(kind, 0)}
 
 
+def shared(scene: Scene) -> dict[str, int]:
+    """Returns the number of maps that share pages, and of these pages."""
+    pages = [texture.maps for texture in scene.textures if texture.maps > 1]
+    return {"maps": sum(pages), "pages": len(pages)}
+
+
 def check(scene: Scene, machine: str, name: str) -> None:
     """Refuses a scene that does not fit a machine; ``name``: of its file."""
     if fits(scene, machine):

@@ -248,6 +248,8 @@ def print_report(about: dict, out: Path) -> None:
                         "that splits made"
     if about["textures"]:
         rows["textures"] = textures_text(about["textures"])
+    if about["shared"]["pages"]:
+        rows["pages"] = "{maps} maps share {pages}".format(**about["shared"])
     if about["animation"]:
         factor = about["animation"]["factor"]
         limit = f"a frame is shown for {GIF_LEAST_MS} ms at least" if factor > 1 \
@@ -287,7 +289,8 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
              "trees": {"faces": len(scene.slots), "nodes": len(scene.nodes)},
              "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
-             "textures": memory.for_textures(scene, machine), "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
+             "textures": memory.for_textures(scene, machine), "shared": memory.shared(scene),
+             "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
     with replaced(out, WRITTEN, WRITTEN[0]) as folder:
         save(folder, done.frames, scene, about)
     return about

@@ -41,6 +41,7 @@ class Texture:
     texels: np.ndarray = field(repr=False)  # (height, width): [t][s], of the scene's pixels
     layout: str = "page"  # of LAYOUTS
     name: str = ""  # the scene's, for messages
+    maps: int = 1  # more: a page that they share
 
     def __eq__(self, other) -> bool:
         return self.layout == other.layout and np.array_equal(self.texels, other.texels)
