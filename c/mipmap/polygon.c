@@ -5,29 +5,28 @@
 
 #include "math/math.h"
 
-/* Twice an area: number * 4^scale units of 1/65536 by 1/65536, at most half a percent off for triangles that are about
-   as high as wide. */
-struct area {
-    uint32 number;              /* below 2^31 */
-    int32 scale;
-};
+/* Returns a difference's magnitude, or one less if it is below 0: as many bits as its word needs. */
+static inline uint32 size_of(int32 way)
+{
+    return (uint32)(way < 0 ? ~way : way);
+}
 
-/* Finds the area of a triangle from the values, each with the next behind it, of its corners. */
-static void find_area(struct area *area, const fix16 *first, const fix16 *a, const fix16 *b)
+/* Returns twice the area of a triangle from the values, each with the next behind it, of its corners: times 4^scale, in
+   units of 1/65536 by 1/65536; below 2^31. At most half a percent off for triangles that are about as high as wide. */
+static inline uint32 area_of(const fix16 *first, const fix16 *a, const fix16 *b, int32 *scale)
 {
     int32 ax = (int32)((uint32)a[0] - (uint32)first[0]), ay = (int32)((uint32)a[1] - (uint32)first[1]);
     int32 bx = (int32)((uint32)b[0] - (uint32)first[0]), by = (int32)((uint32)b[1] - (uint32)first[1]);
-    uint32 most = fix_magnitude(ax) | fix_magnitude(ay) | fix_magnitude(bx) | fix_magnitude(by);
+    uint32 most = size_of(ax) | size_of(ay) | size_of(bx) | size_of(by);
 
-    for (area->scale = 0; most >> 15; most >>= 4)
-        area->scale += 4;
-    if (area->scale) {
-        ax >>= area->scale;
-        ay >>= area->scale;
-        bx >>= area->scale;
-        by >>= area->scale;
+    for (; most >> 15; most >>= 4) {
+        ax >>= 4;
+        ay >>= 4;
+        bx >>= 4;
+        by >>= 4;
+        *scale += 4;
     }
-    area->number = fix_magnitude((int16)ax * (int16)by - (int16)bx * (int16)ay);
+    return fix_magnitude((int16)ax * (int16)by - (int16)bx * (int16)ay);
 }
 
 /* Returns 1 if an area, times 4^up, is at most another. */
@@ -51,16 +50,21 @@ static int32 scale_bits(const struct map *map)
 enum polygon_result polygon_draw_mipmapped(struct renderer *renderer, const struct polygon *polygon,
                                            const struct material *material)
 {
-    const struct vertex *v = polygon->vertices, *a = v + polygon->count / 3, *b = v + 2 * polygon->count / 3;
-    struct area pixels, texels;
-    int32 level = 0, up;
+    const int32 count = polygon->count;
+    const struct vertex *v = polygon->vertices, *a = v + 1, *b = v + 2;
+    uint32 pixels, texels;
+    int32 level = 0, up = 0, down = 0;
 
-    if (polygon->count < 3)
+    if (count < 3)
         return POLYGON_FEW;
-    find_area(&pixels, &v->x, &a->x, &b->x);
-    find_area(&texels, &v->s, &a->s, &b->s);
-    up = texels.scale - pixels.scale + scale_bits(material->map);
-    while (level < material->levels && !is_at_most(texels.number, up - level, 2 * pixels.number))
+    if (count > 4) {
+        a = v + count / 3;
+        b = v + 2 * count / 3;
+    }
+    pixels = 2 * area_of(&v->x, &a->x, &b->x, &down);
+    texels = area_of(&v->s, &a->s, &b->s, &up);
+    up += scale_bits(material->map) - down;
+    while (level < material->levels && !is_at_most(texels, up - level, pixels))
         level++;
     return polygon_draw(renderer, polygon, level ? material + material->level_at + level - 1 : material);
 }
