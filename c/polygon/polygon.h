@@ -175,7 +175,8 @@ struct material {
     uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: the plane of texture units to
                                    the last bit. u's lowest counts even where v wraps in a line,
                                    for 2 cycles a pixel there */
-    uint8 spare[3];
+    uint8 levels;               /* polygon_draw_mipmapped: of its map, beyond the map itself */
+    uint16 level_at;            /* from it to the material of the first level, in the array that it is in */
     uint16 number;              /* its index in the renderer's counts */
     fix16 tolerance;            /* texels that u and v may be off for cheaper perspective, in
                                    addition to the setting's bound: 0 to TOLERANCE_MAX */
@@ -192,6 +193,10 @@ struct material {
    more than three vertices whose values are not on a plane (fan.c has the tolerance) is drawn as a
    fan of triangles from its first vertex, so that the picture has the values of every vertex. */
 polygon_routine polygon_draw;
+
+/* The same with mip maps. The material's `levels` materials from level_at on differ from it in their maps alone: each
+   has half the sides of the one before. Draws with the nearest to a texel a pixel. */
+polygon_routine polygon_draw_mipmapped;
 
 /* Draws polygons of one material in their order, with the picture of polygon_draw; snapped ones (EDGES_SNAPPED,
    renderer->triangles) in batches, for less. Returns POLYGON_DRAWN, or why one of them was refused. */

@@ -90,6 +90,42 @@ static int32 unit_usable(const struct scene_header *h, const struct scene_materi
     return (uint32)m->unit < (m->mapper == MAPPER_N64 ? h->units : h->pipes);
 }
 
+/* Returns 1 if a texture has half the sides of another. */
+static int32 is_half(const struct scene_texture *half, const struct scene_texture *whole)
+{
+    return 2 * half->width == whole->width && 2 * half->height == whole->height;
+}
+
+/* Returns 1 if the materials of a material's levels, if it has any, are behind it and as they should be. */
+static int32 levels_usable(const struct scene *scene, const struct scene_material *m)
+{
+    const uint32 left = (uint32)(&scene->materials[scene->header->materials] - m);
+    const uint32 ahead = m->level - (uint32)(m - scene->materials);
+    const struct scene_material *level = m + ahead;
+    const struct scene_texture *whole;
+
+    if (!m->levels)
+        return !m->level;
+    if (mappers[m->mapper].layout != MAP_PAGE || m->mapper == MAPPER_KEYED || m->levels > MIPMAP_LEVELS_MAX
+        || !ahead || ahead >= left || left - ahead < m->levels)
+        return 0;
+    whole = &scene->textures[m->texture];
+    for (uint32 i = m->levels; i; i--, level++) {
+        const struct scene_texture *half;
+
+        if (level->levels || level->mapper != m->mapper || level->edges != m->edges
+            || level->gradients != m->gradients || level->start != m->start || level->clip != m->clip
+            || level->perspective != m->perspective || level->light != m->light
+            || level->tolerance != m->tolerance || (uint32)level->texture >= scene->header->textures)
+            return 0;
+        half = &scene->textures[level->texture];
+        if (half->layout != MAP_PAGE || !is_half(half, whole))
+            return 0;
+        whole = half;
+    }
+    return 1;
+}
+
 static const char *wrong_material(const struct scene *scene)
 {
     const struct scene_header *h = scene->header;
@@ -130,6 +166,8 @@ static const char *wrong_material(const struct scene *scene)
                                 || scene->textures[m->light].layout != MAP_LIGHT
             : m->light != NO_TEXTURE)
             return "material.light";
+        if (!levels_usable(scene, m))
+            return "material.levels";
         if (m->colour > scene_pixel_max(h))
             return "material.colour";
     }

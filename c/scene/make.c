@@ -32,7 +32,15 @@ static polygon_routine *routine_of(const struct scene *scene,
         return scene_unit_routine(material->primitive);
     if (material->mapper == MAPPER_GLIDE)
         return scene_pipe_routine(scene, material);
-    return polygon_draw;
+    return material->levels ? polygon_draw_mipmapped : polygon_draw;
+}
+
+/* Counts what levels draw for the materials that have them. */
+static void set_level_numbers(struct material *materials, uint32 count)
+{
+    for (uint32 i = 0; i < count; i++)
+        for (uint32 level = materials[i].levels; level; level--)
+            materials[i + materials[i].level_at + level - 1].number = (uint16)i;
 }
 
 static int32 make_materials(struct scene *scene)
@@ -52,6 +60,8 @@ static int32 make_materials(struct scene *scene)
         to->clip = (uint8)from->clip;
         to->perspective = (uint8)from->perspective;
         to->whole = 0;
+        to->levels = (uint8)from->levels;
+        to->level_at = (uint16)(from->levels ? from->level - i : 0);
         to->number = (uint16)i;
         to->tolerance = from->tolerance;
         to->colour = from->colour;
@@ -61,6 +71,7 @@ static int32 make_materials(struct scene *scene)
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }
+    set_level_numbers(scene->drawn, count);
     return 1;
 }
 

@@ -15,7 +15,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 14,
+    SCENE_VERSION = 15,
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     NO_TEXTURE = -1,
@@ -76,6 +76,10 @@ struct scene_material {
     int32 unit;                 /* index: MAPPER_N64: of a unit, MAPPER_GLIDE: of a pipe; else
                                    NO_UNIT */
     uint32 primitive;           /* enum unit_primitive; 0 without a unit */
+    uint32 levels;              /* MIPMAP_LEVELS_MAX at most: materials from `level` on that are drawn instead of it
+                                   where texels are smaller than pixels. They have none themselves; each has a texture
+                                   of half the sides of the one before, and all else of this */
+    uint32 level;               /* 0 without levels */
 };
 
 /* The type of all objects of a unit's material; a mesh's material has UNIT_POLYGONS. */

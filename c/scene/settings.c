@@ -69,7 +69,11 @@ static int32 has_triangles_only(const struct scene *scene, const struct scene_me
 
 static void keep_gradients(const struct scene *scene, uint32 material)
 {
-    scene->drawn[material].gradients = (uint8)scene->materials[material].gradients;
+    const struct scene_material *from = &scene->materials[material];
+
+    scene->drawn[material].gradients = (uint8)from->gradients;
+    for (uint32 i = from->levels; i; i--)
+        scene->drawn[from->level + i - 1].gradients = (uint8)from->gradients;
 }
 
 /* Restores the gradients of materials with polygons or faces of more than three corners. */

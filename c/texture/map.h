@@ -24,6 +24,7 @@ enum map_layout {
 enum map_constants {
     MAP_SIDE_MIN = 8,           /* of repeating maps, whose sides are powers of two */
     MAP_PAGE_SIDE = 256,
+    MIPMAP_LEVELS_MAX = 5,      /* beyond the map: from 256 texels to MAP_SIDE_MIN */
     LIGHT_LEVELS = 64,          /* MAP_LIGHT: from dark to full light */
     MAP_LINEAR_MAX = 1024,      /* MAP_LINEAR: 1 to this, each side */
     MAP_COLUMNS_BITS = 18       /* MAP_COLUMNS: log2(width) + log2(height) at most */

@@ -20,7 +20,7 @@ static inline enum span_kind triangle_batch_kind(const struct renderer *renderer
                                                  const struct material *material)
 {
     if (material->edges != EDGES_SNAPPED || !renderer->triangles || renderer->counts
-        || material->mapper == MAPPER_ARBITRARY)        /* each triangle is tested */
+        || material->levels || material->mapper == MAPPER_ARBITRARY)    /* each triangle is tested */
         return SPAN_KINDS;
     return triangle_kind(renderer->frame, material);
 }

@@ -30,6 +30,16 @@ SIZES = {"page": (16, 8), "linear": (7, 30), "tiled": (256, 256), "columns": (8,
          "margins": (256, 256), "light": (256, 64)}
 
 
+def mipmapped() -> Scene:
+    """A scene whose first material has two levels."""
+    scene = example(0)
+    scene.textures = [Texture(np.zeros((64 >> level, 32 >> level), np.uint8)) for level in range(3)]
+    scene.materials = [Material("affine", texture=0, levels=2, level=1), Material("affine", texture=1),
+                       Material("affine", texture=2)]
+    scene.objects = [Object(0, 0, 3, 0, 3, 0)]
+    return scene
+
+
 def mapped(*mappers: str) -> Scene:
     """A scene with a triangle for each of these mappers, in order. Each has the only map of its
     layout; lit ones have the only light table."""
@@ -111,6 +121,12 @@ def wrong_mappers() -> list[Row]:
         every.entry("materials", index, "gradients", 0, 1)
         every.entry("materials", index, "start", 0)
     every.entry("materials", dithered, "texture", linear, light, -1)
+    every.entry("materials", affine, "levels", 1, M32)  # the materials behind it are not its levels
+    every.entry("materials", flat, "level", 1, said="material.levels")
+    for field, values in (("levels", (4, 6, M32)), ("level", (0, 2, M32))):
+        WrongFields(mipmapped(), rows).entry("materials", 0, field, *values, said="material.levels")
+    for field, value in (("edges", 0), ("clip", 1), ("perspective", 1), ("texture", 0), ("levels", 1), ("mapper", 9)):
+        WrongFields(mipmapped(), rows).entry("materials", 2, field, value, said="material.levels")
     for index in flat, gouraud, arbitrary, columns_mapper, dithered:
         every.entry("materials", index, "perspective", 1, 4)
     for index in lit_flat, lit_gouraud:

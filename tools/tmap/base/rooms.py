@@ -17,7 +17,7 @@ TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model",
          "compiler", "guest", "vectors", "corpus", "ideal", "run", "fuzz",
          "bench/modes bench/examples", "bench", "accuracy", "report", "product assets", ".")
 #: tests, in the same way. The top folder has conftest.py.
-TESTS = ("helpers", "mesh n64 glide", "compiler", "kernels/trials", "kernels", "polygon", "accuracy",
+TESTS = ("helpers", "mesh n64 glide", "compiler", "kernels/trials", "kernels", "polygon mipmap", "accuracy",
          "screen", "guest", "product", ".")
 #: c, each with a description.
 C = {".": "integer types and the limits that all rooms keep to",
@@ -27,6 +27,7 @@ C = {".": "integer types and the limits that all rooms keep to",
      "triangle": "batches of triangles with snapped vertices",
      "perspective": "planes of 1/w, lines from their far ends, level or divided, light over them",
      "drawing": "lowering, and the way from vertices to spans",
+    "mipmap": "mip maps: a level for each polygon",
      "n64 glide": "the N64's texture engine and Glide's texture unit: state, commands, pixel by pixel",
      "n64/polygons glide/polygons mesh screen": "the units' polygons, by passes; meshes; display",
      "scene": "the scene file: checked, loaded",

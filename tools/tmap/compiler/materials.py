@@ -9,10 +9,11 @@ from tmap.base.fields import (REQUIRED, choice, colour, fail, integer, join, num
                               table, text)
 from tmap.base.fixed import fix
 from tmap.base.pixel_formats import FORMATS, PixelFormat
+from tmap.build import layout
 from tmap.compiler import glide, n64
-from tmap.images import images, palette
+from tmap.images import images, mipmap, palette
 from tmap.scene_file.materials import SETTINGS, Material
-from tmap.scene_file.textures import (IN_DEPTH, LAYOUTS, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, Texture,
+from tmap.scene_file.textures import (IN_DEPTH, LAYOUTS, MAPPERS, MAPPER_LAYOUT, MIPMAPPED, ON_PLANE, UNITS, Texture,
                                       size_fault)
 from tmap.setup import snapped
 from tmap.setup.shading import LIT
@@ -20,6 +21,8 @@ from tmap.setup.shading import LIT
 SIDE_MAX = 1 << 15  # texels, of any map
 TEXELS_MAX = 1 << 20
 KEYED = "keyed"  # the mapper
+MIPMAPS = ("none", "polygon")
+LEVELS = 3  # of mip maps, unless stated
 SHADES = 256  # of a vertex: from 0 to 255
 
 
@@ -52,10 +55,15 @@ def material_schema():
     settings = {name: (one_of(*SETTINGS[name]), None if name == "edges" else getattr(Material, name), SAYS[name])
                 for name in SETTINGS if name != "mapper"} \
         | {"tolerance": (number(0, 1, "texels"), 0, "error that cheaper perspective may cause")}
-    mappers = [mapper for mapper, layout in MAPPER_LAYOUT.items() if layout]
+    mappers = [mapper for mapper, each in MAPPER_LAYOUT.items() if each]
+    levels = layout.load().constants["MIPMAP_LEVELS_MAX"]
     check = choice({
         "texture": {"texture": (text, REQUIRED, "a name of `[textures]`"),
-                    "mapper": (one_of(*mappers), "affine", "[the loop that draws it](../../c/polygon/README.md)")},
+                    "mapper": (one_of(*mappers), "affine", "[the loop that draws it](../../c/polygon/README.md)"),
+                    "mipmap": (one_of(*MIPMAPS), "none", "[where texels are smaller than pixels](README.md#mip-maps), "
+                                                         "smaller maps are drawn: one a polygon"),
+                    "levels": (integer(1, levels), None, "smaller maps, 3 unless the map is too small for that; a level "
+                                                         "takes as much memory as the map, 64 KB")},
         "colour": {"colour": (colour, REQUIRED, "one flat colour")},
         "n64": {"n64": (n64.schema(), REQUIRED, "[the N64's texture engine](../../c/n64/README.md)"),
                 "mapper": (one_of("n64"), "n64", "may be left out")},
@@ -156,13 +164,25 @@ def check_settings(material: dict, pixel: PixelFormat, at: str) -> None:
 
 def check_texture(material: dict, textures: dict[str, dict], at: str) -> None:
     """Refuses a texture that does not exist, or that the material's mapper cannot draw."""
-    name, mapper = material["texture"], mapper_of(material)
+    name, mapper, limits = material["texture"], mapper_of(material), layout.load().constants
     if name not in textures:
         fail(f"{at}.texture", f"there is no texture {name!r}")
     width, height = textures[name]["width"], textures[name]["height"]
     needs = size_fault(MAPPER_LAYOUT[mapper], width, height)
     if needs:
         fail(f"{at}.mapper", f'"{mapper}" needs {needs}; texture {name!r} is {width}x{height}')
+    if material["mipmap"] == "none":
+        if material["levels"]:
+            fail(f"{at}.levels", "there is no mip map")
+        return
+    if mapper not in MIPMAPPED:
+        fail(f"{at}.mipmap", f'"{mapper}" has none; ' + ", ".join(f'"{each}"' for each in MIPMAPPED) + " have")
+    most = min(width, height).bit_length() - limits["MAP_SIDE_MIN"].bit_length()
+    if not most:
+        fail(f"{at}.mipmap", f"texture {name!r} is {width}x{height}; the least side of a level is {limits['MAP_SIDE_MIN']}")
+    material["levels"] = material["levels"] or min(most, LEVELS)
+    if material["levels"] > most:
+        fail(f"{at}.levels", f"texture {name!r} is {width}x{height}: {most} at most")
 
 
 def settle_sizes(spec: dict, folder: Path, where: str) -> None:
@@ -277,26 +297,46 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
     wanted = {((m["texture"], is_keyed(m)), MAPPER_LAYOUT[m["mapper"]]) for m in textured}
     lit = {(m["texture"], False) for m in textured if m["mapper"] in LIT}
     pictures, opaque = load_pictures(spec, {name for name, _ in wanted}, folder, where)
+    halves = {}
+    for m in textured:
+        halves[m["texture"]] = max(halves.get(m["texture"], 0), m["levels"] or 0)
+    smaller = {(name, level): picture for name, most in halves.items() if most
+               for level, picture in enumerate(mipmap.levels(pictures[name, False], most), 1)}
+    drawn = [*pictures.values(), *smaller.values()]
     pixel = FORMATS[spec["format"]]
     if pixel.numbers:
         colours = np.zeros((256, 3), np.uint8)
-        texels = [pixel.numbers(picture).astype(pixel.dtype) for picture in pictures.values()]
+        texels = [pixel.numbers(picture).astype(pixel.dtype) for picture in drawn]
     else:
-        colours, texels = palette.build(made.exact, list(pictures.values()), f"{where}materials",
+        colours, texels = palette.build(made.exact, drawn, f"{where}materials",
                                         [pictures[name] for name in pictures if name in lit], opaque)
     stored, number = [], {}
     for name, array in zip(pictures, texels):
-        for layout in LAYOUTS:
-            if (name, layout) in wanted:
-                number[name, layout] = len(stored)
-                stored.append(Texture(array, layout, name[0]))
+        for layout_ in LAYOUTS:
+            if (name, layout_) in wanted:
+                number[name, layout_] = len(stored)
+                stored.append(Texture(array, layout_, name[0]))
     light = len(stored)
     if lit:
         stored.append(Texture(palette.light(colours), "light", "(light)"))
-    return colours, stored, [
+    first = len(stored)
+    stored += [Texture(array, "page", name) for (name, _), array in zip(smaller, texels[len(pictures):])]
+    looks = [
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[(m["texture"], is_keyed(m)), MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
                  light if mapper_of(m) in LIT else -1, fix(m["tolerance"]),
                  engines.get(name, -1), m.get("primitive", "polygons"))
         for name, m in spec["materials"].items()]
+    return colours, stored, with_levels(looks, spec, {key: first + k for k, key in enumerate(smaller)})
+
+
+def with_levels(looks: list[Material], spec: dict, smaller: dict[tuple[str, int], int]) -> list[Material]:
+    """Returns materials, and behind them those of the levels of their mip maps. ``smaller``: the textures of levels, by
+    their texture and level."""
+    made, behind = [], []
+    for look, m in zip(looks, spec["materials"].values()):
+        count = m.get("levels") or 0
+        made.append(replace(look, levels=count, level=(len(looks) + len(behind)) if count else 0))
+        behind += [replace(look, texture=smaller[m["texture"], level + 1]) for level in range(count)]
+    return made + behind

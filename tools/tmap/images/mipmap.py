@@ -101,3 +101,14 @@ def limits() -> np.ndarray:
 def from_light(light: np.ndarray) -> np.ndarray:
     """Converts linear light, clamped to 0..1, to sRGB values 0..255; uint8."""
     return np.searchsorted(limits(), light, "right").astype(np.uint8)
+
+
+def levels(picture: np.ndarray, count: int) -> list[np.ndarray]:
+    """Returns ``count`` pictures, each of half the sides of the one before and averaged in linear light, of a picture
+    whose edges repeat; uint8 [height, width, channels], a fourth channel being alpha."""
+    made, state = [], picture / 255
+    state[..., :3] = to_light(state[..., :3])
+    for _ in range(count):
+        state = halved(state)
+        made.append(np.concatenate([from_light(state[..., :3]), rounded(state[..., 3:] * 255)], axis=2))
+    return made

@@ -18,6 +18,7 @@ from tmap.scene_file.scene_file import vertices_at
 from tmap.scene_file.textures import UNITS
 from tmap.scene_file.units import state_at
 from tmap.setup.edges import Edge
+from tmap.setup.mipmap import level_of
 from tmap.setup.planarity import parts
 from tmap.setup.polygon import FAR, INSET, Polygon, adapt, held_range, is_steep, plane_range, set_up
 from tmap.setup.shading import LIT
@@ -84,6 +85,12 @@ def render(scene, number: int) -> np.ndarray:
             units.draw_by_pipe(scene, frame, material, vertices, vouched)
             continue
         texture = scene.textures[material.texture].texels if material.texture >= 0 else None
+        if material.levels and len(vertices) > 2:
+            level = level_of(vertices, max(texture.shape), material.levels)
+            if level:
+                which = material.level + level - 1
+                material = scene.materials[which]
+                texture = scene.textures[material.texture].texels
         light = scene.textures[material.light].texels if material.light >= 0 else None
         longer = 256 if texture is None else max(texture.shape)
         for part in parts(vertices, material, scene.frame_shape, longer, vouched):

@@ -3,12 +3,13 @@
 Formats are defined in c/scene/scene_file.h.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tmap.base.errors import UserError, require
 from tmap.base.pixel_formats import PixelFormat
 from tmap.build import layout
-from tmap.scene_file.textures import IN_DEPTH, MAPPERS, MAPPER_LAYOUT, ON_PLANE, UNITS, UNIT_FORMATS
+from tmap.scene_file.textures import (IN_DEPTH, MAPPERS, MAPPER_LAYOUT, MIPMAPPED, ON_PLANE, UNITS,
+                                      UNIT_FORMATS)
 from tmap.scene_file.units import PRIMITIVES
 from tmap.setup.shading import LIT
 
@@ -35,6 +36,8 @@ class Material:
     tolerance: int = 0  # 16.16 texels of error that cheaper perspective may cause
     unit: int = -1  # index of a texture engine or a pipe, or NO_UNIT
     primitive: str = "polygons"  # kind of an engine's objects: of PRIMITIVES
+    levels: int = 0  # of its mip map, beyond the map itself: materials from ``level`` on
+    level: int = 0
 
 
 def number_of(kind: str, value: str, name: str, where: str) -> int:
@@ -100,9 +103,31 @@ def check_maps(scene, material: Material, name: str, where: str) -> None:
             raise UserError(f"{name}: {where}.{kind}: its layout is {found}, not {wanted}")
 
 
+def check_levels(scene, material: Material, name: str, where: str) -> None:
+    """Refuses levels of a mip map that differ from their material in more than the map, half as large as the one
+    before."""
+    where, most = f"{where}.levels", layout.load().constants["MIPMAP_LEVELS_MAX"]
+    require(name, where, material.levels, 0, most if material.mapper in MIPMAPPED else 0)
+    if not material.levels:
+        require(name, f"{where}: first", material.level, 0, 0)
+        return
+    own = max(k for k, each in enumerate(scene.materials) if each == material)
+    require(name, f"{where}: first", material.level, own + 1, len(scene.materials) - material.levels)
+    whole = scene.textures[material.texture].texels.shape
+    for level in scene.materials[material.level:material.level + material.levels]:
+        require(name, f"{where}: texture", level.texture, 0, len(scene.textures) - 1)
+        half = scene.textures[level.texture].texels.shape
+        if replace(level, texture=material.texture) != replace(material, levels=0, level=0) \
+                or [2 * side for side in half] != list(whole):
+            raise UserError(f"{name}: {where}: they differ from their material in more than maps, each half as large "
+                            "as the one before")
+        whole = half
+
+
 def check(scene, material: Material, name: str, where: str) -> None:
     """Refuses a material that a scene (tmap.scene_file.scene_file) cannot have."""
     check_settings(material, name, where)
     check_unit(scene, material, name, where)
     check_pixels(scene.pixel, material, name, where)
     check_maps(scene, material, name, where)
+    check_levels(scene, material, name, where)

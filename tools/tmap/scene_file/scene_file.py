@@ -204,7 +204,7 @@ def rows_of(scene: Scene) -> dict[str, list | np.ndarray]:
     rows["objects"] = [[*row[:at], pose, *row[at + 1:]] for row, pose in zip(rows["objects"], first)]
     rows["materials"] = [
         [*(SETTINGS[kind].index(getattr(m, kind)) for kind in SETTINGS), m.texture, m.colour,
-         m.light, m.tolerance, m.unit, scene_units.PRIMITIVES.index(m.primitive)]
+         m.light, m.tolerance, m.unit, scene_units.PRIMITIVES.index(m.primitive), m.levels, m.level]
         for m in scene.materials]
     return rows
 

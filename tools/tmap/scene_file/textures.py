@@ -26,6 +26,8 @@ MAPPERS = {size: tuple(name for name, (_, sizes, _) in LISTED.items() if str(siz
            for size in (1, 2, 4)}
 #: Mappers whose map repeats in both directions: their coordinates may leave it.
 REPEATING = tuple(name for name, layout in MAPPER_LAYOUT.items() if layout not in (None, "linear"))
+#: Mappers that draw mip maps.
+MIPMAPPED = tuple(name for name, layout in MAPPER_LAYOUT.items() if layout == "page" and name != "keyed")
 #: Mappers whose u and v come from one plane, to each first pixel.
 ON_PLANE = tuple(name for name, (*_, traits) in LISTED.items() if "MAPPER_PLANE" in traits)
 #: Mappers that draw perspective.
