@@ -1,9 +1,10 @@
 /* Which face is nearer, pixel by pixel: a z buffer that is valid only where faces are tested.
 
    q is near / (2 w), 2.30, near being the near plane: at most 2^29, the greater the nearer. On the screen it is
-   a plane; the planes of a face's three corners are perspective's, from exact edges. At a pixel q is off by
-   less than DEPTH_OFF_LEAST and by what depths.c derives from the plane; a plane that may be off by more than the
-   corners' q differ is not used: the face then has the middle of these everywhere. */
+   a plane, found from a face's three corners as perspective's. At a line's first pixel it is off by at most
+   DEPTH_OFF_LEAST and what error_part of depths.c derives from its gradient, and at each further pixel by half
+   a unit more. A plane that may be off by more than the corners' q differ is not used: the face then has the middle
+   of these everywhere. */
 #ifndef DEPTHS_H
 #define DEPTHS_H
 
@@ -14,7 +15,9 @@
 
 enum depths_constants {
     DEPTH_FAR = -0x7fffffff - 1,        /* q where nothing has been drawn */
-    DEPTH_OFF_LEAST = 4                 /* units of q: what roundings add to a plane's error */
+    /* Units of q: corners are off by a half each, 1.5 where a plane goes on beyond them; depths.c rounds five
+       numbers down and depth_fill one. */
+    DEPTH_OFF_LEAST = 10
 };
 
 /* Memory for frames of one size. */
