@@ -32,14 +32,14 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
     }
 }
 
-static enum polygon_result draw_cut(struct renderer *renderer, const struct scene *scene,
-                                    const struct mesh_face *face, struct vertex *vertices,
-                                    int32 count)
+/* Cuts a face that crosses a border; sets *count to the number of corners, below 3 if nothing is left. */
+static const struct vertex *cut_face(const struct scene *scene, const struct mesh_face *face,
+                                     struct vertex *vertices, int32 *count)
 {
     const struct mesh_placed *placed = face->placed;
     const struct scene_corner *corner = &placed->corners[face->face->corner];
 
-    for (int32 i = 0; i < count; i++, corner++) {
+    for (int32 i = 0; i < *count; i++, corner++) {
         const struct mesh_point *p = &placed->points[corner->point];
 
         if (placed->view16)
@@ -48,11 +48,10 @@ static enum polygon_result draw_cut(struct renderer *renderer, const struct scen
         vertices[i].y = p->y;
         vertices[i].w = p->w;
     }
-    vertices = mesh_clip(scene->scratch->cut, vertices, &count, scene->header->near_plane);
-    if (count < 3)
-        return POLYGON_EMPTY;
-    project(vertices, count, scene->header);
-    return draw_polygon(renderer, vertices, count, placed->material);
+    vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane);
+    if (*count >= 3)
+        project(vertices, *count, scene->header);
+    return vertices;
 }
 
 /* Sets a vertex's x, y and w; returns the borders that it is outside of. */
@@ -98,8 +97,9 @@ static void set_values(struct vertex *v, const struct mesh_placed *placed,
         v->shade = attributes->shade;
 }
 
-static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
-                                     const struct mesh_face *face)
+/* Returns a face's corners on the screen, made in scratch memory, and their number, below 3 if nothing is left. */
+static inline const struct vertex *vertices_of(const struct scene *scene, const struct mesh_face *face,
+                                               int32 *number)
 {
     struct vertex *vertices = scene->scratch->face;
     const struct mesh_placed *placed = face->placed;
@@ -112,9 +112,28 @@ static enum polygon_result draw_face(struct renderer *renderer, const struct sce
         outside |= set_place(v, placed, corner->point);
         set_values(v, placed, corner);
     }
-    if (outside)
-        return draw_cut(renderer, scene, face, vertices, count);
-    return draw_polygon(renderer, vertices, count, placed->material);
+    *number = count;
+    return outside ? cut_face(scene, face, vertices, number) : vertices;
+}
+
+const struct vertex *mesh_face_vertices(const struct scene *scene, const struct mesh_face *face, int32 *count)
+{
+    return vertices_of(scene, face, count);
+}
+
+enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
+                                      const struct material *material)
+{
+    return draw_polygon(renderer, vertices, count, material);
+}
+
+static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
+                                     const struct mesh_face *face)
+{
+    int32 count;
+    const struct vertex *vertices = vertices_of(scene, face, &count);
+
+    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed->material);
 }
 
 /* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is

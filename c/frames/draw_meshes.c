@@ -211,12 +211,14 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     return count;
 }
 
-/* Places the instances from *first to end (excluded) that are in the same tree, or in none, and sets
-   *first to the next; returns their faces in the order in which they are drawn. */
+/* Places the instances from *first to end (excluded) that are in the same tree, or in none, in memory from
+   *room on, and sets *first and *room to the next; returns their faces in the order in which they are drawn. */
 static const struct mesh_face *place_all(const struct renderer *renderer, const struct scene *scene,
-                                         int32 number, uint32 *first, uint32 end)
+                                         int32 number, uint32 *first, uint32 end,
+                                         struct mesh_work *room)
 {
-    struct mesh_work at = scene->work;
+    struct mesh_work at = *room;
+    struct mesh_face *const faces = at.faces;
     const struct scene_instance *instance = &scene->instances[*first];
     const struct scene_instance *const last = &scene->instances[end];
     const int32 tree = instance->tree;
@@ -229,7 +231,7 @@ static const struct mesh_face *place_all(const struct renderer *renderer, const 
         if (age < instance->views) {
             const int32 more = place(renderer, scene, instance, age, &at);
 
-            if (tree != NO_TREE)
+            if (tree >= 0)
                 mesh_fill(at.slots, &scene->slots[instance->slot],
                           &scene->faces[scene->meshes[instance->mesh].face], at.faces, more);
             count += more;
@@ -238,8 +240,9 @@ static const struct mesh_face *place_all(const struct renderer *renderer, const 
         }
     }
     *first = (uint32)(instance - scene->instances);
-    if (tree == NO_TREE)
-        return mesh_sort(scene->work.faces, count, scene->scratch->buckets);
+    *room = at;
+    if (tree < 0)
+        return mesh_sort(faces, count, scene->scratch->buckets);
     if (!count)
         return 0;
     walk.root = &scene->nodes[tree];
@@ -251,14 +254,27 @@ static const struct mesh_face *place_all(const struct renderer *renderer, const 
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
                               uint32 first, uint32 end)
 {
-    enum polygon_result refused = POLYGON_DRAWN;
+    enum polygon_result refused = POLYGON_DRAWN, result;
+    struct mesh_work room = scene->work;
+    const struct mesh_face *tested = 0;
 
+    if (scene->instances[first].tree == TREE_Z && !renderer->only_counts) {
+        tested = place_all(renderer, scene, number, &first, end, &room);
+        if (tested)
+            mesh_depths_begin(scene, tested);
+    }
     while (first < end) {
-        const struct mesh_face *const face = place_all(renderer, scene, number, &first, end);
-        const enum polygon_result result = mesh_draw_faces(renderer, scene, face);
+        struct mesh_work left = room;
+        const struct mesh_face *const face = place_all(renderer, scene, number, &first, end, &left);
 
+        result = mesh_draw_faces(renderer, scene, face);
+        if (tested)
+            mesh_depths_fill(renderer, scene, face);
         if (result != POLYGON_DRAWN)
             refused = result;
     }
-    return refused;
+    if (!tested)
+        return refused;
+    result = mesh_depths_draw(renderer, scene, tested);
+    return result == POLYGON_DRAWN ? refused : result;
 }

@@ -5,7 +5,8 @@
 #include "scene/scene.h"
 
 /* Draws instances first to end (excluded) of frame `number`: those that follow each other in one tree
-   by it, those in none the farthest faces first; returns why a polygon was refused, or
+   by it, those in none the farthest faces first; then those with TREE_Z, pixel by pixel before and behind
+   all of these; returns why a polygon was refused, or
    POLYGON_DRAWN. */
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
                               uint32 first, uint32 end);
@@ -13,6 +14,24 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
 /* Draws the faces of a list, whose instances are placed; returns the same. */
 enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scene *scene,
                                     const struct mesh_face *face);
+
+/* Returns a face's corners on the screen, in scratch memory until the next call, and their number, below 3
+   if nothing is left. */
+const struct vertex *mesh_face_vertices(const struct scene *scene, const struct mesh_face *face, int32 *count);
+
+/* Draws these corners. */
+enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
+                                      const struct material *material);
+
+/* draw_depths.c. Makes the z buffer empty where faces of a list are. */
+void mesh_depths_begin(const struct scene *scene, const struct mesh_face *face);
+
+/* Puts faces of a list that have been drawn in this order into it. */
+void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face);
+
+/* Draws the faces of a list where they are nearer, as mesh_draw_faces. */
+enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct scene *scene,
+                                     const struct mesh_face *face);
 
 /* Transforms points of an instance with 32-bit operands, from the first given on. */
 void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,

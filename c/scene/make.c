@@ -143,6 +143,33 @@ static int32 make_trees(struct scene *scene)
     return 1;
 }
 
+/* Makes the z buffer and the frame aside, if an instance needs them. */
+static int32 make_depths(struct scene *scene)
+{
+    const int32 width = scene->header->width, height = scene->header->height;
+    const struct scene_instance *o = scene->instances;
+    struct depths *depths;
+    uint32 left = scene->header->instances;
+
+    scene->depths = 0;
+    while (left && o->tree != TREE_Z) {
+        left--;
+        o++;
+    }
+    if (!left)
+        return 1;
+    if (!mem_alloc(&scene->depths, sizeof *depths, MEMORY_ANY))
+        return 0;
+    depths = scene->depths;
+    depths->near_plane = scene->header->near_plane;
+    depths->aside.width = depths->aside.pitch = width;
+    depths->aside.height = height;
+    depths->aside.pixel_bytes = 1;
+    return mem_alloc(&depths->z, width * height * (int32)sizeof *depths->z, MEMORY_ANY)
+        && mem_alloc(&depths->bounds, height * (int32)sizeof *depths->bounds, MEMORY_ANY)
+        && mem_alloc(&depths->aside.pixels, width * height, MEMORY_ANY);
+}
+
 static enum scene_memory make_work(struct scene *scene)
 {
     const struct scene_instance *o = scene->instances;
@@ -176,6 +203,7 @@ static enum scene_memory make_work(struct scene *scene)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
         && mem_alloc(&work->marks, (int32)(most_points + 4) & ~3, MEMORY_ANY)
         && make_points16(scene) && make_smooth(scene) && make_trees(scene)
+        && make_depths(scene)
         ? SCENE_MADE : SCENE_MESHES;
 }
 

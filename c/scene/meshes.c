@@ -210,6 +210,17 @@ static const char *wrong_tree(const struct scene_node *node, uint32 left, uint32
     return 0;
 }
 
+/* Returns 1 if the faces of an instance may be tested pixel by pixel. before: the instance before it, or 0. */
+static int32 may_be_tested(const struct scene *scene, const struct scene_instance *o,
+                           const struct scene_instance *before)
+{
+    const struct scene_material *m = &scene->materials[o->material];
+
+    return EDGES_ARE_EXACT(m->edges) && m->mapper != MAPPER_KEYED && m->mapper != MAPPER_N64
+        && m->mapper != MAPPER_GLIDE && scene->header->format == PIXEL_CHUNKY
+        && (!before || before->before != o->before || before->tree == TREE_Z);
+}
+
 /* Checks all trees: walking one ends and stays in its slots. */
 static const char *wrong_trees(const struct scene *scene)
 {
@@ -221,6 +232,12 @@ static const char *wrong_trees(const struct scene *scene)
     for (uint32 i = h->instances; i; i--, o++) {
         const struct scene_slot *slot = &scene->slots[o->slot];
 
+        if (o->tree == TREE_Z) {
+            if (!may_be_tested(scene, o, i == h->instances ? 0 : o - 1))
+                return "instance.tree";
+            tree = NO_TREE;
+            continue;
+        }
         if (o->tree != NO_TREE && o->tree != tree) {
             const char *wrong;
 

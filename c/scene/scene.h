@@ -2,6 +2,7 @@
 #ifndef SCENE_H
 #define SCENE_H
 
+#include "depths/depths.h"
 #include "glide/polygons/unit.h"
 #include "mesh/gather.h"
 #include "n64/polygons/unit.h"
@@ -29,6 +30,7 @@ struct scene {
 #undef TABLE
 #undef BLOCK
     struct mesh_work work;
+    struct depths *depths;      /* 0 if no instance has TREE_Z */
     struct mesh_point16 *points16;      /* one a point, if there are views16; of meshes that share points
                                    the last one's */
     uint8 *smooth;              /* one a mesh, 1: all corners have the normal of their point's number */

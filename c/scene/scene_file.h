@@ -22,6 +22,7 @@ enum scene_constants {
     NO_UNIT = -1,
     NO_VIEW16 = -1,
     NO_TREE = -1,
+    TREE_Z = -2,
     NO_POSE = -1,
     NO_TABLE = -1,
     GUARD_MIN = 6,
@@ -158,7 +159,10 @@ struct scene_instance {
     uint32 flags;
     fix16 dark, bright;         /* range of shades with MESH_LIT */
     int32 view16;               /* first of as many as views, or NO_VIEW16 */
-    int32 tree;                 /* the first node of a tree, or NO_TREE. Trees are in the order of their
+    int32 tree;                 /* the first node of a tree, NO_TREE, or TREE_Z: its pixels are tested against all
+                                   faces that are drawn with it. Those are the first with the same number, have
+                                   exact edges, no texture unit and no transparent texels, and the frame has 1 byte
+                                   a pixel. Trees are in the order of their
                                    instances, from node 0 on. All instances of a tree have views from
                                    the same space */
     uint32 slot;                /* with a tree: first of as many slots as the mesh has faces */

@@ -82,7 +82,7 @@ def wrong_trees(rows: list[Row]) -> None:
         wrong.entry("nodes", index, "slots", 65537, M32, M32 - 7, 2**31, said="node.slot or slots")
     wrong.entry("instances", 1, "tree", 1, 3, -2, said="instance.tree")
     wrong.entry("instances", 1, "tree", 5, said="slot.slot")
-    wrong.entry("instances", 0, "tree", 5, 2**31 - 1, -2, said="instance.tree")
+    wrong.entry("instances", 0, "tree", 5, 2**31 - 1, -3, said="instance.tree")
     wrong.entry("instances", 2, "tree", -1, said="nodes")
     wrong.entry("instances", 1, "slot", 13, M32, 2**31, said="instance.slot")
     wrong.entry("slots", 3, "slot", 12, M32, 2**31)

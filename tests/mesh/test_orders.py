@@ -126,7 +126,7 @@ def test_rooms_show_the_nearest_faces() -> None:
      'objects[1].turns: moves, but the neighbour with order "bsp" not the same way: they cannot be in one tree'),
     (beam("red", "keys = [{ frame = 0 }]") + beam("green"), "objects[0].keys: moves, but the neighbour"),
     (beam("red", "turns = 1") + beam("green", "turns = 0.5"), "objects[1].turns: moves, but the neighbour"),
-    (beam("red", order="z"), "objects[0].order: 'z' is not one of depth, bsp"),
+    (beam("red", order="y"), "objects[0].order: 'y' is not one of depth, bsp, z"),
     (POLYGON + 'order = "bsp"\n', "objects[0].order: unknown field"),
     (beam("red", "size = 1000"), "objects[0].faces: a point is more than 2048 units from the mesh's origin"),
     (beam("red") + beam("red", "position = [5000, 0, 0]"),

@@ -4,7 +4,7 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tmap.base.fixed import ONE, signed
-from tmap.bench.keyed import opaque_trial
+from tmap.bench.edges import opaque_trial
 from tmap.bench.trial import Trial, values
 
 SLOWEST = 62 * ONE  # of steps

@@ -163,7 +163,7 @@ def write_other(folder: Path, name: str, machine: str, progress) -> str:
 
     tool, steps = {METHODS: (italian_methods, italian_methods.METHODS),
                    SCENES: (scene_errors, scene_errors.NAMES),
-                   ORDERS: (orders, [*orders.NAMES] * len(orders.ORDERS))}[name]
+                   ORDERS: (orders, orders.ROWS)}[name]
     task = progress.add_task(name, total=len(steps))
     return tool.write(folder, machine, lambda: progress.advance(task))
 

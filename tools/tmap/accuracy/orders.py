@@ -4,12 +4,14 @@ machine, and the pixels where the face drawn last is not the nearest.
 Rays and faces are in floating point. Faces whose places on a ray differ by less than SAME count as equally
 near, and at pixels less than SAME beside a drawn face's edge either is right: more than rounded corners of
 trees are off (tools/tmap/trees/polygons.py), and, as they are on an edge side by side, the edges between them.
+Scenes with movers are compared by tmap.accuracy.movers.
 """
 
 from pathlib import Path
 
 import numpy as np
 
+from tmap.accuracy import movers
 from tmap.base import markdown
 from tmap.base.linear import product
 from tmap.base.paths import SCENES
@@ -21,6 +23,10 @@ from tmap.scene_file.scene_file import ONE, Scene
 
 NAMES = ("rooms",)  # scenes whose meshes are all in one space
 ORDERS = ("depth", "bsp")
+#: Scenes with movers, and, for each row, what takes the place of an order in the file.
+MOVERS = {"movers": {"depth": {"bsp": "depth", "z": "depth"}, "bsp, movers by depth": {"z": "depth"},
+                     "bsp, movers by z": {}}}
+ROWS = [name for name in (*NAMES, *MOVERS) for _ in MOVERS.get(name, ORDERS)]  # one each
 STEP = 4  # between the frames whose pixels are compared
 SAME = 1e-3  # of a unit along the ray
 
@@ -88,19 +94,23 @@ def wrong_pixels(scene: Scene, whole: Scene, number: int, step: int = 1) -> int:
 
 def row(name: str, order: str, machine: str) -> list[str]:
     """Draws a scene in an order; returns its row of the table."""
-    scene, whole = (compile_scene(SCENES / f"{name}.toml", order=each) for each in (order, "depth"))
+    if name in MOVERS:
+        scene = compile_scene(SCENES / f"{name}.toml", order=MOVERS[name][order])
+        wrong = [movers.wrong_pixels(scene, number) for number in range(0, scene.frames, STEP)]
+    else:
+        scene, whole = (compile_scene(SCENES / f"{name}.toml", order=each) for each in (order, "depth"))
+        wrong = [wrong_pixels(scene, whole, number) for number in range(0, scene.frames, STEP)]
     totals = run.total(run.render(scene, machine, "addx").figures)
-    wrong = [wrong_pixels(scene, whole, number) for number in range(0, scene.frames, STEP)]
     numbers = (len(scene.faces), len(scene.nodes), sum(wrong) / len(wrong), max(wrong),
                totals["polygons"] / scene.frames, totals["cycles"] / scene.frames)
     return [name, order, *(f"{number:,.0f}" for number in numbers)]
 
 
-def write(folder: Path, machine: str, on_step=None, names=NAMES) -> str:
+def write(folder: Path, machine: str, on_step=None, names=(*NAMES, *MOVERS)) -> str:
     """Writes orders.md; returns its table."""
     rows = []
     for name in names:
-        for order in ORDERS:
+        for order in MOVERS.get(name, ORDERS):
             rows.append(row(name, order, machine))
             if on_step:
                 on_step()

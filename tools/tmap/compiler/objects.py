@@ -60,9 +60,10 @@ def object_schema(limits: dict[str, int]) -> dict[str, dict]:
         "triangles": (flag, False, "cuts all faces into triangles"),
         "two_sided": (flag, False, "draws faces seen from behind too"),
         "projector": (text, None, "the one of `[projectors]` that throws the material's second Glide unit"),
-        "order": (one_of("depth", "bsp"), "depth",
+        "order": (one_of("depth", "bsp", "z"), "depth",
                   "which faces are drawn first: the farthest, by their greatest depth, or those that a tree of all "
-                  "neighbours with `bsp` puts behind, which is right [everywhere](../../c/mesh/README.md)")}
+                  "neighbours with `bsp` puts behind, which is right [everywhere](../../c/mesh/README.md); `z`: behind or "
+                  "before its neighbours pixel by pixel, also where it moves through them")}
     uvs = rows(rows(texel, 3, corners), 1, most)
     return {"mesh": {"mesh": (text, REQUIRED, "an OBJ file, [with limits](README.md#models), beside the scene"),
                      "materials": (materials_of_parts, None, "the scene's materials for those of the file, in place of "
@@ -146,10 +147,22 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
                                'they have order "depth"')
     if obj["order"] == "bsp" and obj["parent"] is not None:
         fail(f"{where}.order", '"bsp" is for objects without a parent')
+    if obj["order"] == "z":
+        check_tested(material, name, where)
     if obj["crease"] is not None and obj["normals"] not in (None, "smooth"):
         fail(f"{where}.crease", f'goes with normals "smooth", not "{obj["normals"]}"')
     if obj["crease"] is not None:
         obj["normals"] = "smooth"
+
+
+def check_tested(material: dict, name: str, where: str) -> None:
+    """Refuses a material whose pixels are not tested one by one."""
+    mapper = materials.mapper_of(material)
+    if mapper in (*UNITS, "keyed"):
+        fail(f"{where}.order", f'"z" is not for material {name!r}: ' + (
+            "its texels may be transparent" if mapper == "keyed" else "a texture unit draws it"))
+    if material["edges"] not in ("snapped", "exact"):
+        fail(f"{where}.order", f'"z" needs edges "snapped" or "exact", but material {name!r} has "{material["edges"]}"')
 
 
 def check(spec: dict, where: str) -> None:
@@ -165,6 +178,8 @@ def check(spec: dict, where: str) -> None:
             fail(f"{where}camera", f"is missing; {obj['at'].removeprefix(where)} has a mesh")
         parts.settle(obj, spec["materials"])
         check_object(obj, spec["materials"][obj["material"]], spec["projectors"], obj["at"])
+        if obj["order"] == "z" and spec["format"] != "chunky":
+            fail(f"{obj['at']}.order", f'"z" needs pixels of one byte, but format is "{spec["format"]}"')
 
 
 def complete(values: list | None, drawn: list[int]) -> bool:
@@ -333,7 +348,8 @@ class Space:
             if lives_of(obj, self.count) >= 1:
                 self.trees.add(obj, look, before, where)
             return
-        self.trees.close()
+        if obj["order"] != "z":
+            self.trees.close()
         mesh = self.mesh_of(obj, material, texture, where)
         if mesh is not None:
             self.add_instance(mesh, obj, look, before, where)
@@ -352,8 +368,13 @@ class Space:
             ambient = self.spec["light"]["ambient"] * (materials.SHADES - 1)
             dark, bright = (materials.shade_pixel(shade, ramp)
                             for shade in (ambient, materials.SHADES - 1))
-        self.instances.append(Instance(mesh, number, before, len(self.views), lives, obj["first"],
-                                       flags, fix(dark), fix(bright), tree=tree, slot=slot))
+        made = Instance(mesh, number, before, len(self.views), lives, obj["first"], flags, fix(dark), fix(bright),
+                        tree=self.limits["TREE_Z"] if obj["order"] == "z" else tree, slot=slot)
+        at = len(self.instances)
+        while obj["order"] == "z" and at and self.instances[at - 1].before == before \
+                and self.instances[at - 1].tree != made.tree:
+            at -= 1  # before those that it is tested against
+        self.instances.insert(at, made)
         self.views += [self.view(obj, obj["first"] + age, bright - dark, where)
                        for age in range(lives)]
         if len(self.views) > self.limits["SCENE_COUNT_MAX"]:

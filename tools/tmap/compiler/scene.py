@@ -206,7 +206,7 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
     return objects, vertices, poses
 
 
-def compile_scene(path: Path, frames: int | None = None, order: str | None = None) -> Scene:
+def compile_scene(path: Path, frames: int | None = None, order: str | dict[str, str] | None = None) -> Scene:
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
@@ -219,7 +219,8 @@ def compile_scene(path: Path, frames: int | None = None, order: str | None = Non
     with located(str(path), text):
         spec = checked(content, path)
         for obj in filter(scene_space.is_mesh, spec["objects"]):
-            obj["order"] = order or obj["order"]
+            obj["order"] = order.get(obj["order"], obj["order"]) if isinstance(order, dict) \
+                else order or obj["order"]
         made, notes = compiled(spec, path, frames)
     for note in notes:
         print(f"tmap: {with_line(note, str(path), text)}", file=sys.stderr)

@@ -132,7 +132,7 @@ def add(scene):
     for instance in scene.instances:
         material = scene.materials[instance.material]
         made = rows_of(scene, instance) \
-            if material.edges == "snapped" and material.perspective == "none" and instance.tree < 0 else []
+            if material.edges == "snapped" and material.perspective == "none" and instance.tree == LIMITS["NO_TREE"] else []
         if any(row[mesh16.IS_USED] for row in made):
             instance = replace(instance, view16=len(rows))
             rows += made

@@ -3,6 +3,7 @@
 Points, depths, s, t and shades are 16.16; a vertex is (x, y, s, t, shade, w).
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -18,6 +19,10 @@ from tmap.setup import planarity
 Drawn = tuple[int, list[tuple]]
 #: The same, with the kinds of values that are marked as planar.
 Placed = tuple[int, list[tuple], int]
+#: A step of a frame: "draw" polygons; "begin" a z buffer (tmap.model.depths) for faces, "fill" it with faces that are
+#: drawn, "test" a face, which its polygons draw aside. Faces are whole.
+Step = tuple[str, list[Drawn], list[Placed]]
+Z = -2  # TREE_Z
 CORNERS_MAX = 62  # a convex face cannot get more: mesh_clip gives up
 
 
@@ -177,8 +182,8 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple], int]]
     return made
 
 
-def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
-    """Returns the polygons of instances that are drawn together, in drawing order: by their tree, or
+def ordered(scene, instances, number: int) -> list[Drawn]:
+    """Returns the faces, whole, of instances that are drawn together, in drawing order: by their tree, or
     by depth if they have none."""
     tree, faces, eye = instances[0].tree, [], None
     for instance in instances:
@@ -190,29 +195,50 @@ def mesh_polygons(scene, instances, number: int) -> list[Drawn]:
         place = {slot: rank for rank, slot in enumerate(trees.walk(scene.nodes.tolist(), tree, eye))}
         faces = [(place[slot], *face) for slot, *face in faces]
     faces.sort(key=lambda face: face[0])
-    return [(material, polygon) for _, material, vertices in faces if len(vertices) >= 3
-            for polygon in polygons_of(scene.materials[material], vertices)]
+    return [(material, vertices) for _, material, vertices in faces if len(vertices) >= 3]
 
 
-def placed_at(scene, number: int) -> list[Placed]:
-    """Returns a frame's polygons in drawing order: each one's material, its vertices on the screen,
-    and the kinds of values that are marked as planar."""
+def parts_of(scene, face: Drawn) -> list[Placed]:
+    """Returns the polygons that draw a mesh's face."""
+    material, vertices = face
+    return [(material, part, planarity.IN_SPACE) for part in polygons_of(scene.materials[material], vertices)]
+
+
+def group_steps(scene, groups, number: int) -> Iterator[Step]:
+    """Yields the steps of instances at one place in the scene's order, a group for each tree."""
+    tested = ordered(scene, groups[0], number) if groups[0][0].tree == Z else []
+    if tested:
+        yield "begin", tested, []
+    for group in groups[groups[0][0].tree == Z:]:
+        faces = ordered(scene, group, number)
+        yield "draw", faces, [part for face in faces for part in parts_of(scene, face)]
+        if tested:
+            yield "fill", faces, []
+    for face in tested:
+        yield "test", [face], parts_of(scene, face)
+
+
+def steps_at(scene, number: int) -> Iterator[Step]:
+    """Yields what is done in a frame."""
     groups: dict[int, list] = {}  # instances that are drawn together, by the object that follows them
     for (before, _), group in groupby(scene.instances, lambda each: (each.before, each.tree)):
         groups.setdefault(before, []).append(list(group))
     shown = [place for place, obj in enumerate(scene.objects)
              if obj.first_frame <= number < obj.first_frame + obj.poses]
-    drawn = []
     for place in sorted({*shown, *groups}):
         if place in groups:
-            drawn += [(*each, planarity.IN_SPACE) for group in groups[place]
-                      for each in mesh_polygons(scene, group, number)]
+            yield from group_steps(scene, groups[place], number)
         if place < len(scene.objects):
             obj = scene.objects[place]
             vertices = vertices_at(scene, obj, number)
             if vertices:
-                drawn.append((obj.material, vertices, obj.planar))
-    return drawn
+                yield "draw", [], [(obj.material, vertices, obj.planar)]
+
+
+def placed_at(scene, number: int) -> list[Placed]:
+    """Returns a frame's polygons in drawing order: each one's material, its vertices on the screen,
+    and the kinds of values that are marked as planar."""
+    return [part for *_, parts in steps_at(scene, number) for part in parts]
 
 
 def polygons_at(scene, number: int) -> list[Drawn]:

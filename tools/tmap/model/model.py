@@ -13,7 +13,8 @@ import numpy as np
 
 from tmap.base.fixed import M32, ceil16, signed
 from tmap.model import units
-from tmap.model.mesh import placed_at
+from tmap.model.depths import Depths
+from tmap.model.mesh import steps_at
 from tmap.scene_file.scene_file import vertices_at
 from tmap.scene_file.textures import UNITS
 from tmap.scene_file.units import state_at
@@ -69,12 +70,9 @@ def prepare(scene, obj, number: int) -> Polygon | None:
     return prepare_polygon(scene, obj.material, vertices) if vertices else None
 
 
-def render(scene, number: int) -> np.ndarray:
-    """Draws frame ``number`` of a scene (tmap.scene_file.scene_file.Scene): its pixels, height x
-    width."""
-    frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)  # of cleared scenes
-    states = {}
-    for which, vertices, vouched in placed_at(scene, number):
+def draw_placed(scene, number: int, frame: np.ndarray, placed, states: dict) -> None:
+    """Draws polygons of frame ``number``. ``states``: of the units that have drawn before in it."""
+    for which, vertices, vouched in placed:
         material = scene.materials[which]
         if material.mapper == "n64":
             if material.unit not in states:
@@ -97,4 +95,20 @@ def render(scene, number: int) -> np.ndarray:
             polygon = prepare_polygon(scene, which, part)
             if polygon:
                 draw(frame, polygon, texture, material.colour, light)
+
+
+def render(scene, number: int) -> np.ndarray:
+    """Draws frame ``number`` of a scene (tmap.scene_file.scene_file.Scene): its pixels, height x
+    width."""
+    frame = np.full((scene.height, scene.width), scene.background, scene.pixel.dtype)  # of cleared scenes
+    aside, depths, states = np.zeros_like(frame), None, {}
+    for what, faces, placed in steps_at(scene, number):
+        if what == "begin":
+            depths = Depths(scene, faces)
+        draw_placed(scene, number, aside if what == "test" else frame, placed, states)
+        for face in faces if depths else []:
+            if what == "fill":
+                depths.fill(*face)
+            elif what == "test":
+                depths.copy(frame, aside, *face)
     return frame

@@ -63,16 +63,21 @@ def mesh_bytes(scene: Scene) -> list[int]:
     if not scene.instances:
         return []
     size = {name: layout.load().struct(name).size for name in
-            ("mesh_placed", "mesh_point", "mesh_place", "mesh_attributes", "mesh_face", "mesh_point16")}
+            ("mesh_placed", "mesh_point", "mesh_place", "mesh_attributes", "mesh_face", "mesh_point16",
+             "depths", "scanline")}
     groups: dict[int, list] = {}
     for each in scene.instances:
         groups.setdefault(each.before, []).append(scene.meshes[each.mesh])
     most = max(map(len, groups.values()))
     points, normals, faces = (max(sum(getattr(mesh, table) for mesh in group) for group in groups.values())
                               for table in ("points", "normals", "faces"))
+    z = layout.load().constants["TREE_Z"]
+    pixels = scene.width * scene.height if any(each.tree == z for each in scene.instances) else 0
+    depths = [size["depths"], 4 * pixels, scene.height * size["scanline"], pixels] if pixels else []
     return [most * size["mesh_placed"], points * size["mesh_point"], points * size["mesh_place"],
             normals * size["mesh_attributes"], faces * size["mesh_face"], points + 4 & ~3,
-            *([len(scene.points) * size["mesh_point16"]] if len(scene.views16) else []), len(scene.meshes)]
+            *([len(scene.points) * size["mesh_point16"]] if len(scene.views16) else []), len(scene.meshes),
+            *depths]
 
 
 def requests(scene: Scene) -> tuple[list[int], list[int]]:

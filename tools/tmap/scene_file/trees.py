@@ -32,6 +32,18 @@ def check_tree(nodes: list[list[int]], root: int, name: str) -> int:
     return slot
 
 
+def check_tested(scene, number: int, where: str) -> None:
+    """Refuses an instance whose pixels cannot be tested one by one."""
+    instance = scene.instances[number]
+    material = scene.materials[instance.material]
+    if material.edges not in ("snapped", "exact") or material.mapper in ("keyed", "n64", "glide") \
+            or scene.pixel.bytes != 1:
+        raise UserError(f"{where}: material {instance.material} and the frame's format do not go with z")
+    before = scene.instances[number - 1] if number else None
+    if before and before.before == instance.before and before.tree != instance.tree:
+        raise UserError(f"{where}: those with z must be the first")
+
+
 def check(scene, name: str) -> None:
     """Refuses trees, and instances that are not in theirs."""
     nodes, slots = scene.nodes.tolist(), scene.slots[:, 0].tolist()
@@ -39,6 +51,10 @@ def check(scene, name: str) -> None:
     ended = count = 0
     for i, instance in enumerate(scene.instances):
         where = f"instances[{i}]"
+        if instance.tree == layout.load().constants["TREE_Z"]:
+            check_tested(scene, i, f"{name}: {where}.tree")
+            tree = none
+            continue
         if instance.tree not in (none, tree):
             require(name, f"{where}.tree", instance.tree, ended, min(ended, len(nodes) - 1))
             require(name, f"nodes[{ended}].front", nodes[ended][FRONT], 0, len(nodes) - ended - 1)

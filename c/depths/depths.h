@@ -1,0 +1,68 @@
+/* Which face is nearer, pixel by pixel: a z buffer that is valid only where faces are tested.
+
+   q is near / (2 w), 2.30, near being the near plane: at most 2^29, the greater the nearer. On the screen it is
+   a plane, found from a face's three corners as perspective's. At a line's first pixel it is off by at most
+   DEPTH_OFF_LEAST and what error_part of depths.c derives from its gradient, and at each further pixel by half
+   a unit more. A plane that may be off by more than the corners' q differ is not used: the face then has the middle
+   of these everywhere. */
+#ifndef DEPTHS_H
+#define DEPTHS_H
+
+#include "math/math.h"
+#include "polygon/edges.h"
+#include "polygon/polygon.h"
+#include "span/scanline.h"
+
+enum depths_constants {
+    DEPTH_FAR = -0x7fffffff - 1,        /* q where nothing has been drawn */
+    /* Units of q: corners are off by a half each, 1.5 where a plane goes on beyond them; depths.c rounds five
+       numbers down and depth_fill one. */
+    DEPTH_OFF_LEAST = 10
+};
+
+/* Memory for frames of one size. */
+struct depths {
+    int32 *z;                   /* q of each pixel, row by row: only inside the bounds */
+    struct scanline *bounds;    /* one a line of the frame, of which left and last are used */
+    struct rectangle box;       /* around all bounds */
+    struct frame aside;         /* where faces are drawn before they are tested: 1 byte a pixel */
+    fix16 near_plane;
+};
+
+/* Everything depth_fill and depth_copy need. */
+struct depth_plan {
+    const struct scanline *lines;       /* left and last are read */
+    int32 count;                        /* lines, 1 or more */
+    const struct scanline *bounds;      /* of the same lines: other pixels are left out */
+    uint8 *row;                         /* z of pixel -EDGE_BIAS of the first line */
+    int32 pitch;                        /* bytes from line to line */
+    struct number64 at, dx, dy;         /* q, 32.32 modulo 2^64, at pixel `left` of the first line, and its steps */
+    int32 left;                         /* + EDGE_BIAS; no pixel is left of it */
+    int32 step;                         /* dx, rounded to the nearest */
+    const uint8 *from;                  /* depth_copy: pixel -EDGE_BIAS of the first line */
+    uint8 *to;
+    int32 from_pitch, to_pitch;
+};
+
+/* src68k/depths: contracts there. */
+void depth_fill(const struct depth_plan *plan);
+void depth_copy(const struct depth_plan *plan);
+
+/* Empties the bounds. */
+void depths_begin(struct depths *depths);
+
+/* Takes the pixels of a polygon's box, and one beside it, into the bounds. */
+void depths_include(struct depths *depths, const struct vertex *vertices, int32 count);
+
+/* Sets z inside the bounds to DEPTH_FAR. */
+void depths_clear(const struct depths *depths);
+
+/* Sets z inside the bounds to q of a polygon that has been drawn over all before. */
+void depths_fill(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
+                 int32 count, const struct material *material);
+
+/* Copies the pixels of a polygon drawn aside whose q is z or more to the frame, and sets z to q. Edges are exact. */
+void depths_copy(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
+                 int32 count, const struct material *material);
+
+#endif
