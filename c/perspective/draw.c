@@ -1,6 +1,7 @@
 /* Draws lines with perspective: level ones, from the far end, or exactly. */
 #include "perspective/light.h"
 #include "perspective/perspective.h"
+#include "perspective/tolerance.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 
@@ -11,6 +12,7 @@ static const struct {
     int32 off, width;           /* level lines: error allowed, widest polygon */
     int32 saved;                /* cycles by columns, a pixel */
     int32 chain;                /* level lines: widest polygon with a chain of u and v */
+    int32 straight;             /* curves: units that straight pieces may be off */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
                              FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY16, FRAME_SIDE_MAX},
@@ -18,10 +20,11 @@ static const struct {
                             FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY8, FRAME_SIDE_MAX},
     [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
                            PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX,
-                           PERSPECTIVE_SAVED_PIXEL, PERSPECTIVE_CHAIN_PIXEL},
+                           PERSPECTIVE_SAVED_PIXEL, PERSPECTIVE_CHAIN_PIXEL,
+                           PERSPECTIVE_STRAIGHT_PIXEL},
     [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
                           PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
-                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_SAVED_FINE, 0}
+                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_SAVED_FINE, 0, PERSPECTIVE_STRAIGHT_FINE}
 };
 
 /* Spans for pixels of 1, 2 and 4 bytes. */
@@ -51,8 +54,8 @@ SCRATCH_FITS(union made);
 
 #define STEEP_2_22 (1 << 22)
 
-/* Returns log2 of the pixels of pieces that are drawn exactly: as many, 64 at most, as keep the error of the setting's
-   name, h^2 / (4 L) pixels, L = q / its growth. */
+/* Returns log2 of the pixels of straight pieces that are drawn exactly: as many, 64 at most, as keep the error of the
+   setting's name, h^2 / (4 L) pixels, L = q / its growth, or a curve's tolerance; 0 if curves are needed. */
 static int32 exact_piece(const struct setup *s)
 {
     const struct perspective_plan *plan = s->perspective;
@@ -60,6 +63,8 @@ static int32 exact_piece(const struct setup *s)
     const int32 half = s->setting == PERSPECTIVE_EVERY8;        /* a pixel, or half of one */
     int32 piece = ways[s->setting].piece;
 
+    if (ways[s->setting].bend)
+        return tolerance_straight(plan, ways[s->setting].straight);
     /* what a tolerance allows is less than what a setting allows */
     if (perspective_has_pieces(s->setting) && s->setting == (enum perspective)s->material->perspective)
         while (piece < PERSPECTIVE_PIECE_EXACT && steep <= plan->q_low / ((1 << (2 * piece + half)) + 1))
@@ -67,18 +72,17 @@ static int32 exact_piece(const struct setup *s)
     return piece;
 }
 
-/* Raises the plan's u and v. */
-static void draw_exactly(const struct setup *s, union made *made)
+/* Raises the plan's u and v. piece: of exact_piece. */
+static void draw_exactly(const struct setup *s, union made *made, int32 piece)
 {
-    const int32 piece = exact_piece(s);
-    const int32 raise = perspective_has_pieces(s->setting) ? (2 << piece) + 2 : ways[s->setting].raise;
+    const int32 raise = piece ? (2 << piece) + 2 : ways[s->setting].raise;
     struct perspective_plan *plan = s->perspective;
     const struct span_plan *span = &s->span;
     struct perspective_span lines;
 
     plan->u += raise;
     plan->v += raise;
-    plan->bend = ways[s->setting].bend;
+    plan->bend = piece ? 0 : ways[s->setting].bend;
     plan->to = made->exact;
     perspective_lines(plan);
     lines.lines = made->exact;
@@ -86,7 +90,7 @@ static void draw_exactly(const struct setup *s, union made *made)
     lines.row = span->row;
     lines.pitch = span->pitch;
     lines.map = span->map;
-    lines.longest = piece;
+    lines.longest = piece ? piece : ways[s->setting].piece;
     (plan->bend ? curves : pieces)[s->frame->pixel_bytes >> 1](&lines);
 }
 
@@ -194,13 +198,15 @@ void perspective_find_level(struct setup *s)
 void perspective_draw(struct setup *s)
 {
     union made *made = (union made *)s->scratch->room;
+    int32 piece;
 
     if (s->level == LEVEL_LINES) {
         perspective_draw_level(s, made->steps);
         return;
     }
+    piece = exact_piece(s);
     if (s->counts)
-        count_lines(s, perspective_has_pieces(s->setting) ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES);
+        count_lines(s, piece ? SPAN_PERSPECTIVE_PIECES : SPAN_PERSPECTIVE_CURVES);
     if (!s->renderer->only_counts)
-        draw_exactly(s, made);
+        draw_exactly(s, made, piece);
 }

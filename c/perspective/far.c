@@ -119,15 +119,16 @@ const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqd
     return to.place.lines;
 }
 
-/* Returns the entries by which the table for the ends of pieces is on; see FAR_AHEAD. from_16: as a far_span's; bits:
+/* Returns the entries by which the table for the ends of pieces is on; see FAR_AHEAD16. from_16: as a far_span's; bits:
    FAR_EVERY16 or so. */
 static uint32 find_ahead(const struct setup *s, uint32 dq, int32 from_16, int32 bits)
 {
     const uint32 least = (uint32)s->perspective->q_low, part = dq >> 9;
+    const uint32 eighths = bits == FAR_EVERY16 ? FAR_AHEAD16 : FAR_AHEAD8;
 
     if (from_16 <= (int32)(least >> 15) - FAR_ORIGIN)   /* all have 16: 16^2 dq / (4 least) pixels */
-        return (FAR_AHEAD * part * part >> 2) / (least >> 8);
-    return FAR_AHEAD * dq >> (FAR_EVERY16 + 18 - bits);
+        return (eighths * part * part >> 2) / (least >> 8);
+    return eighths * dq >> (FAR_EVERY16 + 18 - bits);
 }
 
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,

@@ -33,7 +33,8 @@ int32 tolerance_is_flat(const struct setup *s)
 
 /* A piece of n pixels, exact at both ends, is off by at most n^2 |u''| / 8, with u'' = -2 q' u' / q
    and |u'| <= (|S'| + |u - base| |q'|) / q. With a = |q'| / least q that is n^2 / 4 times a times
-   the greatest |u'|. Returns a times the greatest |u'|; a is in 8.24, everything is rounded up. */
+   the greatest |u'|. Returns a times the greatest |u'|, at most 2^23 or TOLERANCE_MAX; a is in 8.24, everything is
+   rounded up. */
 static fix16 bend(const struct perspective_plan *plan)
 {
     int32 steep = perspective_steepness(&plan->q.dx) + 1;
@@ -60,7 +61,7 @@ int32 tolerance_is_coarser(struct setup *s)
     }
     if (s->setting == PERSPECTIVE_EVERY16)
         return 0;
-    pixel = bend(plan);         /* at most 2^23 or TOLERANCE_MAX: the products fit */
+    pixel = bend(plan);         /* the products fit */
     if (pixel * (16 * 16 / 4) <= tolerance)
         s->setting = PERSPECTIVE_EVERY16;
     else if (s->setting != PERSPECTIVE_EVERY8 && pixel * (8 * 8 / 4) <= tolerance)
@@ -68,4 +69,14 @@ int32 tolerance_is_coarser(struct setup *s)
     else
         return 0;
     return 1;
+}
+
+int32 tolerance_straight(const struct perspective_plan *plan, fix16 most)
+{
+    const fix16 pixel = bend(plan);
+    int32 piece = PERSPECTIVE_PIECE_EXACT;
+
+    while (piece >= PERSPECTIVE_PIECE_EVERY8 && pixel > (most - (4 << piece)) >> (2 * piece - 2))
+        piece--;
+    return piece >= PERSPECTIVE_PIECE_EVERY8 ? piece : 0;
 }

@@ -23,8 +23,10 @@ enum far_constants {
     FAR_NEVER = 32767,          /* above all indices less ORIGIN */
     /* A chord lags behind its curve. So pieces of even spans end where q is greater by its growth in AHEAD eighths
        of the most that a chord of the polygon is off, in pixels: they are ahead by that, and lag less. The root
-       mean square of errors is least at 3 to 4. */
-    FAR_AHEAD = 3,
+       mean square of errors is least at 3 to 4; at 4 nothing lags by more than half of the most, but where pieces are
+       long, more are too far ahead by as much. */
+    FAR_AHEAD16 = 3,            /* every16 */
+    FAR_AHEAD8 = 4,
     FAR_K_BITS = 3,             /* K is known to 1/8 unit, or to 2 if C is coarser */
     FAR_K_SCALE = 29,           /* where s and t have this scale, K is 2^32 times their growth over q's */
     FAR_BITS = 5,               /* C is (u - K) q in 1/8 units of 2.30, times 2^(this - 32); */

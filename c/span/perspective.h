@@ -16,6 +16,10 @@ enum perspective_constants {
        1/128 texel in units of 1/65536, less longest^2 / 8 + 8 units for rounding. */
     PERSPECTIVE_BEND_PIXEL = -785,
     PERSPECTIVE_BEND_FINE = -656,
+    /* Units that straight pieces may be off where q grows so slowly that they do for curves: 1/32 or 1/128 texel, less
+       2. Pieces of m pixels leave 4 m of them to what their lines are raised by and their ends and steps cut by. */
+    PERSPECTIVE_STRAIGHT_PIXEL = 2046,
+    PERSPECTIVE_STRAIGHT_FINE = 510,
     /* The error allowed for drawing a line as if its depth were constant, in 1/65536 texel, and the
        widest polygon with such lines. Their steps add a unit a pixel, two where u and v are chained, as they are in
        lines up to CHAIN wide; both together stay inside 1/32 or 1/128 texel. With straight pieces the depth must

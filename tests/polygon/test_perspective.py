@@ -8,6 +8,7 @@ import pytest
 from tmap.corpus import random_polygons
 from tmap.model import model
 from tmap.scene_file.scene_file import ONE, SETTINGS
+from tmap.setup.perspective import EXACT
 
 WIDTH, HEIGHT = 160, 120
 WAYS = SETTINGS["perspective"][1:]
@@ -47,3 +48,22 @@ def test_order_of_vertices_does_not_matter(way: str) -> None:
         assert shown[0] == shown[1] == shown[2]
         pixels += sum(len(u) for u, _ in shown[0])
     assert pixels > 40 * 1000
+
+
+@pytest.mark.parametrize("way, units", [("pixel", 2048), ("fine", 512)])
+def test_straight_pieces_do_for_curves(way: str, units: int) -> None:
+    """Where depth hardly changes, straight pieces replace curves; with their rounding they stay within the
+    tolerance."""
+    rng, settings, seen = random.Random(way), model.Settings("exact", perspective=way), set()
+    for _ in range(60):
+        corners = surface(rng, 1 + 10 ** rng.uniform(-5, -1))
+        polygon = model.set_up(model.adapt(corners, settings, 256), WIDTH, HEIGHT, True, settings)
+        if not polygon or not polygon.perspective or polygon.exact == way:
+            continue
+        seen.add(polygon.exact)
+        pixels, p = EXACT[polygon.exact], polygon.perspective
+        q, st = p.q.dx / p.least / 2**32, [plane.dx / p.least for plane in (p.s, p.t)]
+        for grows in st:
+            chord = pixels**2 / 4 * abs(q) * (abs(grows) + p.farthest * abs(q))
+            assert chord + 4 * pixels + 2 <= units
+    assert len(seen) > 1

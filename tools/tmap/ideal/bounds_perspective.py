@@ -67,6 +67,9 @@ plane's errors, and may be that far apart.
 off by the tolerance at most between their ends; straight lines and triangles drawn affine are off
 by it in addition to their own bounds.
 
+**Straight pieces for curves**: where q grows so slowly that a piece's chord and its rounding, 4 m + 2 units for m
+pixels, are within the setting's 1/32 or 1/128 texel (c/perspective/tolerance.c), pieces of 8 to 64 pixels are drawn.
+
 **Curves**: a parabola through three points off by b each is off by 5/4 b. It is off from the curve
 by the setting's 1/32 or 1/128 texel, its rounding included (see ``perspective.enough``).
 """
@@ -324,6 +327,8 @@ def check_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[in
     kind = "column" if polygon.columns else "line"
     for key, y, columns, found, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
         bent = float(abs(wanted).max())
+        if polygon.setting in TOLERANCE and bent > TOLERANCE[polygon.setting]:
+            out.complain(f"{key} on {kind} {y}: pieces of {polygon.exact} for {polygon.setting} bend {bent:.9f} texels")
         if polygon.setting != asked and bent > tolerance + FLOAT:
             out.complain(f"{key} on {kind} {y}: pieces of {polygon.setting} instead of {asked} "
                          f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")

@@ -2,8 +2,8 @@
 
 from types import ModuleType
 
-from tmap.setup import cubic, far
-from tmap.setup.perspective import EXACT, PIECES, Perspective, steepness
+from tmap.setup import cubic, far, tolerance
+from tmap.setup.perspective import CURVES, EXACT, PIECES, Perspective, steepness
 from tmap.setup.texturing import Settings
 
 
@@ -22,7 +22,9 @@ def constants(deep: Perspective, box, setting: str, settings: Settings):
 
 def exact_setting(deep: Perspective, setting: str, settings: Settings) -> str:
     """Returns a setting, or a name of EXACT, whose pieces draw lines exactly: where q grows slowly, longer ones keep
-    the error of the setting's name, a pixel or half of one."""
+    the error of the setting's name, a pixel or half of one, or do for curves."""
+    if setting in CURVES:
+        return tolerance.straight(deep, setting) or setting
     if setting not in PIECES or setting != settings.perspective:
         return setting
     pixels, longest = PIECES[setting], max(EXACT.values())

@@ -26,7 +26,8 @@ LENGTHS = {"every16": {16: 1 << 23, 8: 1 << 25, 4: 1 << 27, 2: MOST // 2, 1: MOS
            "every8": {16: 1 << 22, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST},
            "tolerance": {16: 0, 8: 1 << 24, 4: 1 << 26, 2: 1 << 28, 1: MOST}}
 NEVER = 65535  # an index
-AHEAD = 3  # eighths of a chord's error, by which the ends of even spans' pieces are ahead
+#: Eighths of a chord's error, by which the ends of even spans' pieces are ahead.
+AHEAD = {"every16": 3, "every8": 4}
 DEEP = 8
 COARSE = 4
 EVEN = 1 << 28
@@ -220,8 +221,8 @@ def ahead(dq: int, least: int, every: str) -> int:
     if not most:  # a tolerance allows 8 pixels
         return 0
     if -(-2 * dq // most) <= least >> 15:  # all have 16: 16^2 dq / (4 least) pixels
-        return (AHEAD * (dq >> 9) * (dq >> 9) >> 2) // (least >> 8)
-    return AHEAD * dq >> (18 if every == "every16" else 19)
+        return (AHEAD[every] * (dq >> 9) * (dq >> 9) >> 2) // (least >> 8)
+    return AHEAD[every] * dq >> (18 if every == "every16" else 19)
 
 
 def find(p, every: str, box, exact: bool) -> Constants | None:

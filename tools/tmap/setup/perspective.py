@@ -54,6 +54,7 @@ class Way:
     raised: int  # units by which lines are raised
     saved: int  # cycles that columns save, a pixel
     chain: int  # the longest line of level lines by a chain of u and v
+    straight: int  # for curves: units that straight pieces may be off
 
 
 @cache
@@ -67,7 +68,7 @@ def way(setting: str) -> Way:
     widest = found["FRAME_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
     chain = {"pixel": found["PERSPECTIVE_CHAIN_PIXEL"], "fine": 0}.get(setting, widest)
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
-               widest, number("RAISE"), number("SAVED"), chain)
+               widest, number("RAISE"), number("SAVED"), chain, number("STRAIGHT"))
 
 
 def raise_of(exact: str) -> int:

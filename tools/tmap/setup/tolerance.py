@@ -2,7 +2,7 @@
 
 from tmap.base.fixed import mul_div, signed
 from tmap.setup.level import keeps_level
-from tmap.setup.perspective import PIECES, Perspective
+from tmap.setup.perspective import EXACT, PIECES, Perspective, way
 
 STEEP = 8  # q may grow per pixel by at most its least value shifted right by so many bits
 
@@ -41,3 +41,11 @@ def coarser(p: Perspective, width: int, setting: str, tolerance: int) -> tuple[s
         if pixel is not None and pixel * PIECES[longer] * PIECES[longer] // 4 <= tolerance:
             return longer, False
     return setting, False
+
+
+def straight(p: Perspective, setting: str) -> str | None:
+    """Returns the name of EXACT of the longest straight pieces that are within the tolerance of a setting with curves;
+    None if there are none."""
+    pixel, most = bend(p), way(setting).straight
+    fit = [m for m in EXACT.values() if pixel is not None and pixel <= (most - 4 * m) // (m * m // 4)]
+    return f"every{max(fit)}" if fit else None
