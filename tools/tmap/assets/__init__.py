@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from PIL import Image
 
-from tmap.assets import light, meshes, plants, rooms, signs, surfaces, views
+from tmap.assets import keep, light, meshes, plants, rooms, signs, surfaces, views
 
 
 def rounded(picture: np.ndarray) -> Image.Image:
@@ -49,6 +49,11 @@ def sunset() -> bytes:
     return png(cut.quantize(96).convert("RGB").quantize(96))
 
 
+def few(make: Callable[[], np.ndarray]) -> bytes:
+    """Returns the PNG file of a maker's picture in 24 colours: scenes with many share a palette of 256."""
+    return png(rounded(make()).quantize(24, dither=Image.Dither.NONE))
+
+
 def size(side: int) -> bytes:
     """Returns a square map for Glide's sizes."""
     if side < 8:
@@ -77,6 +82,7 @@ PICTURES = {"n64/bricks.png": surfaces.bricks, "n64/planks.png": surfaces.planks
 # The maker of each file, by its path in tests/scenes.
 FILES: dict[str, Callable[[], bytes]] = {
     "checker.png": checker, "demo/sunset.png": sunset, **meshes.FILES, **rooms.FILES,
+    **keep.FILES, **{name: partial(few, make) for name, make in keep.PICTURES.items()},
     **{name: partial(plain, make) for name, make in PICTURES.items()},
     **{aspect_name(*shape): partial(plain, partial(signs.aspect, *shape, tint))
        for shape, tint in signs.ASPECTS.items()},

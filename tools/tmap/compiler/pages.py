@@ -130,6 +130,8 @@ def unbounded(scene: Scene) -> set[int]:
     """Returns the textures that need pages of their own whatever s and t are, and those that have other layouts."""
     found = {n for n, texture in enumerate(scene.textures) if texture.layout != "page"}
     found |= {m.texture for m in scene.materials if gutter_of(m) is None}
+    found |= {level.texture for m in scene.materials if m.levels
+              for level in (m, *scene.materials[m.level:m.level + m.levels])}  # mip maps: each half the last
     return found | {scene.materials[i.material].texture for i in scene.instances if i.flags & ENVIRONMENT}
 
 
