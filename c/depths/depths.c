@@ -182,6 +182,24 @@ void depths_fill(struct renderer *renderer, const struct depths *depths, const s
         depth_fill(&plan);
 }
 
+void depths_blank(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
+                  int32 count, const struct material *material)
+{
+    const struct frame *frame = &depths->aside;
+    struct depth_plan found;
+    struct span_plan plan;
+    struct setup s;
+
+    if (!find(&found, &s, renderer, depths, vertices, count, material))
+        return;
+    plan.lines = found.lines;
+    plan.count = found.count;
+    plan.row = frame->pixels + s.box.top * frame->pitch - EDGE_BIAS;
+    plan.pitch = frame->pitch;
+    plan.colour = 0;
+    span_fill(&plan);
+}
+
 void depths_copy(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
                  int32 count, const struct material *material)
 {
@@ -195,5 +213,8 @@ void depths_copy(struct renderer *renderer, const struct depths *depths, const s
     plan.to_pitch = frame->pitch;
     plan.from = depths->aside.pixels + s.box.top * plan.from_pitch - EDGE_BIAS;
     plan.to = frame->pixels + s.box.top * plan.to_pitch - EDGE_BIAS;
-    depth_copy(&plan);
+    if (material->mapper == MAPPER_KEYED)
+        depth_copy_keyed(&plan);
+    else
+        depth_copy(&plan);
 }

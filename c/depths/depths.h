@@ -47,6 +47,7 @@ struct depth_plan {
 /* src68k/depths: contracts there. */
 void depth_fill(const struct depth_plan *plan);
 void depth_copy(const struct depth_plan *plan);
+void depth_copy_keyed(const struct depth_plan *plan);
 
 /* Empties the bounds. */
 void depths_begin(struct depths *depths);
@@ -61,7 +62,12 @@ void depths_clear(const struct depths *depths);
 void depths_fill(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
                  int32 count, const struct material *material);
 
-/* Copies the pixels of a polygon drawn aside whose q is z or more to the frame, and sets z to q. Edges are exact. */
+/* Makes a polygon's pixels aside 0, which no texel of a keyed material is that is drawn. */
+void depths_blank(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
+                  int32 count, const struct material *material);
+
+/* Copies the pixels of a polygon drawn aside whose q is z or more to the frame, and sets z to q; of keyed
+   materials those that are not 0. Edges are exact. */
 void depths_copy(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
                  int32 count, const struct material *material);
 

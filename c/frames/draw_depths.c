@@ -39,6 +39,8 @@ enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct sce
 
         if (count < 3)
             continue;
+        if (material->mapper == MAPPER_KEYED)
+            depths_blank(renderer, scene->depths, vertices, count, material);
         renderer->frame = &scene->depths->aside;
         result = mesh_draw_polygon(renderer, vertices, count, material);
         renderer->frame = frame;

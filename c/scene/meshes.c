@@ -216,7 +216,7 @@ static int32 may_be_tested(const struct scene *scene, const struct scene_instanc
 {
     const struct scene_material *m = &scene->materials[o->material];
 
-    return EDGES_ARE_EXACT(m->edges) && m->mapper != MAPPER_KEYED && m->mapper != MAPPER_N64
+    return EDGES_ARE_EXACT(m->edges) && m->mapper != MAPPER_N64
         && m->mapper != MAPPER_GLIDE && scene->header->format == PIXEL_CHUNKY
         && (!before || before->before != o->before || before->tree == TREE_Z);
 }

@@ -9,32 +9,16 @@
 ; error:   as depth_fill
 ; cost:    bench rows depth_copy, depth_copy_hidden; about 200 cycles a line
         routine depth_copy,a0
-        depths_begin
-        move.l  depth_plan_from(a5),-(sp)
-        move.l  depth_plan_to(a5),-(sp)
-.line   depths_pixels .next
-        movea.l 4(sp),a1
-        adda.l  d0,a1
-        movea.l (sp),a6
-        adda.l  d0,a6
-        move.l  a1,-(sp)
-        depths_q
-        movea.l (sp)+,a1
+        depths_copy
 .pixel  cmp.l   (a0)+,d1
         blt.s   .hidden
         move.l  d1,-4(a0)
         move.b  (a1)+,(a6)+
         add.l   d6,d1
         dbf     d3,.pixel
-        bra.s   .next
+        bra     .next
 .hidden addq.l  #1,a1
         addq.l  #1,a6
         add.l   d6,d1
         dbf     d3,.pixel
-.next   move.l  depth_plan_from_pitch(a5),d0
-        add.l   d0,4(sp)
-        move.l  depth_plan_to_pitch(a5),d0
-        add.l   d0,(sp)
-        depths_next .line
-        addq.l  #8,sp
-        return_all
+        depths_copied

@@ -58,3 +58,29 @@ depths_next macro
         subq.l  #1,d7
         bne     \1
         endm
+
+; What copies begin with, for each line: a0 z, a1 pixels aside, a6 those of the frame, d1 q, d3 pixels less one.
+depths_copy macro
+        depths_begin
+        move.l  depth_plan_from(a5),-(sp)
+        move.l  depth_plan_to(a5),-(sp)
+.line   depths_pixels .next
+        movea.l 4(sp),a1
+        adda.l  d0,a1
+        movea.l (sp),a6
+        adda.l  d0,a6
+        move.l  a1,-(sp)
+        depths_q
+        movea.l (sp)+,a1
+        endm
+
+; What they end with.
+depths_copied macro
+.next   move.l  depth_plan_from_pitch(a5),d0
+        add.l   d0,4(sp)
+        move.l  depth_plan_to_pitch(a5),d0
+        add.l   d0,(sp)
+        depths_next .line
+        addq.l  #8,sp
+        return_all
+        endm

@@ -17,7 +17,7 @@ def ends(rng) -> tuple[int, int]:
 
 def trials() -> list[Trial]:
     rng, made = np.random.default_rng(83), []
-    for k in range(48):
+    for k in range(72):
         height = int(rng.integers(1, 12))
         lines, bounds = ([ends(rng) for _ in range(height)] for _ in range(2))
         steep = int(rng.choice((10, 40, 52, 62)))
@@ -28,6 +28,6 @@ def trials() -> list[Trial]:
             for x, q in enumerate(slope.line(line[0], line[1] - line[0] + 1, y), line[0]):
                 if rng.integers(2):
                     z[y, x] = min(max(q + int(rng.integers(-1, 2)), -1 << 31), (1 << 31) - 1)
-        kernel = ("depth_fill", "depth_copy")[k % 2]
+        kernel = ("depth_fill", "depth_copy", "depth_copy_keyed")[k % 3]
         made.append(depth_trial(kernel, lines, bounds, slope, z, Memory(), f"{height} lines, number {k}"))
     return made

@@ -41,10 +41,12 @@ class Slope:
 
 def depth_trial(kernel: str, lines: Lines, bounds: Lines, slope: Slope, z: np.ndarray, arena: Arena,
                 title: str = "") -> Trial:
-    """One table. ``z``: q of the frame's pixels before, as many lines. Pixels aside have numbers, the frame's are
-    0."""
+    """One table. ``z``: q of the frame's pixels before, as many lines. Pixels aside have numbers, a third of them 0
+    where 0 is transparent; the frame's are 0."""
     shape, (height, width) = layout.load().struct("scanline"), z.shape
     aside = (np.arange(z.size) % 255 + 1).astype(np.uint8).reshape(z.shape)
+    if kernel == "depth_copy_keyed":
+        aside[:, 2::3] = 0
     places = {name: arena.add(table_of([{"left": BIAS + a, "last": BIAS + b} for a, b in each]), name=name,
                               shape=shape) for name, each in (("lines", lines), ("bounds", bounds))}
     at = arena.add(z.astype(">i4").tobytes(), name="z")
@@ -55,10 +57,10 @@ def depth_trial(kernel: str, lines: Lines, bounds: Lines, slope: Slope, z: np.nd
     for y, (line, bound) in enumerate(zip(lines, bounds)):
         left, last = max(line[0], bound[0]), min(line[1], bound[1])
         for x, q in enumerate(slope.line(left, last - left + 1, y), left):
-            if kernel == "depth_fill" or q >= z[y, x]:
+            if kernel == "depth_fill" or q >= z[y, x] and aside[y, x]:
                 place = y * width + x
                 writes.append(Write(at + 4 * place, (q & M32).to_bytes(4, "big")))
-                if kernel == "depth_copy":
+                if kernel != "depth_fill":
                     writes.append(Write(to + place, aside[y, x:x + 1].tobytes()))
     return Trial(Case(kernel, arena, pointers={"a0": plan}), title, writes=writes)
 
@@ -72,4 +74,5 @@ def depth_case(kernel: str, before: int):
 
 
 CASES = {"depth_fill": lambda: depth_case("depth_fill", 0), "depth_copy": lambda: depth_case("depth_copy", 0),
-         "depth_copy_hidden": lambda: depth_case("depth_copy", 1 << 30)}
+         "depth_copy_hidden": lambda: depth_case("depth_copy", 1 << 30),
+         "depth_copy_keyed": lambda: depth_case("depth_copy_keyed", 0)}

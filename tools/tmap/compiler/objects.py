@@ -158,9 +158,8 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
 def check_tested(material: dict, name: str, where: str) -> None:
     """Refuses a material whose pixels are not tested one by one."""
     mapper = materials.mapper_of(material)
-    if mapper in (*UNITS, "keyed"):
-        fail(f"{where}.order", f'"z" is not for material {name!r}: ' + (
-            "its texels may be transparent" if mapper == "keyed" else "a texture unit draws it"))
+    if mapper in UNITS:
+        fail(f"{where}.order", f'"z" is not for material {name!r}: a texture unit draws it')
     if material["edges"] not in ("snapped", "exact"):
         fail(f"{where}.order", f'"z" needs edges "snapped" or "exact", but material {name!r} has "{material["edges"]}"')
 

@@ -104,8 +104,10 @@ class Depths:
             self.z[y, left:right] = q
 
     def copy(self, frame: np.ndarray, aside: np.ndarray, which: int, vertices) -> None:
-        """Copies the pixels of a face drawn aside that are seen, and puts them into it."""
+        """Copies the pixels of a face drawn aside, where keyed ones are over 0, that are seen, and puts them into it."""
         for y, left, right, q in self.lines(which, vertices):
             seen = q >= self.z[y, left:right]
+            if self.scene.materials[which].mapper == "keyed":
+                seen &= aside[y, left:right] != 0
             self.z[y, left:right][seen] = q[seen]
             frame[y, left:right][seen] = aside[y, left:right][seen]

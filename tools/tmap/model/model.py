@@ -105,6 +105,7 @@ def render(scene, number: int) -> np.ndarray:
     for what, faces, placed in steps_at(scene, number):
         if what == "begin":
             depths = Depths(scene, faces)
+        aside[:] = 0
         draw_placed(scene, number, aside if what == "test" else frame, placed, states)
         for face in faces if depths else []:
             if what == "fill":

@@ -36,7 +36,7 @@ def check_tested(scene, number: int, where: str) -> None:
     """Refuses an instance whose pixels cannot be tested one by one."""
     instance = scene.instances[number]
     material = scene.materials[instance.material]
-    if material.edges not in ("snapped", "exact") or material.mapper in ("keyed", "n64", "glide") \
+    if material.edges not in ("snapped", "exact") or material.mapper in ("n64", "glide") \
             or scene.pixel.bytes != 1:
         raise UserError(f"{where}: material {instance.material} and the frame's format do not go with z")
     before = scene.instances[number - 1] if number else None
