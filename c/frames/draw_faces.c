@@ -4,7 +4,6 @@
 
 #include "drawing/fan.h"
 #include "math/math.h"
-#include "math/math.h"
 #include "triangle/polygon.h"
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
@@ -15,6 +14,8 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
 
     /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
+    if (renderer->cover)
+        return mesh_draw_visible(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
         return material->draw(renderer, &polygon, material);
@@ -98,8 +99,8 @@ static void set_values(struct vertex *v, const struct mesh_placed *placed,
         v->shade = attributes->shade;
 }
 
-static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
-                                     const struct mesh_face *face)
+enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
+                                   const struct mesh_face *face)
 {
     struct vertex *vertices = scene->scratch->face;
     const struct mesh_placed *placed = face->placed;
@@ -168,7 +169,7 @@ enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scen
             face = left;
             continue;
         }
-        result = draw_face(renderer, scene, face);
+        result = mesh_draw_face(renderer, scene, face);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
         face = face->next;

@@ -213,7 +213,7 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
 
 /* Places the instances from *first to end (excluded) that are in the same tree, or in none, and sets
    *first to the next; returns their faces in the order in which they are drawn. */
-static const struct mesh_face *place_all(const struct renderer *renderer, const struct scene *scene,
+static struct mesh_face *place_all(const struct renderer *renderer, const struct scene *scene,
                                          int32 number, uint32 *first, uint32 end)
 {
     struct mesh_work at = scene->work;
@@ -254,8 +254,9 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
     enum polygon_result refused = POLYGON_DRAWN;
 
     while (first < end) {
-        const struct mesh_face *const face = place_all(renderer, scene, number, &first, end);
-        const enum polygon_result result = mesh_draw_faces(renderer, scene, face);
+        struct mesh_face *const face = place_all(renderer, scene, number, &first, end);
+        const enum polygon_result result = scene->is_once ? mesh_draw_once(renderer, scene, face)
+                                                           : mesh_draw_faces(renderer, scene, face);
 
         if (result != POLYGON_DRAWN)
             refused = result;

@@ -14,6 +14,19 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
 enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scene *scene,
                                     const struct mesh_face *face);
 
+/* Draws a face: with renderer->cover what of it is visible. */
+enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
+                                   const struct mesh_face *face);
+
+/* Draws what is visible of a face's polygon; renderer->cover is scene->coverage's. */
+enum polygon_result mesh_draw_visible(struct renderer *renderer, const struct polygon *polygon,
+                                      const struct material *material);
+
+/* Draws the faces of a list, each pixel once, from the last to the first: the same picture as mesh_draw_faces. It
+   reverses the list. */
+enum polygon_result mesh_draw_once(struct renderer *renderer, const struct scene *scene,
+                                   struct mesh_face *face);
+
 /* Transforms points of an instance with 32-bit operands, from the first given on. */
 void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,
                      int32 count);

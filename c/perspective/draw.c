@@ -2,6 +2,7 @@
 #include "perspective/light.h"
 #include "perspective/perspective.h"
 #include "polygon/counts.h"
+#include "polygon/cover.h"
 #include "polygon/kind.h"
 
 /* How each setting's lines are drawn. */
@@ -117,7 +118,9 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
     lines.pitch = s->span.pitch;
     lines.map = s->span.map;
     lines.steps = steps;
-    if (s->level == LEVEL_LINES)
+    if (s->level == LEVEL_LINES && s->renderer->cover)
+        s->renderer->cover->level(s, &lines, plan->chained, scanlines[plan->chained][s->frame->pixel_bytes >> 1]);
+    else if (s->level == LEVEL_LINES)
         scanlines[plan->chained][s->frame->pixel_bytes >> 1](&lines);
     else if (plan->chained)
         span_affine_level_upright(&lines);

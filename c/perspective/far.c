@@ -1,5 +1,6 @@
 #include "perspective/far.h"
 
+#include "polygon/cover.h"
 #include "span/far.h"
 
 typedef void far_routine(const struct far_span *span);
@@ -116,6 +117,8 @@ const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqd
         to.edges.nears = s->edges.rights;
         edges_far(&to.edges);
     }
+    if (s->renderer->cover)
+        s->renderer->cover->far(s, to.place.lines, leftwards, perspective_has_pieces(s->setting));
     return to.place.lines;
 }
 

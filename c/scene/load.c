@@ -251,6 +251,21 @@ static const char *wrong_object(const struct scene *scene)
     return 0;
 }
 
+/* Meshes whose pixels are drawn once need opaque texels, and exact edges, which leave no pixel to two triangles of
+   a face. */
+static const char *wrong_once(const struct scene *scene)
+{
+    const struct scene_instance *o = scene->instances;
+
+    for (uint32 i = scene->header->once ? scene->header->instances : 0; i; i--, o++) {
+        const struct scene_material *m = &scene->materials[o->material];
+
+        if (m->edges != EDGES_EXACT || m->mapper == MAPPER_KEYED || is(m->mapper, MAPPER_UNIT))
+            return "once";
+    }
+    return 0;
+}
+
 static const char *wrong_entry(const struct scene *scene)
 {
     const char *wrong = wrong_texture(scene);
@@ -263,7 +278,9 @@ static const char *wrong_entry(const struct scene *scene)
         wrong = wrong_material(scene);
     if (!wrong)
         wrong = wrong_object(scene);
-    return wrong ? wrong : scene_wrong_mesh(scene);
+    if (!wrong)
+        wrong = scene_wrong_mesh(scene);
+    return wrong ? wrong : wrong_once(scene);
 }
 
 /* Reads the header and the tables behind it into new memory. Returns the scene's file, or 0: *wrong is the
@@ -324,7 +341,7 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
     static const char *const purposes[] = {
         "", "the transparent texels' rows", "the reciprocals", "the materials", "the meshes",
-        "the texture units"
+        "the texture units", "the coverage"
     };
     struct file_input input;
     enum scene_memory lacks;

@@ -17,11 +17,12 @@ from tmap.compiler import (glide, grids, hierarchy, lights, materials, mesh_buil
                            projectors as scene_projectors, space)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
-from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
+from tmap.scene_file.meshes import ENVIRONMENT, LIT, NOT_ONCE, UNIT_30, Instance, Mesh, empty
 from tmap.scene_file.textures import UNITS
 from tmap.shapes import billboards, mesh_file
 
 FACTOR_BITS = 7  # fraction bits of the factors that normals are multiplied by
+VISIBLE = ("painter", "once")
 RADIUS = 127.0  # of an environment in its map, in s or t
 
 
@@ -81,6 +82,9 @@ def schema(limits: dict[str, int]) -> dict:
                    | {"near": (number(limits["W_MIN"] / ONE, 1000, "units"), 0.125,
                                "what is nearer than this is cut off")})
     return {"camera": (camera, None, "where objects in space are seen from; they need it"),
+            "visible": (one_of(*VISIBLE), "painter",
+                        "how hidden pixels of objects in space are found: nearer faces are drawn over them, or faces "
+                        "from the nearest on, each pixel once; the same picture"),
             **lights.schema(),
             "projectors": (named(scene_projectors.schema(limits)), {}, "pictures thrown on objects in space")}
 
@@ -152,6 +156,15 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
         obj["normals"] = "smooth"
 
 
+def check_once(material: dict, obj: dict, where: str) -> None:
+    """Refuses a material whose pixels cannot be drawn once."""
+    mapper = materials.mapper_of(material)
+    if mapper in NOT_ONCE:
+        fail(f"{where}visible", f'"once" is not for mapper "{mapper}", which material {obj["material"]!r} has')
+    if material["edges"] != "exact":
+        fail(f"{where}visible", f'"once" needs edges "exact"; material {obj["material"]!r} has "{material["edges"]}"')
+
+
 def check(spec: dict, where: str) -> None:
     """Refuses invalid camera, projectors, light and objects; fills in fields that keys leave
     out."""
@@ -165,6 +178,8 @@ def check(spec: dict, where: str) -> None:
             fail(f"{where}camera", f"is missing; {obj['at'].removeprefix(where)} has a mesh")
         parts.settle(obj, spec["materials"])
         check_object(obj, spec["materials"][obj["material"]], spec["projectors"], obj["at"])
+        if spec["visible"] == "once":
+            check_once(spec["materials"][obj["material"]], obj, where)
 
 
 def complete(values: list | None, drawn: list[int]) -> bool:

@@ -239,6 +239,7 @@ def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[st
     ground = spec["background"]
     made = Scene(spec["width"], spec["height"], count, pixels.of[ground] if ground else 0, colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
-                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], int(bool(ground)), **space.tables(),
+                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], int(bool(ground)), int(spec["visible"] == "once"),
+                 **space.tables(),
                  **engine_tables, **pipe_tables)
     return views16.add(made), [*space.notes.values(), *materials.transparent(spec, path.parent, where)]
