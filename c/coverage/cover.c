@@ -2,9 +2,12 @@
    aside, in a frame of the same size, from which visible parts are copied. */
 #include "coverage/coverage.h"
 #include "coverage/cut.h"
+#include "drawing/draw.h"
+#include "drawing/fan.h"
 #include "drawing/outline.h"
 #include "perspective/light.h"
 #include "polygon/kind.h"
+#include "span/far.h"
 
 static struct coverage *coverage_of(const struct setup *s)
 {
@@ -40,6 +43,17 @@ static int32 is_cut(const struct setup *s)
 
 static void copy(uint8 *to, const uint8 *from, int32 bytes)
 {
+    for (; bytes >= 16; bytes -= 16) {
+        const uint32 *four = (const uint32 *)from;
+        uint32 *out = (uint32 *)to;
+
+        *out++ = *four++;
+        *out++ = *four++;
+        *out++ = *four++;
+        *out++ = *four++;
+        from = (const uint8 *)four;
+        to = (uint8 *)out;
+    }
     for (; bytes >= 4; bytes -= 4, to += 4, from += 4)
         *(uint32 *)to = *(const uint32 *)from;
     for (; bytes > 0; bytes--)
@@ -211,4 +225,27 @@ static void far(const struct setup *s, struct far_line *to, int32 leftwards, int
     c->way = COVER_LINES_ASIDE;
 }
 
-const struct cover coverage_routines = {draw, span, level, lines, far};
+static enum polygon_result draw_polygon(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
+{
+    const struct coverage *coverage = (const struct coverage *)renderer->cover;
+
+    /* what is counted is counted with its pixels */
+    if (!renderer->only_counts
+        && coverage_hides(coverage, renderer->frame, polygon->vertices, polygon->count))
+        return POLYGON_EMPTY;
+    if (polygon->count == 3 || material->mapper == MAPPER_FLAT
+        || material->gradients != GRADIENTS_POLYGON)
+        return polygon_draw_whole(renderer, polygon, material);
+    return polygon_fan(polygon_draw_whole, renderer, polygon, material);
+}
+
+void coverage_set(struct coverage *c)
+{
+    c->cover.polygon = draw_polygon;
+    c->cover.draw = draw;
+    c->cover.span = span;
+    c->cover.level = level;
+    c->cover.lines = lines;
+    c->cover.far = far;
+}

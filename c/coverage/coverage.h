@@ -2,7 +2,6 @@
 #ifndef COVERAGE_H
 #define COVERAGE_H
 
-#include "polygon/cover.h"
 #include "polygon/setup.h"
 
 enum coverage_constants {
@@ -41,7 +40,8 @@ enum cover_way {
 struct coverage {
     struct cover cover;         /* renderer->cover points here */
     struct gap **rows;          /* of each line of the frame the first gap */
-    struct gap *unused;         /* gaps, linked */
+    struct gap *unused;         /* gaps, linked; 0: none, then those from `fresh` on are unused */
+    struct gap *fresh;
     struct gap end;             /* behind all gaps of all lines */
     struct gap *gaps;
     struct visible_part *parts;         /* in the order of lines, of the last scan */
@@ -64,8 +64,8 @@ struct scan_plan {
     struct coverage *coverage;
 };
 
-/* Takes memory for frames of a size; returns 0 if it is short. gaps: as COVERAGE_GAPS. */
-int32 coverage_make(struct coverage *coverage, const struct frame *frame, int32 gaps);
+/* Sets the routines of this room that the drawing of polygons calls. */
+void coverage_set(struct coverage *coverage);
 
 /* Begins a frame: no pixel is covered. */
 void coverage_begin(struct coverage *coverage, const struct frame *frame);
@@ -74,7 +74,7 @@ void coverage_begin(struct coverage *coverage, const struct frame *frame);
 int32 coverage_hides(const struct coverage *coverage, const struct frame *frame,
                      const struct vertex *vertices, int32 count);
 
-/* Finds the visible parts of a table's lines and covers them. Sets parts, seen and overflow. */
+/* src68k/coverage: contract there. */
 void coverage_scan(const struct scan_plan *plan);
 
 #endif

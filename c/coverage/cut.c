@@ -4,7 +4,6 @@
 #include "coverage/cut.h"
 
 #include "polygon/kind.h"
-#include "system/system.h"
 
 /* How the start of a line is moved. */
 struct move {
@@ -12,13 +11,6 @@ struct move {
     fix16 du, dv;               /* texels a pixel */
     int32 chained;
 };
-
-int32 cut_lines_make(struct cut_lines *lines, int32 count)
-{
-    return mem_alloc(&lines->lines, count * (int32)sizeof *lines->lines, MEMORY_ANY)
-        && mem_alloc(&lines->steps, count * (int32)sizeof *lines->steps, MEMORY_ANY)
-        && mem_alloc(&lines->rows, (2 * count + 3) & ~3, MEMORY_ANY);
-}
 
 /* Returns how often v, 8.24 of 8.16, wraps in `pixels` steps: less than 0 if downwards. */
 static int32 wraps(uint32 v, fix16 dv, int32 pixels)

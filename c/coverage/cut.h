@@ -4,12 +4,6 @@
 
 #include "coverage/coverage.h"
 
-/* The routines of this room that the drawing of polygons calls. */
-extern const struct cover coverage_routines;
-
-/* Takes memory for lines; returns 0 if it is short. */
-int32 cut_lines_make(struct cut_lines *lines, int32 count);
-
 /* Cuts the lines of s->span, in the form of a kind of span, to the visible parts of the last scan and draws
    them. */
 void cut_span(struct coverage *coverage, struct setup *s);

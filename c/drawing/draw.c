@@ -19,7 +19,6 @@
 #include "perspective/perspective.h"
 #include "polygon/clip.h"
 #include "polygon/counts.h"
-#include "polygon/cover.h"
 #include "polygon/kind.h"
 #include "polygon/ramps.h"
 #include "polygon/setup.h"
@@ -266,13 +265,14 @@ static void draw_each_line(struct setup *s)
     }
 }
 
-/* Makes the table of lines, unless nothing reads it but lines from afar whose edges are in the frame. Returns
-   1 if it is made. */
-static int32 make_lines_read(struct setup *s, int32 from_afar)
+/* Makes the table of lines, unless it is made or nothing reads it but lines from afar whose edges are in the
+   frame. Returns 1 if it is made. */
+static int32 make_lines_read(struct setup *s, int32 from_afar, int32 is_made)
 {
     if (from_afar && !s->counts && !light_kind(s) && !s->renderer->cover && lower_to_no_scissor(s))
         return 0;
-    make_lines(s, SPAN_FILL);
+    if (!is_made)
+        make_lines(s, SPAN_FILL);
     if (s->renderer->cover)
         s->renderer->cover->lines(s);
     s->perspective->lines = s->edges.lines;
@@ -287,7 +287,7 @@ static int32 draw_perspective(struct setup *s)
     struct perspective_plan plan;
     struct depth depth;
     union afar afar;
-    int32 from_afar, has_lines;
+    int32 from_afar, has_lines, is_made;
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off: all lines are level */
@@ -303,6 +303,7 @@ static int32 draw_perspective(struct setup *s)
     perspective_find_level(s);
     if (s->level && !perspective_texels(&plan, &depth))
         return count_unsure(s);
+    is_made = s->renderer->cover && s->level != LEVEL_COLUMNS;
     if (s->level == LEVEL_COLUMNS && !columns_draw(s))
         s->level = LEVEL_NOTHING;       /* they bend too much */
     if (s->level == LEVEL_COLUMNS && !light_kind(s))
@@ -310,7 +311,7 @@ static int32 draw_perspective(struct setup *s)
     from_afar = !s->level && afar_find(&afar, s, &depth);
     if (!from_afar && !perspective_texels(&plan, &depth))
         return count_unsure(s);
-    has_lines = make_lines_read(s, from_afar);
+    has_lines = make_lines_read(s, from_afar, is_made);
     if (from_afar)
         afar_draw(s, &depth, &afar, has_lines);
     else if (s->level != LEVEL_COLUMNS)

@@ -4,6 +4,7 @@
 
 #include "drawing/fan.h"
 #include "math/math.h"
+#include "polygon/setup.h"
 #include "triangle/polygon.h"
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
@@ -15,7 +16,7 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
     /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
     if (renderer->cover)
-        return mesh_draw_visible(renderer, &polygon, material);
+        return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
         return material->draw(renderer, &polygon, material);

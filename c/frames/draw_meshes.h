@@ -18,10 +18,6 @@ enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scen
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
                                    const struct mesh_face *face);
 
-/* Draws what is visible of a face's polygon; renderer->cover is scene->coverage's. */
-enum polygon_result mesh_draw_visible(struct renderer *renderer, const struct polygon *polygon,
-                                      const struct material *material);
-
 /* Draws the faces of a list, each pixel once, from the last to the first: the same picture as mesh_draw_faces. It
    reverses the list. */
 enum polygon_result mesh_draw_once(struct renderer *renderer, const struct scene *scene,

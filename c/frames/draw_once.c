@@ -1,7 +1,5 @@
 /* Draws faces of instances each pixel once: from the nearest to the farthest, what is hidden left out. */
 #include "coverage/coverage.h"
-#include "drawing/draw.h"
-#include "drawing/fan.h"
 #include "frames/draw_meshes.h"
 
 static struct mesh_face *reversed(struct mesh_face *face)
@@ -16,21 +14,6 @@ static struct mesh_face *reversed(struct mesh_face *face)
         face = next;
     }
     return before;
-}
-
-enum polygon_result mesh_draw_visible(struct renderer *renderer, const struct polygon *polygon,
-                                      const struct material *material)
-{
-    const struct coverage *coverage = (const struct coverage *)renderer->cover;
-
-    /* what is counted is counted with its pixels */
-    if (!renderer->only_counts
-        && coverage_hides(coverage, renderer->frame, polygon->vertices, polygon->count))
-        return POLYGON_EMPTY;
-    if (polygon->count == 3 || material->mapper == MAPPER_FLAT
-        || material->gradients != GRADIENTS_POLYGON)
-        return polygon_draw_whole(renderer, polygon, material);
-    return polygon_fan(polygon_draw_whole, renderer, polygon, material);
 }
 
 enum polygon_result mesh_draw_once(struct renderer *renderer, const struct scene *scene,

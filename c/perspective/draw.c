@@ -2,7 +2,6 @@
 #include "perspective/light.h"
 #include "perspective/perspective.h"
 #include "polygon/counts.h"
-#include "polygon/cover.h"
 #include "polygon/kind.h"
 
 /* How each setting's lines are drawn. */

@@ -1,6 +1,5 @@
 #include "perspective/far.h"
 
-#include "polygon/cover.h"
 #include "span/far.h"
 
 typedef void far_routine(const struct far_span *span);

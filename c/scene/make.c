@@ -168,26 +168,6 @@ static enum scene_memory make_work(struct scene *scene)
         ? SCENE_MADE : SCENE_MESHES;
 }
 
-/* Makes memory for a scene whose pixels are drawn once. */
-static int32 make_coverage(struct scene *scene)
-{
-    const struct scene_header *header = scene->header;
-    struct frame frame;
-
-    scene->coverage = 0;
-    scene->is_once = 0;
-    if (!header->once || !header->instances)
-        return 1;
-    scene->is_once = 1;
-    frame.pixels = 0;
-    frame.width = header->width;
-    frame.height = header->height;
-    frame.pixel_bytes = scene_pixel_bytes(header->format);
-    frame.pitch = frame.width * frame.pixel_bytes;
-    return mem_alloc(&scene->coverage, sizeof *scene->coverage, MEMORY_ANY)
-        && coverage_make(scene->coverage, &frame, COVERAGE_GAPS);
-}
-
 enum scene_memory scene_make(struct scene *scene, int32 kind)
 {
     enum scene_memory made;
@@ -201,7 +181,7 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
     if (!make_materials(scene)
         || !mem_alloc(&scene->scratch, sizeof *scene->scratch, MEMORY_ANY))
         return SCENE_MATERIALS;
-    if (!make_coverage(scene))
+    if (!scene_make_coverage(scene))
         return SCENE_COVERAGE;
     made = scene_make_tables(scene);
     return made == SCENE_MADE ? make_work(scene) : made;

@@ -137,6 +137,10 @@ enum scene_memory {
    memory of the kind given. */
 enum scene_memory scene_make(struct scene *scene, int32 kind);
 
+/* coverage.c. Makes memory for a scene whose meshes' pixels are drawn once, and sets is_once; returns 0 if memory is
+   short. */
+int32 scene_make_coverage(struct scene *scene);
+
 /* Reserves memory for data that texture units make while they draw, if a scene has any. */
 void scene_reserve(const struct scene *scene);
 

@@ -37,7 +37,7 @@ C = {".": "integer types and the limits that all rooms keep to",
      "programs": "the programs themselves"}
 #: src68k; all rooms use include/.
 SRC68K = {"math": "products and quotients", "span": "loops over a line's pixels",
-          "edge": "lines of a polygon from its edges", "polygon": "edges, gradient set-up, planes",
+          "edge": "lines of a polygon from its edges", "coverage": "which pixels are drawn already", "polygon": "edges, gradient set-up, planes",
           "triangle": "whole triangles with snapped vertices, in batches",
           "mesh": "points, faces, normals", "n64": "passes of the N64's texture engine",
           "glide": "passes of Glide's texture unit", "screen": "chunky to planar, HAM8",

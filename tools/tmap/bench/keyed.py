@@ -1,16 +1,19 @@
-"""Calls of edge_opaque, which leaves transparent ends of a map's rows out of lines."""
+"""Calls of edge_opaque, which leaves transparent ends of a map's rows out of lines, and of coverage_scan, which finds
+the visible parts of a polygon's lines and covers them."""
 
 import numpy as np
 
 from tmap.base.fixed import ONE, signed
 from tmap.bench.edges import LINES, table_writes
 from tmap.bench.spans import BIAS, Line, table_of
-from tmap.bench.trial import Trial
+from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
-from tmap.guest.kernels import Arena, Case
+from tmap.guest.kernels import Arena, Case, Result
 from tmap.setup.scanline import pack
 
 PAGE = 256 << 16  # u is modulo this
+END = 32767  # x of the gap behind all others
+Gaps = list[tuple[int, int]]  # first and last x of each, from the left
 
 
 def row_of(texels: np.ndarray) -> dict[str, int]:
@@ -70,3 +73,106 @@ def opaque_case():
     picture[:, :12] = picture[:, 52:] = 0
     lines = [(k % 4, 56, 3 * ONE + 1000 * k, k << 16) for k in range(LINES)]
     return opaque_trial(lines, 0x10800, picture, Arena(), [0] * LINES).row(LINES)
+
+
+def scanned(gaps: Gaps, left: int, last: int) -> tuple[Gaps, Gaps]:
+    """Returns a line's gaps once pixels are covered, and the visible parts of these."""
+    after, parts = [], []
+    for first, end in gaps:
+        if end < left or first > last:
+            after.append((first, end))
+            continue
+        parts.append((max(first, left), min(end, last)))
+        after += [(a, b) for a, b in ((first, left - 1), (last + 1, end)) if a <= b]
+    return after, parts
+
+
+def parts_of(number: int, line: tuple[int, int], visible: Gaps) -> list[tuple[int, int, int]]:
+    """Returns the struct visible_part entries of a line."""
+    if line[1] < line[0] or visible == [line]:
+        return []
+    return [(number, *part) for part in visible] or [(number, 1, 0)]
+
+
+def gaps_of(memory: bytes, address: int, at: int) -> Gaps:
+    """Returns the gaps of a line, whose first one's address is at an offset of memory."""
+    found, shape = [], layout.load().struct("gap")
+    while True:
+        gap = int.from_bytes(memory[at:at + 4], "big") - address
+        left, last = (int.from_bytes(memory[gap + k:gap + k + 2], "big") for k in (0, 2))
+        if left == END or len(found) > len(memory):
+            return found
+        found.append((left, last))
+        at = gap + shape.fields["next"]["offset"]
+
+
+def scan_trial(lines: list[tuple[int, int]], gaps: list[Gaps], arena: Arena, title: str = "", unused: int = 0,
+               fresh: int | None = None) -> Trial:
+    """One table. ``lines``: first and last x of each, biased; ``gaps``: of each line; ``unused``: gaps in the list of
+    unused ones, ``fresh``: those behind that, as many as needed if None."""
+    shapes, count = layout.load(), len(lines)
+    gap, part, whole = (shapes.struct(name) for name in ("gap", "visible_part", "coverage"))
+    fresh = max(0, count - unused) if fresh is None else fresh
+    table = arena.add(table_of([{"left": a, "last": b} for a, b in lines]), name="lines", shape=shapes.struct("scanline"))
+    used = sum(map(len, gaps))
+    pool = arena.room("gap", used + unused + fresh, "gaps")
+    after, parts, opened = [], [], sum(map(bool, gaps))
+    overflows = unused + fresh < count
+    for number, (line, row) in enumerate(zip(lines, gaps)):
+        now, visible = scanned(row, *line) if line[0] <= line[1] and not overflows else (row, [])
+        after.append(now)
+        parts += [] if overflows else parts_of(number, line, visible)
+    room = arena.room("visible_part", max(1, len(parts)) + 1, "parts")
+    coverage = arena.room("coverage")
+    for name, value in {"parts": room, "fresh": pool + (used + unused) * gap.size,
+                        "unused": pool + used * gap.size if unused else 0, "left": unused + fresh, "open": opened,
+                        "overflow": 0}.items():
+        field = coverage + whole.fields[name]["offset"]
+        arena.data[field:field + 4] = value.to_bytes(4, "big")
+        if name in ("parts", "fresh") or name == "unused" and unused:
+            arena.pointers.append(field)
+    end = coverage + whole.fields["end"]["offset"]
+    heads, at = [], pool
+    for row in gaps:
+        heads.append(at if row else end)
+        for number, (first, last) in enumerate(row):
+            following = at + gap.size if number + 1 < len(row) else end
+            fill(arena, at, first, last, following)
+            at += gap.size
+    for number in range(unused):
+        fill(arena, at, 0, 0, at + gap.size if number + 1 < unused else None)
+        at += gap.size
+    fill(arena, end, END, END, end)
+    rows = arena.add(b"".join(each.to_bytes(4, "big") for each in heads), name="rows")
+    arena.pointers += [rows + 4 * k for k in range(count)]
+    plan = arena.struct("scan_plan", {"lines": table, "rows": rows, "coverage": coverage}, count=count)
+    left = unused + fresh - sum(len(now) - len(row) for now, row in zip(after, gaps))
+    seen = any(a != b for a, b in zip(after, gaps))
+    writes = [anything(pool, (used + unused + fresh) * gap.size), anything(rows, 4 * count),
+              *(anything(coverage + whole.fields[name]["offset"], 4) for name in ("unused", "fresh")),
+              *fields(coverage, "coverage", {"left": left, "open": opened - sum(bool(row) and not now for row, now
+                                                                               in zip(gaps, after)),
+                                             "seen": int(seen), "overflow": int(overflows)},
+                      {"parts_end": room + len(parts) * part.size}),
+              Write(room, b"".join(value.to_bytes(2, "big") for each in parts for value in each))]
+
+    def also(result: Result) -> str | None:
+        found = [gaps_of(result.memory, result.address, rows + 4 * k) for k in range(count)]
+        wrong = [k for k in range(count) if found[k] != after[k]]
+        return f"gaps of line {wrong[0]}: expected {after[wrong[0]]}, found {found[wrong[0]]}" if wrong else None
+
+    return Trial(Case("coverage_scan", arena, pointers={"a0": plan}), title, writes=writes, also=also)
+
+
+def fill(arena: Arena, at: int, left: int, last: int, following: int | None) -> None:
+    """Writes a struct gap; ``following``: the offset of the next one, or None."""
+    arena.data[at:at + 8] = left.to_bytes(2, "big") + last.to_bytes(2, "big") + (following or 0).to_bytes(4, "big")
+    if following is not None:
+        arena.pointers.append(at + 4)
+
+
+def scan_case(hidden: bool = False):
+    """LINES lines in the right half of the gap of a line; hidden: each behind both of two gaps."""
+    line = (BIAS + 160, BIAS + 239)
+    gaps = [[(BIAS, BIAS + 9), (BIAS + 300, BIAS + 319)] if hidden else [(BIAS, BIAS + 239)]] * LINES
+    return scan_trial([line] * LINES, gaps, Arena()).row(LINES)
