@@ -114,7 +114,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "level_lines": perspective.level_case(),
                        "level_lines_tilted": perspective.level_case(True),
                        "edge_opaque": keyed.opaque_case(),
-                       "coverage_scan": keyed.scan_case(), "coverage_scan_hidden": keyed.scan_case(hidden=True),
+                       "coverage_scan": keyed.scan_case(),
                        "edges_far": far.edges_case(), "lines_far": far.lines_case()}.items():
         yield name, edges.LINES, call
 
