@@ -37,7 +37,7 @@ C_FILES := $(sort $(shell find c -name '*.c' -not -path 'c/programs/*'))
 # Not c/programs/scene.c: tools/tmap/product/scene_program.py links it with a scene.
 NAMES := $(filter-out scene,$(patsubst c/programs/%.c,%,$(sort $(wildcard c/programs/*.c))))
 # Texture units last, beside their generated tables: passes and tables share lines of the cache by place.
-ASM_ROOMS := amiga depths edge math mesh polygon screen span triangle glide n64
+ASM_ROOMS := amiga coverage depths edge math mesh polygon screen span triangle glide n64
 ASM_FILES := $(foreach room,$(ASM_ROOMS),$(sort $(wildcard src68k/$(room)/*.s)))
 
 # Objects of each compiler have their own folder, so that either can be chosen.

@@ -64,7 +64,7 @@ int32 columns_draw(struct setup *s)
     plan->lines = s->edges.lines;
     plan->count = turned.box.bottom - turned.box.top;
     perspective_turn(plan, turned.box.left, next);
-    turned.span.row = s->frame->pixels + turned.box.top - EDGE_BIAS * s->frame->pitch;
+    turned.span.row = s->span.row + EDGE_BIAS + turned.box.top - (s->box.top + EDGE_BIAS) * s->frame->pitch;
     turned.span.pitch = s->frame->pitch;
     turned.span.map = s->span.map;
     turned.perspective = plan;

@@ -1,6 +1,4 @@
-/* From a convex polygon to its scanline table and the call that draws it.
-
-   With gradients of the plane and sub-texel starts, all numbers that decide a pixel
+/* From a convex polygon to its scanline table and the call that draws it. With gradients of the plane and sub-texel starts, all numbers that decide a pixel
    are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope, where
    j0 is its first line in the frame; u at pixel (i, j) is u_ref + (i - i_ref) dudx +
    (j - j_ref) dudy modulo 2^32, (i_ref, j_ref) being the first pixel right of the left
@@ -80,10 +78,8 @@ static enum polygon_result set_map(struct setup *s)
 /* Returns the pixel of a flat polygon. */
 static uint32 colour(const struct setup *s)
 {
-    enum mapper mapper = s->material->mapper;
-
-    return mapper == MAPPER_FLAT ? s->material->colour
-         : mapper == MAPPER_GOURAUD ? (uint32)s->given->shade >> 16
+    return s->material->mapper == MAPPER_FLAT ? s->material->colour
+         : s->material->mapper == MAPPER_GOURAUD ? (uint32)s->given->shade >> 16
          : *s->span.light;
 }
 
@@ -237,9 +233,13 @@ static void raise_line(struct scanline *line, struct span_plan *span, const stru
 }
 
 /* Draws the lines of the plan, unless they are only counted. */
-static void draw_span(const struct setup *s)
+static void draw_span(struct setup *s)
 {
-    if (!s->counts || !s->renderer->only_counts)
+    if (s->counts && s->renderer->only_counts)
+        return;
+    if (s->renderer->cover)
+        s->renderer->cover->span(s);
+    else
         kind_spans[s->kind](&s->span);
 }
 
@@ -265,13 +265,16 @@ static void draw_each_line(struct setup *s)
     }
 }
 
-/* Makes the table of lines, unless nothing reads it but lines from afar whose edges are in the frame. Returns
-   1 if it is made. */
-static int32 make_lines_read(struct setup *s, int32 from_afar)
+/* Makes the table of lines, unless it is made or nothing reads it but lines from afar whose edges are in the
+   frame. Returns 1 if it is made. */
+static int32 make_lines_read(struct setup *s, int32 from_afar, int32 is_made)
 {
-    if (from_afar && !s->counts && !light_kind(s) && lower_to_no_scissor(s))
+    if (from_afar && !s->counts && !light_kind(s) && !s->renderer->cover && lower_to_no_scissor(s))
         return 0;
-    make_lines(s, SPAN_FILL);
+    if (!is_made)
+        make_lines(s, SPAN_FILL);
+    if (s->renderer->cover)
+        s->renderer->cover->lines(s);
     s->perspective->lines = s->edges.lines;
     s->perspective->count = s->span.count;
     return 1;
@@ -284,7 +287,7 @@ static int32 draw_perspective(struct setup *s)
     struct perspective_plan plan;
     struct depth depth;
     union afar afar;
-    int32 from_afar, has_lines;
+    int32 from_afar, has_lines, is_made;
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off: all lines are level */
@@ -300,6 +303,7 @@ static int32 draw_perspective(struct setup *s)
     perspective_find_level(s);
     if (s->level && !perspective_texels(&plan, &depth))
         return count_unsure(s);
+    is_made = s->renderer->cover && s->level != LEVEL_COLUMNS;
     if (s->level == LEVEL_COLUMNS && !columns_draw(s))
         s->level = LEVEL_NOTHING;       /* they bend too much */
     if (s->level == LEVEL_COLUMNS && !light_kind(s))
@@ -307,7 +311,7 @@ static int32 draw_perspective(struct setup *s)
     from_afar = !s->level && afar_find(&afar, s, &depth);
     if (!from_afar && !perspective_texels(&plan, &depth))
         return count_unsure(s);
-    has_lines = make_lines_read(s, from_afar);
+    has_lines = make_lines_read(s, from_afar, is_made);
     if (from_afar)
         afar_draw(s, &depth, &afar, has_lines);
     else if (s->level != LEVEL_COLUMNS)
@@ -343,6 +347,25 @@ static void draw_affine(struct setup *s)
         draw_span(s);
 }
 
+/* Draws a polygon whose outline and span are set. */
+static enum polygon_result draw_inside(struct setup *s)
+{
+    if (s->kind == SPAN_PERSPECTIVE) {
+        if (draw_perspective(s))
+            return POLYGON_DRAWN;
+        s->kind = s->affine;
+        set_plane(s);
+    }
+    if (!is_flat(s) && s->material->gradients != GRADIENTS_SCANLINE) {
+        const enum polygon_result result = set_texturing(s);
+
+        if (result != POLYGON_DRAWN)
+            return result;
+    }
+    draw_affine(s);
+    return POLYGON_DRAWN;
+}
+
 static enum polygon_result draw(struct setup *s)
 {
     const struct material *material = s->material;
@@ -357,30 +380,7 @@ static enum polygon_result draw(struct setup *s)
     result = set_span(s);
     if (result != POLYGON_DRAWN)
         return result;
-    if (s->kind == SPAN_PERSPECTIVE) {
-        if (draw_perspective(s))
-            return POLYGON_DRAWN;
-        s->kind = s->affine;
-        set_plane(s);
-    }
-    if (!is_flat(s) && material->gradients != GRADIENTS_SCANLINE) {
-        result = set_texturing(s);
-        if (result != POLYGON_DRAWN)
-            return result;
-    }
-    draw_affine(s);
-    return POLYGON_DRAWN;
-}
-
-/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
-static uint32 planes_asked(const struct material *m)
-{
-    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
-        return 0;
-    if (m->mapper == MAPPER_GOURAUD)
-        return PLANAR_SHADES;
-    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
-         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
+    return s->renderer->cover ? s->renderer->cover->draw(s, draw_inside) : draw_inside(s);
 }
 
 enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct polygon *polygon,
@@ -392,7 +392,7 @@ enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct p
         return POLYGON_FEW;
     if (polygon->count > 3 && polygon->planar != PLANAR_ALL
         && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material)))
-        return polygon_fan(polygon_draw, renderer, polygon, material);
+        return polygon_fan(renderer->cover ? polygon_draw_whole : polygon_draw, renderer, polygon, material);
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);
     return count_rules(&s, draw(&s));

@@ -20,6 +20,17 @@ static inline int32 begins_outside(const struct renderer *renderer, const struct
         || (uint32)first->y >= (uint32)frame->height << 16;
 }
 
+/* Returns the values (enum planar_values) that are drawn as planes through three corners. */
+static inline uint32 planes_asked(const struct material *m)
+{
+    if (m->mapper == MAPPER_FLAT || m->gradients != GRADIENTS_PLANE)
+        return 0;
+    if (m->mapper == MAPPER_GOURAUD)
+        return PLANAR_SHADES;
+    return (m->perspective ? PLANAR_DEPTHS : PLANAR_TEXELS)
+         | (m->mapper == MAPPER_LIT_GOURAUD ? PLANAR_SHADES : 0);
+}
+
 /* Polygons whose first vertex is inside the frame, and outside. */
 polygon_routine polygon_draw_inside, polygon_draw_beyond;
 

@@ -90,6 +90,12 @@ void counts_print(const struct scene_counts *counts)
         text_number((int32)of->polygons);
         text_add(" unsure ");
         text_number((int32)of->unsure);
+        if (of->hidden_pixels) {
+            text_add(" hidden ");
+            text_number((int32)of->hidden);
+            text_add(" pixels ");
+            text_number((int32)of->hidden_pixels);
+        }
         text_add(" rules");
         add_named(of->rules, rule_names, RULES);
         text_add(" spans");

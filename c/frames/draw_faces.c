@@ -4,7 +4,7 @@
 
 #include "drawing/fan.h"
 #include "math/math.h"
-#include "math/math.h"
+#include "polygon/setup.h"
 #include "triangle/polygon.h"
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
@@ -15,6 +15,8 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
 
     /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
+    if (renderer->cover)
+        return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
         return material->draw(renderer, &polygon, material);
@@ -127,8 +129,8 @@ enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct ve
     return draw_polygon(renderer, vertices, count, material);
 }
 
-static enum polygon_result draw_face(struct renderer *renderer, const struct scene *scene,
-                                     const struct mesh_face *face)
+enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
+                                   const struct mesh_face *face)
 {
     int32 count;
     const struct vertex *vertices = vertices_of(scene, face, &count);
@@ -187,7 +189,7 @@ enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scen
             face = left;
             continue;
         }
-        result = draw_face(renderer, scene, face);
+        result = mesh_draw_face(renderer, scene, face);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
         face = face->next;

@@ -213,9 +213,8 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
 
 /* Places the instances from *first to end (excluded) that are in the same tree, or in none, in memory from
    *room on, and sets *first and *room to the next; returns their faces in the order in which they are drawn. */
-static const struct mesh_face *place_all(const struct renderer *renderer, const struct scene *scene,
-                                         int32 number, uint32 *first, uint32 end,
-                                         struct mesh_work *room)
+static struct mesh_face *place_all(const struct renderer *renderer, const struct scene *scene,
+                                   int32 number, uint32 *first, uint32 end, struct mesh_work *room)
 {
     struct mesh_work at = *room;
     struct mesh_face *const faces = at.faces;
@@ -265,9 +264,10 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
     }
     while (first < end) {
         struct mesh_work left = room;
-        const struct mesh_face *const face = place_all(renderer, scene, number, &first, end, &left);
+        struct mesh_face *const face = place_all(renderer, scene, number, &first, end, &left);
 
-        result = mesh_draw_faces(renderer, scene, face);
+        result = scene->is_once ? mesh_draw_once(renderer, scene, face)
+                                : mesh_draw_faces(renderer, scene, face);
         if (tested)
             mesh_depths_fill(renderer, scene, face);
         if (result != POLYGON_DRAWN)

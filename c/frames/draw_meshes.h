@@ -33,6 +33,14 @@ void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, cons
 enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct scene *scene,
                                      const struct mesh_face *face);
 
+/* Draws a face: with renderer->cover what of it is visible. */
+enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
+                                   const struct mesh_face *face);
+
+/* Draws the faces of a list, each pixel once, from the last to the first: the same picture as mesh_draw_faces. */
+enum polygon_result mesh_draw_once(struct renderer *renderer, const struct scene *scene,
+                                   struct mesh_face *face);
+
 /* Transforms points of an instance with 32-bit operands, from the first given on. */
 void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,
                      int32 count);

@@ -121,7 +121,9 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
     lines.pitch = s->span.pitch;
     lines.map = s->span.map;
     lines.steps = steps;
-    if (s->level == LEVEL_LINES)
+    if (s->level == LEVEL_LINES && s->renderer->cover)
+        s->renderer->cover->level(s, &lines, plan->chained, scanlines[plan->chained][s->frame->pixel_bytes >> 1]);
+    else if (s->level == LEVEL_LINES)
         scanlines[plan->chained][s->frame->pixel_bytes >> 1](&lines);
     else if (plan->chained)
         span_affine_level_upright(&lines);

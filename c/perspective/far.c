@@ -116,6 +116,8 @@ const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqd
         to.edges.nears = s->edges.rights;
         edges_far(&to.edges);
     }
+    if (s->renderer->cover)
+        s->renderer->cover->far(s, to.place.lines, leftwards, perspective_has_pieces(s->setting));
     return to.place.lines;
 }
 

@@ -112,6 +112,7 @@ enum rule {
 
 struct draw_counts {
     uint32 polygons;            /* that reached a span routine */
+    uint32 hidden, hidden_pixels;       /* with a cover: polygons hidden whole, pixels that are not drawn */
     uint32 unsure;              /* drawn affine, as depth varies too much for planes of 32 bits */
     uint32 pixels[SPAN_KINDS];
     uint32 rules[RULES];        /* polygons to which each applied */
@@ -146,6 +147,7 @@ static inline void polygon_set(struct polygon *polygon, const struct vertex *ver
     polygon->planar = planar;
 }
 
+struct cover;
 struct material;
 struct scratch;
 
@@ -161,6 +163,7 @@ struct renderer {
     const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
     const struct triangle_tables *triangles;    /* triangle_tables_make; 0: EDGES_SNAPPED set up
                                                    as exact */
+    const struct cover *cover;  /* 0, or what leaves out hidden pixels: c/coverage */
 };
 
 /* Draws or counts a polygon. */

@@ -201,7 +201,7 @@ int main(void)
     int32 args[ITEMS] = {0};
     struct scene scene;
     struct frame frame;
-    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0}, {0, 0, 0}, 0, 0};
+    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
     int32 kind, form;
 

@@ -22,7 +22,7 @@ int main(void)
 {
     struct scene scene;
     struct frame frame;
-    struct renderer renderer = {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0};
+    struct renderer renderer = {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0};
 
     scene_place(&scene, scene_data);
     scene_copy_maps(&scene, MEMORY_ANY);        /* mem_need ends the program if memory is short */

@@ -56,6 +56,8 @@ const char *scene_wrong_header(const struct scene_header *h)
         return "background";
     if (h->cleared > 1)
         return "cleared";
+    if (h->once > 1)
+        return "once";
     if (!table_usable(h->palette_at, 256, 4, h->size))
         return "palette_at";
     for (uint32 i = 0; i < sizeof tables / sizeof *tables; i++, count++, at++)

@@ -301,7 +301,9 @@ static const char *wrong_entry(const struct scene *scene)
         wrong = wrong_material(scene);
     if (!wrong)
         wrong = wrong_object(scene);
-    return wrong ? wrong : scene_wrong_mesh(scene);
+    if (!wrong)
+        wrong = scene_wrong_mesh(scene);
+    return wrong ? wrong : scene_wrong_once(scene);
 }
 
 /* Reads the header and the tables behind it into new memory. Returns the scene's file, or 0: *wrong is the
@@ -362,7 +364,7 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
 {
     static const char *const purposes[] = {
         "", "the transparent texels' rows", "the reciprocals", "the materials", "the meshes",
-        "the texture units"
+        "the texture units", "the coverage"
     };
     struct file_input input;
     enum scene_memory lacks;

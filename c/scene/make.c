@@ -220,6 +220,8 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
     if (!make_materials(scene)
         || !mem_alloc(&scene->scratch, sizeof *scene->scratch, MEMORY_ANY))
         return SCENE_MATERIALS;
+    if (!scene_make_coverage(scene))
+        return SCENE_COVERAGE;
     made = scene_make_tables(scene);
     return made == SCENE_MADE ? make_work(scene) : made;
 }

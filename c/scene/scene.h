@@ -2,6 +2,7 @@
 #ifndef SCENE_H
 #define SCENE_H
 
+#include "coverage/coverage.h"
 #include "depths/depths.h"
 #include "glide/polygons/unit.h"
 #include "mesh/gather.h"
@@ -36,12 +37,13 @@ struct scene {
     uint8 *smooth;              /* one a mesh, 1: all corners have the normal of their point's number */
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
+    struct coverage *coverage;  /* of a scene with `once`, else 0 */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* if a material needs them, else 0 */
     const struct triangle_tables *triangles;    /* the same */
     uint8 tried_reciprocals, tried_triangles;   /* 1: not made again where memory
                                    was short */
-    uint8 spare;
+    uint8 is_once;              /* 1: meshes are drawn with the coverage */
     struct n64_unit *engines;   /* one a unit */
     uint32 *n64_reciprocals;    /* of all units; null until a polygon needs them */
     struct glide *glide;        /* one each of glide_units */
@@ -129,12 +131,21 @@ const char *scene_why_pipe_refused(const struct scene *scene);
 /* Results of making a scene or its tables: all but SCENE_MADE say what memory is too short for. */
 enum scene_memory {
     SCENE_MADE, SCENE_TEXTURES, SCENE_RECIPROCALS, SCENE_MATERIALS, SCENE_MESHES,
-    SCENE_UNITS, SCENE_CROWDED  /* the last: more than SCENE_COUNT_MAX at once */
+    SCENE_UNITS, SCENE_COVERAGE,
+    SCENE_CROWDED               /* the last: more than SCENE_COUNT_MAX at once */
 };
 
 /* Makes materials and all other data from which a checked scene with its maps is drawn; texture units take
    memory of the kind given. */
 enum scene_memory scene_make(struct scene *scene, int32 kind);
+
+/* coverage.c. Returns "once" if pixels are drawn once of meshes that cannot be: they need opaque texels, and exact edges,
+   which leave no pixel to two triangles of a face; else 0. */
+const char *scene_wrong_once(const struct scene *scene);
+
+/* Makes memory for a scene whose meshes' pixels are drawn once, and sets is_once; returns 0 if memory is
+   short. */
+int32 scene_make_coverage(struct scene *scene);
 
 /* Reserves memory for data that texture units make while they draw, if a scene has any. */
 void scene_reserve(const struct scene *scene);

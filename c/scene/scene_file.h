@@ -40,6 +40,7 @@ struct scene_header {
     uint32 background;          /* pixel */
     uint32 cleared;             /* 1: frames begin with the background; 0: pixels that no polygon covers keep
                                    what the frame's memory had */
+    uint32 once;                /* 1: meshes' pixels are drawn once, front to back; 0: all of them, back to front */
     fix16 near_plane;           /* depth, from W_MIN on; counts where instances are */
     uint32 guard;               /* log2 of how far right and down of the frame's middle
                                    camera x and y of the size of the depth lie, pixels */

@@ -154,6 +154,7 @@ def wrong_tables() -> list[Row]:
     plain.header("width", 6)
     plain.header("background", 256, M32)
     plain.header("cleared", 2, M32)
+    plain.header("once", 2, M32)
     plain.header("format", 4, M32)
     plain.header("palette_at", 0, 78, len(plain.data), M32 - 3)
     for name in scene_file.TABLES:

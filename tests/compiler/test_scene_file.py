@@ -70,7 +70,7 @@ def test_bytes_are_the_headers():
     assert data[:8] == b"TMAP\0\0\0\x0f"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[228:232] == b"\0" + scene.palette[0].tobytes()
+    assert data[232:236] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
@@ -93,6 +93,7 @@ def test_vertices_at_rounds_every_product_down():
     ({"frames": 0}, "scene: frames"),
     ({"background": -1}, "scene: background"),
     ({"cleared": 2}, "scene: cleared"),
+    ({"once": 2}, "scene: once"),
     ({"materials": [Material("affine", texture=1), Material()]}, r"scene: materials\[0\].texture"),
     ({"materials": [Material("cubic"), Material()]},
      r"scene: materials\[0\].mapper: 'cubic' is not one of flat, gouraud"),

@@ -1,4 +1,4 @@
-"""The level of the scene ``keep``, and the urns that stand in it. Eight rooms of square cells on a plan, joined by
+"""The level of the scene ``keep``, and the urns and the gem that are in it. Eight rooms of square cells on a plan, joined by
 passages; each open cell has a floor and a ceiling, each side to a closed one a wall. A map covers one such
 face. Faces look into the level."""
 
@@ -83,5 +83,12 @@ def urn() -> bytes:
     return obj(f"An urn of {len(PROFILE) - 1} x {AROUND} faces", [np.array(p) for p in points], faces)
 
 
-FILES = {"keep/keep.obj": keep, "keep/urn.obj": urn}
+def gem() -> bytes:
+    """Returns a gem of twelve faces about the y axis."""
+    ring = [(0.4 * cos(turn), 0.0, 0.4 * sin(turn)) for turn in (math.tau * k / 6 for k in range(6))]
+    faces = [face for k in range(6) for face in ((1, k + 3, (k + 1) % 6 + 3), (2, (k + 1) % 6 + 3, k + 3))]
+    return obj("A gem of 12 faces", [np.array(p) for p in [(0, -0.8, 0), (0, 0.8, 0), *ring]], faces)
+
+
+FILES = {"keep/keep.obj": keep, "keep/urn.obj": urn, "keep/gem.obj": gem}
 PICTURES = {f"keep/{name}.png": make for name, make in keep_surfaces.PICTURES.items()}

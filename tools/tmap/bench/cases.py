@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
-from tmap.bench import (cubic, depths, dithered, edges, effects, far, instruction_costs, mesh, mesh_batches,
+from tmap.bench import (cubic, dithered, edges, effects, far, instruction_costs, mesh, mesh_batches,
                         n64, perspective, screen, steps, triangle_fans, triangles)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
@@ -96,8 +96,8 @@ def pixel_calls() -> Iterator[tuple[str, int, Call]]:
             yield name, n64.LENGTH, n64.pass_case(name, examples)
     for name in screen.NAMES:
         yield name, screen.SCREENS[screen.routine_of(name)][0], screen.screen_case(name)
-    for name, call in depths.CASES.items():
-        yield name, depths.LENGTH, call()
+    for name, call in visible.CASES.items():
+        yield name, visible.LENGTH, call()
     for end in ("_low", "_super"):  # what is drawn while something is shown
         call = span_case("span_affine_addx", "addx", 256)
         call[1].display = screen.SHOWN[end]
@@ -116,6 +116,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "level_lines": perspective.level_case(),
                        "level_lines_tilted": perspective.level_case(True),
                        "edge_opaque": edges.opaque_case(),
+                       "coverage_scan": visible.scan_case(),
                        "edges_far": far.edges_case(), "lines_far": far.lines_case()}.items():
         yield name, edges.LINES, call
 

@@ -44,7 +44,7 @@ PASS, COUNT = ("a0", "a1", "a2", "d0"), ("d0", "int32", "count")
 OPENING = {"routine": None, "pass": PASS, "span": ("a0",)}
 REGISTERS = tuple(f"{bank}{number}" for bank in "da" for number in range(8))[:-1]  # no a7
 #: Folders whose routines are kernels: called one by one by the program bench.
-KERNELS = ("math", "mesh", "polygon", "edge", "span", "triangle", "depths", "n64", "glide", "screen")
+KERNELS = ("math", "mesh", "polygon", "edge", "coverage", "span", "triangle", "depths", "n64", "glide", "screen")
 
 TITLE = re.compile(r"; (\w+) - (\S.*)$")
 FIELD = re.compile(r"; (\w+):\s*(.*)$")

@@ -107,11 +107,12 @@ def is_for_triangles(material: dict) -> bool:
         and settings == ("plane", "subtexel", "none")
 
 
-def settle_edges(materials: dict[str, dict]) -> None:
+def settle_edges(materials: dict[str, dict], once: bool) -> None:
     """Sets the edges of materials that state none, all the same, so that neighbours leave no gap: snapped
-    if routines for triangles draw all of them, else exact."""
+    if routines for triangles draw all of them, else exact. ``once``: each pixel is drawn once, which needs
+    exact ones."""
     unstated = [m for m in materials.values() if not m["edges"]]
-    edges = "snapped" if all(map(is_for_triangles, unstated)) else "exact"
+    edges = "snapped" if not once and all(map(is_for_triangles, unstated)) else "exact"
     for material in unstated:
         material["edges"] = edges
 
@@ -205,7 +206,7 @@ def check(spec: dict, where: str) -> None:
                  f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
         if texture["key"] and not any(is_keyed(m) and m["texture"] == name for m in spec["materials"].values()):
             fail(join(f"{where}textures", name) + ".key", f'no material with mapper "{KEYED}" has this texture')
-    settle_edges(spec["materials"])
+    settle_edges(spec["materials"], spec["visible"] == "once")
     for name, material in spec["materials"].items():
         at = join(f"{where}materials", name)
         check_settings(material, FORMATS[spec["format"]], at)

@@ -14,7 +14,7 @@ from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
 from tmap.compiler import (glide, grids, hierarchy, lights, materials, mesh_build, mtl_file, orders, parts,
-                           projectors as scene_projectors, space)
+                           projectors as scene_projectors, space, visible)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
 from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
@@ -82,6 +82,9 @@ def schema(limits: dict[str, int]) -> dict:
                    | {"near": (number(limits["W_MIN"] / ONE, 1000, "units"), 0.125,
                                "what is nearer than this is cut off")})
     return {"camera": (camera, None, "where objects in space are seen from; they need it"),
+            "visible": (one_of(*visible.WAYS), "painter",
+                        "how hidden pixels of objects in space are found: nearer faces are drawn over them, or faces "
+                        "from the nearest on, each pixel once; the same picture"),
             **lights.schema(),
             "projectors": (named(scene_projectors.schema(limits)), {}, "pictures thrown on objects in space")}
 
@@ -148,20 +151,11 @@ def check_object(obj: dict, material: dict, projectors: dict, where: str) -> Non
     if obj["order"] == "bsp" and obj["parent"] is not None:
         fail(f"{where}.order", '"bsp" is for objects without a parent')
     if obj["order"] == "z":
-        check_tested(material, name, where)
+        visible.check_tested(material, name, where)
     if obj["crease"] is not None and obj["normals"] not in (None, "smooth"):
         fail(f"{where}.crease", f'goes with normals "smooth", not "{obj["normals"]}"')
     if obj["crease"] is not None:
         obj["normals"] = "smooth"
-
-
-def check_tested(material: dict, name: str, where: str) -> None:
-    """Refuses a material whose pixels are not tested one by one."""
-    mapper = materials.mapper_of(material)
-    if mapper in UNITS:
-        fail(f"{where}.order", f'"z" is not for material {name!r}: a texture unit draws it')
-    if material["edges"] not in ("snapped", "exact"):
-        fail(f"{where}.order", f'"z" needs edges "snapped" or "exact", but material {name!r} has "{material["edges"]}"')
 
 
 def check(spec: dict, where: str) -> None:
@@ -179,6 +173,8 @@ def check(spec: dict, where: str) -> None:
         check_object(obj, spec["materials"][obj["material"]], spec["projectors"], obj["at"])
         if obj["order"] == "z" and spec["format"] != "chunky":
             fail(f"{obj['at']}.order", f'"z" needs pixels of one byte, but format is "{spec["format"]}"')
+        if spec["visible"] == "once" and obj["order"] != "z":
+            visible.check_once(spec["materials"][obj["material"]], obj, where)
 
 
 def complete(values: list | None, drawn: list[int]) -> bool:

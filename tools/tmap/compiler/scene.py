@@ -244,7 +244,8 @@ def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[st
     ground = spec["background"]
     made = Scene(spec["width"], spec["height"], count, pixels.of[ground] if ground else 0, colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
-                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], int(bool(ground)), **space.tables(),
+                 np.array(poses, np.int64).reshape(-1, 6), spec["format"], int(bool(ground)), int(spec["visible"] == "once"),
+                 **space.tables(),
                  **engine_tables, **pipe_tables)
     if spec["pages"] == "shared":
         made = pages.share(made)

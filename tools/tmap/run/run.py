@@ -32,7 +32,8 @@ COUNTS = r"((?: [a-z]\w* \d+)*)"
 FRAME_LINE = re.compile(rf"frame (\d+) ticks (\d+) polygons (\d+){COUNTS}")
 #: Kinds of spans that light pixels that others have drawn.
 PASSES = ("light", "light_gouraud")
-MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) unsure (\d+) rules{COUNTS} spans{COUNTS}")
+MATERIAL_LINE = re.compile(rf"material (\d+) polygons (\d+) unsure (\d+)(?: hidden (\d+) pixels (\d+))?"
+                           rf" rules{COUNTS} spans{COUNTS}")
 #: Not "scene": the Amiga would take that argument for the keyword in its template.
 SCENE_NAME = "input.scene"
 
@@ -71,8 +72,8 @@ def parse_output(output: str, frames: int, materials: int) -> tuple[list[dict], 
         figures.append({"number": int(match[1]), "cycles": int(match[2]) * CYCLES_PER_TICK,
                         "polygons": int(match[3]), "pixels": drawn(spans),
                         "spans": spans})
-    executed = [{"polygons": int(match[2]), "unsure": int(match[3]), "rules": counts_of(match[4]),
-                 "spans": counts_of(match[5])}
+    executed = [{"polygons": int(match[2]), "unsure": int(match[3]), "hidden": int(match[4] or 0),
+                 "hidden_pixels": int(match[5] or 0), "rules": counts_of(match[6]), "spans": counts_of(match[7])}
                 for match in parse_lines(lines[frames:], MATERIAL_LINE, "material")]
     return figures, executed
 
@@ -217,6 +218,16 @@ def textures_text(kinds: dict[str, int]) -> str:
     return text + (": texels cost more in chip RAM" if len(kinds) > 1 else "")
 
 
+def hidden_row(materials, shown: int) -> dict[str, str]:
+    """Returns the row that says what was hidden and not drawn, of a scene with ``visible = "once"``. ``shown``: pixels
+    of all frames."""
+    materials = list(materials)
+    pixels = sum(material["hidden_pixels"] for material in materials)
+    drawn_once = sum(drawn(material["spans"]) for material in materials) - pixels
+    return {"not drawn": f"{sum(material['hidden'] for material in materials):,} polygons and {pixels:,} pixels that are "
+                         f"hidden: {drawn_once / shown:.2f} drawn for one of the frame"} if pixels else {}
+
+
 def print_report(about: dict, out: Path) -> None:
     """Prints a short table: each frame if there are few, the spans executed, then the whole run."""
     frames, totals = about["frames"], about["totals"]
@@ -237,6 +248,7 @@ def print_report(about: dict, out: Path) -> None:
     rows = {"frames": count, "polygons": f"{totals['polygons']:,}",
             "pixels": f"{totals['pixels']:,}" + (f", {each:.1f} cycles each" if each else ""),
             "overdraw": f"{totals['pixels'] / shown:.2f} pixels drawn for one of the frame",
+            **hidden_row(about["lowering"].values(), shown),
             "cycles a frame": f"{mean:,.0f} mean, {worst['cycles']:,} worst "
                               f"(frame {worst['number']})",
             "frames a second": f"{CLOCK_HZ / mean:.1f}, an estimate for {CLOCK_HZ / 1e6} MHz "

@@ -11,7 +11,7 @@ from tmap.base.errors import UserError, require
 from tmap.base.fixed import ONE
 from tmap.build import layout
 from tmap.scene_file import pipes, trees
-from tmap.scene_file.textures import check_on_map
+from tmap.scene_file.textures import UNITS, check_on_map
 
 #: Tables of numbers, with their columns.
 COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
@@ -24,6 +24,7 @@ COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
                        "y_move", "yx", "yy", "yz", "seen_shift", "eye_x", "eye_y", "eye_z", "is_used"),
            "nodes": ("x", "y", "z", "distance", "front", "back", "slot", "slots"), "slots": ("slot",)}
 ENVIRONMENT, LIT = 1, 2  # MESH_ENVIRONMENT, MESH_LIT
+NOT_ONCE = ("keyed", *UNITS)  # mappers whose pixels nothing says whether they are opaque
 UNIT_14, UNIT_30 = 1 << 14, 1 << 30  # 1.0 in 2.14 and 2.30
 
 
@@ -112,6 +113,15 @@ def check_look(scene, instance: Instance, name: str, where: str) -> None:
             raise UserError(f"{name}: {where}.flags: 'arbitrary' does not repeat its map")
         corners = scene.corners[mesh.corner:mesh.corner + mesh.corners, 2:4]
         check_on_map(corners, scene.textures[material.texture], name, where)
+
+
+def check_once(scene, name: str) -> None:
+    """Refuses instances whose pixels cannot be drawn once."""
+    for i, instance in enumerate(scene.instances):
+        material = scene.materials[instance.material]
+        if instance.tree != layout.load().constants["TREE_Z"] \
+                and (material.edges != "exact" or material.mapper in NOT_ONCE):
+            raise UserError(f"{name}: once: instances[{i}] has edges {material.edges!r}, mapper {material.mapper!r}")
 
 
 def check(scene, name: str) -> None:

@@ -27,7 +27,7 @@ __all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE",
 TABLES = dict(c_lists.rows("scene/table_list.h", "TABLE"))
 #: After the tables, without a structure.
 BYTES = tuple(name for name, in c_lists.rows("scene/table_list.h", "BLOCK", "TABLE"))
-HEADER = ("width", "height", "frames", "background", "cleared", "near_plane", "guard")
+HEADER = ("width", "height", "frames", "background", "cleared", "once", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
 
@@ -65,6 +65,7 @@ class Scene:
     poses: np.ndarray = field(repr=False)  # int64 (n, 6): xx, xy, yx, yy, x0, y0; 16.16
     format: str = "chunky"  # of FORMATS
     cleared: int = 1  # 0: pixels that no polygon covers keep what was there
+    once: int = 0  # 1: meshes' pixels are drawn once, front to back
     near_plane: int = ONE  # 16.16; like guard, only used if there are instances
     guard: int = 9
     points: np.ndarray = field(default_factory=lambda: scene_meshes.empty("points"), repr=False)
@@ -143,6 +144,7 @@ def check(scene: Scene, name: str) -> None:
     require(name, "frames", scene.frames, 1, limits["SCENE_FRAMES_MAX"])
     require(name, "background", scene.background, 0, 256**scene.pixel.bytes - 1)
     require(name, "cleared", scene.cleared, 0, 1)
+    require(name, "once", scene.once, 0, 1)
     for table in TABLES:
         require(name, table, len(getattr(scene, table)), 0, limits["SCENE_COUNT_MAX"], " entries")
     for i, texture in enumerate(scene.textures):
@@ -164,6 +166,8 @@ def check(scene: Scene, name: str) -> None:
         require(name, f"{where}.planar", obj.planar, 0, ALL)
         check_vertices(scene, obj, name, where)
     scene_meshes.check(scene, name)
+    if scene.once:
+        scene_meshes.check_once(scene, name)
 
 
 def records(table, struct: layout.Struct) -> bytes:

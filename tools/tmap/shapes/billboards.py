@@ -3,21 +3,23 @@ of it has one depth, so that it is drawn without perspective and the picture's r
 
 import numpy as np
 
-from tmap.base.fields import REQUIRED, fail, number, rows
+from tmap.base.fields import REQUIRED, fail, number, one_of, rows
 from tmap.shapes.mesh_file import Shape
 
 LIMITS = 1e-3, 1e4  # units of a side
 #: What it has of other objects in space, and what they have instead of the rest.
 SHARED = ("name", "parent", "position", "size", "keys")
 FIXED = {"rotation": [0, 0, 0], "axis": [0, 1, 0], "turns": 0, "mapping": None, "normals": None, "crease": None,
-         "triangles": False, "two_sided": False, "projector": None, "order": "depth", "grid": None}
+         "triangles": False, "two_sided": False, "projector": None, "grid": None}
 
 
 def fields(placing: dict) -> dict:
     """Returns the fields of a billboard, given those of all objects in space."""
     own = {"billboard": (rows(number(*LIMITS, "units"), 2, 2), REQUIRED,
                          "width and height of a picture that always faces the camera; `position` is the middle of its "
-                         "lower side")}
+                         "lower side"),
+           "order": (one_of("depth", "z"), "depth",
+                     "by depth; or tested pixel by pixel against all that is drawn with it, as other objects with `z`")}
     return own | {name: placing[name] for name in SHARED}
 
 

@@ -1,0 +1,80 @@
+/* Which pixels of a frame are drawn already: polygons are drawn front to back, each pixel once. */
+#ifndef COVERAGE_H
+#define COVERAGE_H
+
+#include "polygon/setup.h"
+
+enum coverage_constants {
+    COVERAGE_GAPS = 8           /* room for gaps, for each line of the frame */
+};
+
+/* Pixels of a line that are not drawn yet, x + EDGE_BIAS, both included. */
+struct gap {
+    int16 left, last;
+    struct gap *next;           /* the next one to the right */
+};
+
+/* A visible part of a polygon's line that is not visible whole. */
+struct visible_part {
+    uint16 row;                 /* of the polygon's table */
+    uint16 left;
+    int16 last;                 /* below left: the line is hidden whole */
+};
+
+/* Lines of a table that are drawn after it, in runs: second parts, or further ones. */
+struct cut_lines {
+    struct scanline *lines;
+    struct scanline_step *steps;
+    uint16 *rows;               /* of each */
+    int32 count;
+};
+
+/* How the polygon that is drawn now is drawn. */
+enum cover_way {
+    COVER_DIRECT,               /* no pixel is hidden */
+    COVER_CUT,                  /* its lines are cut, once they are made */
+    COVER_ASIDE,                /* into the frame aside; visible parts are then copied */
+    COVER_LINES_ASIDE           /* only lines of which the visible parts say so */
+};
+
+struct coverage {
+    struct cover cover;         /* renderer->cover points here */
+    struct gap **rows;          /* of each line of the frame the first gap */
+    struct gap *unused;         /* gaps, linked; 0: none, then those from `fresh` on are unused */
+    struct gap *fresh;
+    struct gap end;             /* behind all gaps of all lines */
+    struct gap *gaps;
+    struct visible_part *parts;         /* in the order of lines, of the last scan */
+    struct visible_part *parts_end;
+    int32 room, left;           /* gaps in memory, unused ones */
+    int32 open;                 /* lines with gaps */
+    int32 overflow;             /* 1: there were not enough gaps: draw all again, back to front */
+    int32 seen;                 /* 1: the last scan has found visible pixels */
+    enum cover_way way;
+    int32 aside;                /* bytes from the frame to the one aside */
+    uint8 *aside_pixels;
+    struct cut_lines second, further;
+};
+
+/* Everything coverage_scan needs. */
+struct scan_plan {
+    const struct scanline *lines;       /* left and last are read */
+    int32 count;                /* lines, 1 or more */
+    struct gap **rows;          /* the first line's */
+    struct coverage *coverage;
+};
+
+/* Sets the routines of this room that the drawing of polygons calls. */
+void coverage_set(struct coverage *coverage);
+
+/* Begins a frame: no pixel is covered. */
+void coverage_begin(struct coverage *coverage, const struct frame *frame);
+
+/* Returns 1 if all pixels of the frame that vertices' box has are covered. */
+int32 coverage_hides(const struct coverage *coverage, const struct frame *frame,
+                     const struct vertex *vertices, int32 count);
+
+/* src68k/coverage: contract there. */
+void coverage_scan(const struct scan_plan *plan);
+
+#endif

@@ -1,0 +1,65 @@
+"""Trials of what finds visible pixels. src68k/depths: lines inside the bounds, cut by them, beside them and empty; steep planes, whose q wraps. coverage_scan: gaps of any
+number, lines before, in, over and behind them."""
+
+import numpy as np
+
+from tests.helpers.kernel_checker import Memory
+from tmap.bench.spans import BIAS
+from tmap.bench.trial import Trial
+from tmap.bench.visible import Slope, depth_trial, scan_trial
+
+WIDTH = 48
+
+
+def ends(rng) -> tuple[int, int]:
+    """A line: every fourth one has no pixels."""
+    first, last = np.sort(rng.integers(0, WIDTH, 2)).tolist()
+    return (first, last) if rng.integers(4) else (int(rng.integers(0, WIDTH + 1)), -1)
+
+
+def depth_trials() -> list[Trial]:
+    rng, made = np.random.default_rng(83), []
+    for k in range(72):
+        height = int(rng.integers(1, 12))
+        lines, bounds = ([ends(rng) for _ in range(height)] for _ in range(2))
+        steep = int(rng.choice((10, 40, 52, 62)))
+        slope = Slope(min(line[0] for line in lines), int(rng.integers(-1 << 60, 1 << 61)),
+                      *(int(rng.integers(-1 << steep, 1 << steep)) for _ in range(2)))
+        z = rng.integers(-1 << 31, 1 << 31, (height, WIDTH))
+        for y, line in enumerate(lines):  # as near as possible to q, above and below
+            for x, q in enumerate(slope.line(line[0], line[1] - line[0] + 1, y), line[0]):
+                if rng.integers(2):
+                    z[y, x] = min(max(q + int(rng.integers(-1, 2)), -1 << 31), (1 << 31) - 1)
+        kernel = ("depth_fill", "depth_copy", "depth_copy_keyed")[k % 3]
+        made.append(depth_trial(kernel, lines, bounds, slope, z, Memory(), f"{height} lines, number {k}"))
+    return made
+
+
+def gaps_of(rng) -> list[tuple[int, int]]:
+    """Up to five gaps, with pixels between."""
+    ends = np.sort(rng.choice(40, 2 * int(rng.integers(0, 6)), replace=False)) * int(rng.choice((1, 20)))
+    return [(BIAS + int(a) + 1, BIAS + int(b) - int(rng.integers(0, b - a))) for a, b in zip(ends[::2], ends[1::2])]
+
+
+def line(rng, row: list[tuple[int, int]]) -> tuple[int, int]:
+    """Any line; often one that begins or ends with a gap."""
+    places = [x + int(d) for gap in row for x, d in zip(gap, rng.integers(-1, 2, 2))]
+    left, last = (int(rng.choice(places)) if places and rng.random() < 0.7 else BIAS + int(rng.integers(0, 800))
+                  for _ in range(2))
+    return (left, last) if rng.random() < 0.1 else (min(left, last), max(left, last))
+
+
+def scan_trials() -> list[Trial]:
+    rng, made = np.random.default_rng(25), []
+    for number in range(60):
+        rows = [gaps_of(rng) for _ in range(int(rng.choice((1, 2, 30, 100))))]
+        lines = [line(rng, row) for row in rows]
+        unused = int(rng.choice((0, 1, len(rows))))
+        lacks = number % 10 == 9
+        made.append(scan_trial(lines, rows, Memory(), f"{len(rows)} lines, number {number}", min(unused, len(rows) - lacks),
+                               0 if lacks else None))
+    return made
+
+
+def trials() -> list[Trial]:
+    return depth_trials() + scan_trials()
