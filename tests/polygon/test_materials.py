@@ -102,7 +102,7 @@ def test_settings(folder, text, material):
 def test_a_texture_is_stored_once_a_layout(folder):
     more = "".join(f'm{n} = {{texture = "square", mapper = "{mapper}"}}\n' for n, mapper in
                    enumerate(("tiled", "affine", "columns", "affine", "tiled")))
-    made = make(folder, 'texture = "small"', head=HEAD + more)
+    made = make(folder, 'texture = "small"', head='pages = "own"\n' + HEAD + more)
     assert [texture.layout for texture in made.textures] == ["page", "tiled", "columns", "page"]
     assert [m.texture for m in made.materials] == [1, 0, 2, 0, 1, 3]
     assert made.textures[3].texels.shape == (8, 16)

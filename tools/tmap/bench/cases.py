@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from tmap.base.fixed import ONE
 from tmap.bench import (cubic, dithered, edges, effects, far, instruction_costs, mesh, mesh_batches,
-                        n64, perspective, screen, steps, triangle_fans, triangles)
+                        n64, perspective, screen, steps, triangle_fans, triangles, visible)
 from tmap.bench.examples import glide as glide_examples, n64 as n64_examples
 from tmap.bench.mappers import mapper_case
 from tmap.bench.spans import DU, DV, LENGTHS, SPANS, SPECIAL, span_case
