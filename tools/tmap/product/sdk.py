@@ -27,14 +27,17 @@ from tmap.product import sdk_include
 #: Displays are left to the programs.
 C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "mipmap", "depths", "coverage", "span", "texture", "triangle",
            "glide", "glide/polygons", "n64", "n64/polygons")
-C_FILES = (Path("frames/draw_faces.c"), Path("frames/draw_meshes.c"), Path("frames/draw_meshes.h"), Path("frames/draw_once.c"),
+C_FILES = (Path("frames/draw_faces.c"), Path("frames/draw_meshes.c"), Path("frames/draw_meshes.h"),
+           Path("frames/draw_once.c"),
+           Path("frames/draw_depths.c"),
            Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
 LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw"),
          "perspective": ("reciprocals_make",), "mipmap": ("polygon_draw_mipmapped",),
          "texture": ("column_layout_make", "map_rows_make", "map_scale"), "screen": ("ham8_control",),
-         "mesh": ("mesh_draw", "mesh_points16", "coverage_set"), "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
+         "mesh": ("mesh_draw", "mesh_points16", "coverage_set"),
+         "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "triangles.c", "spans.s", "start.s", "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
