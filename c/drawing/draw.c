@@ -1,11 +1,10 @@
-/* From a convex polygon to its scanline table and the call that draws it. With gradients of the plane and sub-texel starts, all numbers that decide a pixel
-   are functions of the pixel alone: x of an edge at line j is x0 + (j - j0) slope, where
-   j0 is its first line in the frame; u at pixel (i, j) is u_ref + (i - i_ref) dudx +
-   (j - j_ref) dudy modulo 2^32, (i_ref, j_ref) being the first pixel right of the left
-   side, or the middle of the box if gradients are steep. So it does not matter which
-   vertex comes first, an edge from far above has not drifted when it reaches the frame,
-   and polygons that share an edge leave no gap. The model in tools/tmap/model/model.py does the same
-   arithmetic. */
+/* From a convex polygon to its scanline table and the call that draws it. With gradients of the plane and sub-
+   texel starts, all numbers that decide a pixel are functions of the pixel alone: x of an edge at line j is x0 +
+   (j - j0) slope, where j0 is its first line in the frame; u at pixel (i, j) is u_ref + (i - i_ref) dudx + (j -
+   j_ref) dudy modulo 2^32, (i_ref, j_ref) being the first pixel right of the left side, or the middle of the box
+   if gradients are steep. So it does not matter which vertex comes first, an edge from far above has not drifted
+   when it reaches the frame, and polygons that share an edge leave no gap. The model in tools/tmap/model/model.py
+   does the same arithmetic. */
 #include "drawing/clamp.h"
 #include "drawing/columns.h"
 #include "drawing/draw.h"

@@ -50,6 +50,13 @@ static fix16 bend(const struct perspective_plan *plan)
     return mul_shift(slope, a, 24) + 1;
 }
 
+/* Returns the error of a setting's own straight pieces: what is allowed less would have shorter ones. */
+static fix16 own_error(enum perspective setting)
+{
+    return setting == PERSPECTIVE_PIXEL ? PERSPECTIVE_STRAIGHT_PIXEL
+         : setting == PERSPECTIVE_FINE ? PERSPECTIVE_STRAIGHT_FINE : 0;
+}
+
 int32 tolerance_is_coarser(struct setup *s)
 {
     const struct perspective_plan *plan = s->perspective;
@@ -59,7 +66,7 @@ int32 tolerance_is_coarser(struct setup *s)
         s->level = LEVEL_LINES;
         return 1;
     }
-    if (s->setting == PERSPECTIVE_EVERY16)
+    if (s->setting == PERSPECTIVE_EVERY16 || tolerance < own_error(s->setting))
         return 0;
     pixel = bend(plan);         /* the products fit */
     if (pixel * (16 * 16 / 4) <= tolerance)

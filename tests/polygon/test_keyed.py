@@ -9,7 +9,7 @@ from tests.helpers.guest_runs import Asked
 from tests.helpers.refusals import without_line
 from tmap.base.errors import UserError
 from tmap.compiler.scene import compile_scene
-from tmap.model import model
+from tmap.model import mesh, model
 
 HEAD = """\
 width = 64
@@ -102,7 +102,7 @@ def test_billboards_face_the_camera(tmp_path):
     """All corners have one depth, and sides are upright and level on the screen, wherever the camera is."""
     saved(tmp_path)
     scene = made(tmp_path, HEAD + BILLBOARD)
-    (_, vertices, _), = model.placed_at(scene, 0)
+    (_, vertices, _), = mesh.placed_at(scene, 0)
     x, y, _, _, _, w = np.array(vertices).T
     assert len(set(w.tolist())) == 1
     assert len(set(x.tolist())) == len(set(y.tolist())) == 2

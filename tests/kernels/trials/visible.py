@@ -1,5 +1,5 @@
-"""Trials of what finds visible pixels. src68k/depths: lines inside the bounds, cut by them, beside them and empty; steep planes, whose q wraps. coverage_scan: gaps of any
-number, lines before, in, over and behind them."""
+"""Trials of what finds visible pixels. src68k/depths: lines inside the bounds, cut by them, beside them and empty; steep
+planes, whose q wraps. coverage_scan: gaps of any number, lines before, in, over and behind them."""
 
 import numpy as np
 

@@ -27,7 +27,7 @@ C = {".": "integer types and the limits that all rooms keep to",
      "triangle": "batches of triangles with snapped vertices",
      "perspective": "planes of 1/w, lines from their far ends, level or divided, light over them",
      "drawing": "lowering, and the way from vertices to spans",
-    "mipmap": "mip maps: a level for each polygon",
+     "mipmap": "mip maps: a level for each polygon",
      "depths": "a z buffer where faces are tested pixel by pixel",
      "coverage": "what of a frame is drawn already: polygons front to back, each pixel once",
      "n64 glide": "the N64's texture engine and Glide's texture unit: state, commands, pixel by pixel",
@@ -39,9 +39,11 @@ C = {".": "integer types and the limits that all rooms keep to",
      "programs": "the programs themselves"}
 #: src68k; all rooms use include/.
 SRC68K = {"math": "products and quotients", "span": "loops over a line's pixels",
-          "edge": "lines of a polygon from its edges", "coverage": "which pixels are drawn already", "polygon": "edges, gradient set-up, planes",
+          "edge": "lines of a polygon from its edges",
+          "coverage": "which pixels are drawn already", "polygon": "edges, gradient set-up, planes",
           "triangle": "whole triangles with snapped vertices, in batches",
-          "mesh": "points, faces, normals", "depths": "z of lines, and pixels by it", "n64": "passes of the N64's texture engine",
+          "mesh": "points, faces, normals", "depths": "z of lines, and pixels by it",
+          "n64": "passes of the N64's texture engine",
           "glide": "passes of Glide's texture unit", "screen": "chunky to planar, HAM8",
           "amiga": "start and end, clock, display, keys", "include": "macros"}
 

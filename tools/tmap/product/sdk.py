@@ -25,8 +25,8 @@ from tmap.product import sdk_include
 
 #: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
 #: Displays are left to the programs.
-C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "mipmap", "depths", "coverage", "span", "texture", "triangle",
-           "glide", "glide/polygons", "n64", "n64/polygons")
+C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "mipmap", "depths", "coverage",
+           "span", "texture", "triangle", "glide", "glide/polygons", "n64", "n64/polygons")
 C_FILES = (Path("frames/draw_faces.c"), Path("frames/draw_meshes.c"), Path("frames/draw_meshes.h"),
            Path("frames/draw_once.c"),
            Path("frames/draw_depths.c"),

@@ -34,6 +34,8 @@ def coarser(p: Perspective, width: int, setting: str, tolerance: int) -> tuple[s
         return setting, False
     if keeps_level(p, width, tolerance):
         return setting, True
+    if tolerance < (way(setting).straight or 0):
+        return setting, False
     pixel = bend(p)
     for longer in ("every16", "every8"):
         if setting == longer:
