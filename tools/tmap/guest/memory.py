@@ -58,6 +58,13 @@ class Memory:
                     return True
         return False
 
+    def leave(self, size: int) -> None:
+        """Takes the last bytes of the last piece of each kind."""
+        for kind, pieces in self.pieces.items():
+            at, last = pieces[-1]
+            if last > size:
+                self.cut(kind, len(pieces) - 1, at + last - size, at + last)
+
     def take_units(self, unit: int, count: int, kind: str) -> int:
         """Takes up to ``count`` units, each at a multiple of ``unit``, from the piece that has the most; returns how
         many: find_units in c/scene/maps_read.c."""

@@ -16,6 +16,7 @@ from tmap.scene_file.textures import Texture, ordered
 
 PAGE, LIGHT = 1 << 16, 1 << 14
 CANARIES = 2 * 4096  # around render's frame
+SYSTEM = 8 << 10  # bytes at the end of the memory that are left to the system: 7 KB were seen to be in use
 LARGEST = 3  # textures that a refusal names
 #: Units of the maps that begin at certain multiples: bytes of a unit, units of a map, units more of a block.
 UNITS = {"pages": (PAGE, 1, 0), "margins": (PAGE, 2, 1), "light": (LIGHT, 1, 0)}
@@ -48,6 +49,7 @@ def loaded(machine: str) -> Memory:
     memory = Memory.of(machine)
     for size in hunks(PROGRAMS / "render"):
         memory.take(size)
+    memory.leave(SYSTEM)
     return memory
 
 
@@ -80,6 +82,19 @@ def mesh_bytes(scene: Scene) -> list[int]:
             *depths]
 
 
+def coverage_bytes(scene: Scene) -> list[int]:
+    """Returns the requests of a scene whose pixels are drawn once: c/scene/coverage.c."""
+    if not scene.once or not scene.instances:
+        return []
+    built = layout.load()
+    size = {name: built.struct(name).size for name in ("coverage", "gap", "visible_part", "scanline", "scanline_step")}
+    lines, room = scene.height, scene.height * (1 + built.constants["COVERAGE_GAPS"])
+    tables = [each for count in (lines, room) for each in (
+        count * size["scanline"], count * size["scanline_step"], 2 * count + 3 & ~3)]
+    return [size["coverage"], 4 * lines, room * size["gap"], (room + lines) * size["visible_part"], *tables,
+            scene.width * scene.height * scene.pixel.bytes]
+
+
 def requests(scene: Scene) -> tuple[list[int], list[int]]:
     """Returns the sizes of render's requests before those for maps, and of those after them."""
     built = layout.load()
@@ -96,7 +111,7 @@ def requests(scene: Scene) -> tuple[list[int], list[int]]:
     if len(scene.pipes):
         after += [len(scene.glide_units) * size["glide"], len(scene.pipes) * size["glide_pipe"],
                   size["glide_tile_store"]]
-    after += [len(scene.materials) * size["material"], size["scene_scratch"]]
+    after += [len(scene.materials) * size["material"], size["scene_scratch"], *coverage_bytes(scene)]
     if needs_reciprocals(scene):
         after.append(2 * built.constants["FAR_COUNT"])
     if any(m.edges == "snapped" for m in scene.materials):
