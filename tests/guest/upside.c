@@ -20,7 +20,7 @@ static const struct vertex corners[3] = {
 int main(void)
 {
     struct frame frame = {down, WIDTH, HEIGHT, WIDTH, 1};
-    struct renderer renderer = {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0};
+    struct renderer renderer = {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0};
     struct polygon polygons[2];
     uint8 *texels = room + (PAGE - 1 - ((uint32)room - 1) % PAGE);
     int32 drawn = 0, wrong = 0;
