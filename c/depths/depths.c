@@ -8,16 +8,6 @@
 /* From here on, in 2^16 units a pixel, a plane of q is too steep: the face is narrower than a pixel. */
 #define TOO_STEEP 65536
 
-static int32 least(int32 a, int32 b)
-{
-    return a < b ? a : b;
-}
-
-static int32 most(int32 a, int32 b)
-{
-    return a > b ? a : b;
-}
-
 void depths_begin(struct depths *depths)
 {
     const struct frame *frame = &depths->aside;
@@ -39,26 +29,26 @@ void depths_include(struct depths *depths, const struct vertex *vertices, int32 
     int32 left, right, top, bottom;
 
     for (; count > 0; count--, vertices++) {
-        x_low = least(x_low, vertices->x);
-        x_high = most(x_high, vertices->x);
-        y_low = least(y_low, vertices->y);
-        y_high = most(y_high, vertices->y);
+        x_low = outline_least(x_low, vertices->x);
+        x_high = outline_most(x_high, vertices->x);
+        y_low = outline_least(y_low, vertices->y);
+        y_high = outline_most(y_high, vertices->y);
     }
-    left = most((x_low >> 16) - 1, 0);
-    right = least((x_high >> 16) + 2, frame->width);
-    top = most((y_low >> 16) - 1, 0);
-    bottom = least((y_high >> 16) + 2, frame->height);
+    left = outline_most((x_low >> 16) - 1, 0);
+    right = outline_least((x_high >> 16) + 2, frame->width);
+    top = outline_most((y_low >> 16) - 1, 0);
+    bottom = outline_least((y_high >> 16) + 2, frame->height);
     if (left >= right || top >= bottom)
         return;
-    depths->box.left = least(depths->box.left, left);
-    depths->box.top = least(depths->box.top, top);
-    depths->box.right = most(depths->box.right, right);
-    depths->box.bottom = most(depths->box.bottom, bottom);
+    depths->box.left = outline_least(depths->box.left, left);
+    depths->box.top = outline_least(depths->box.top, top);
+    depths->box.right = outline_most(depths->box.right, right);
+    depths->box.bottom = outline_most(depths->box.bottom, bottom);
     for (; top < bottom; top++) {
         struct scanline *line = &depths->bounds[top];
 
-        line->left = (uint16)least(line->left, EDGE_BIAS + left);
-        line->last = (int16)most(line->last, EDGE_BIAS + right - 1);
+        line->left = (uint16)outline_least(line->left, EDGE_BIAS + left);
+        line->last = (int16)outline_most(line->last, EDGE_BIAS + right - 1);
     }
 }
 
@@ -113,8 +103,8 @@ static void set_plane(struct depth_plan *plan, const struct setup *s, fix16 near
     corners.y = (box->top << 16) - corners.first.y;
     corners.area = sides->area;
     depth_plane_find(&q, &corners);
-    low = least(0, least(corners.a.q, corners.b.q));
-    range = most(0, most(corners.a.q, corners.b.q)) - low;
+    low = outline_least(0, outline_least(corners.a.q, corners.b.q));
+    range = outline_most(0, outline_most(corners.a.q, corners.b.q)) - low;
     right = (int32)(fix_magnitude(corners.x) >> 16) + box->right - box->left + 1;
     down = (int32)(fix_magnitude(corners.y) >> 16) + box->bottom - box->top + 1;
     steep_x = perspective_steepness(&q.dx);

@@ -1,4 +1,4 @@
-"""Every routine of src68k/math, mesh, polygon, edge, span, n64, glide and screen,
+"""Every routine of the rooms of src68k that are kernels (contracts.KERNELS),
 called on the emulated A1200 and held to its contract block and to a reference in Python."""
 
 import importlib
