@@ -7,7 +7,6 @@ import pytest
 
 from tests.helpers import mesh_cases
 from tests.mesh.test_meshes import assert_models
-from tmap.accuracy.orders import wrong_pixels
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
@@ -110,15 +109,6 @@ order = "bsp"
     for plain, crossed in zip(shown[:6], shown[6:]):
         covered = plain == green
         assert covered.sum() > 1000 and not (crossed[covered] == red).any()
-
-
-def test_rooms_show_the_nearest_faces() -> None:
-    """The scene ``rooms``: by its tree no pixel shows another face than the nearest; by depth some of every
-    frame do."""
-    tree, depth = (compile_scene(SCENES / "rooms.toml", order=order) for order in ("bsp", "depth"))
-    for number in range(3, tree.frames, 9):
-        wrong = [wrong_pixels(scene, depth, number, 2) for scene in (tree, depth)]
-        assert wrong[0] == 0 and wrong[1] > 5, (number, wrong)
 
 
 @pytest.mark.parametrize("text, said", [
