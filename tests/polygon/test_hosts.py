@@ -88,7 +88,6 @@ MODULES = ("math", "cmath", "np", "numpy")
 HARMLESS = {
     "assets/noise.py": {"fft"},  # see test_noise_has_room
     "ideal/bounds_perspective.py": {"log2", "**"},  # a bound; no page shows that many digits
-    "accuracy/movers.py": {"linalg"},  # compared with 1/1000 unit of depth
     "base/elementary.py": {"atan2"},  # a first guess, corrected to the exact value
     "fuzz/depths.py": {"log10", "log2", "**"},  # random test cases, which are not stored
     "compiler/mesh_build.py": {"atan2"},  # a sum of angles, 2 pi or 4 pi and more, compared with 3 pi

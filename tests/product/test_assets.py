@@ -34,7 +34,8 @@ def test_committed_file_is_what_its_maker_makes(name: str) -> None:
 
 def test_every_picture_and_mesh_has_a_maker_and_a_reader() -> None:
     """Pictures that show results belong to the pages and are left out."""
-    drawn = {readme.PICTURE, readme.ANIMATION, readme.METHODS, SCENES / "terrace.gif"}  # tests/mipmap/shimmer.py
+    drawn = {readme.PICTURE, readme.ANIMATION, readme.METHODS, readme.LEVEL,
+             SCENES / "terrace.gif"}  # tests/mipmap/shimmer.py
     there = {path for path in SCENES.rglob("*") if path.suffix in (".png", ".gif", ".obj")}
     assert there - drawn == {SCENES / name for name in assets.FILES}
     read = {file.resolve() for path in SCENES.rglob("*.toml") for file in cache.scene_files(path)}

@@ -89,7 +89,7 @@ class Frame:
         off = ideal_mesh.off_screen(scene.guard, nearest, cut) + stepped
         made = depths.found(scene, instance.material, vertices)
         return Face(corners, normal, float((normal * corners).sum(axis=1).mean()),
-                    rounding=far * 2.0 ** -29 + 3 * 2.0 ** -16, margin=off * 2 ** 0.5, is_tested=instance.tree == Z,
+                    rounding=far * 2.0 ** -29 + 3 * 2.0 ** -16, margin=off * np.sqrt(2), is_tested=instance.tree == Z,
                     is_keyed=material.mapper == "keyed", off=made[1].off + scene.width // 2 + 1 if made else 0)
 
     def rays(self) -> np.ndarray:

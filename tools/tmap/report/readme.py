@@ -22,6 +22,7 @@ from tmap.run import run
 
 PICTURE, ANIMATION = SCENES / "default.png", SCENES / "environment.gif"
 METHODS = SCENES / "methods.png"
+LEVEL, LEVEL_FRAMES = SCENES / "keep.png", (18, 42, 60, 84)  # two beside two
 COLOURS = 24  # of the animation
 
 
@@ -79,6 +80,14 @@ def animation() -> list[Image.Image]:
     return images
 
 
+def level() -> Image.Image:
+    """Frames of the flight through the keep, on one picture."""
+    compiled = scene.compile_scene(SCENES / "keep.toml")
+    frames = run.render(compiled, "a1200-fast", "addx").frames
+    rows = [np.concatenate([frames[k] for k in pair], axis=1) for pair in (LEVEL_FRAMES[:2], LEVEL_FRAMES[2:])]
+    return run.picture_of(np.concatenate(rows), compiled)
+
+
 def command() -> int:
     """Writes the tables and all pictures."""
     before = pages.read()
@@ -90,7 +99,8 @@ def command() -> int:
     frame, = run.render(first, "a1200-fast", "addx").frames
     run.picture_of(frame, first).save(PICTURE, optimize=True)
     save_animation(ANIMATION, animation(), 80)
+    level().save(LEVEL, optimize=True)
     italian_methods.write_picture(italian_methods.measure("a1200-fast"), METHODS)
-    pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS)]
+    pictures = [str(path.relative_to(ROOT)) for path in (PICTURE, ANIMATION, METHODS, LEVEL)]
     print(f"written: {', '.join([*changed, *pictures])}")
     return 0
