@@ -1,5 +1,7 @@
 """Scene files with invalid meshes, instances or views: file, offset, value, field."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from tests.helpers.wrong_fields import M32, Row, WrongFields
@@ -58,6 +60,7 @@ def wrong_meshes() -> list[Row]:
     entry("instances", 4, "bright", 19 << 16, 256 << 16, said="instance.dark or bright")
     entry("instances", 3, "mesh", 0, said="face.corners")  # gradients for triangles
     wrong_trees(rows)
+    wrong_tested(rows)
     return rows
 
 
@@ -87,3 +90,19 @@ def wrong_trees(rows: list[Row]) -> None:
     wrong.entry("instances", 1, "slot", 13, M32, 2**31, said="instance.slot")
     wrong.entry("slots", 3, "slot", 12, M32, 2**31)
     wrong.entry("slots", 14, "slot", 6, M32)
+
+
+def wrong_tested(rows: list[Row]) -> None:
+    """Adds instances that cannot be tested by z, or drawn once."""
+    made = mesh_cases.trees(1)
+    made.textures = [Texture(np.zeros((8, 8), np.uint8))]
+    made.materials = [Material("flat", edges=edges, colour=9) for edges in ("exact", "exact", "subpixel")]
+    made.instances = [replace(each, material=k, flags=0, tree=tree)
+                      for k, (each, tree) in enumerate(zip(made.instances, (-2, -2, -1)))]
+    made.nodes, made.slots = made.nodes[:0], made.slots[:0]
+    wrong = WrongFields(made, rows)
+    wrong.entry("instances", 2, "tree", -2, said="instance.tree")  # its edges are not exact
+    wrong.entry("instances", 1, "material", 2, said="instance.tree")
+    wrong.entry("materials", 0, "edges", 0, 1, said="instance.tree")
+    wrong.entry("instances", 0, "tree", -1, said="instance.tree")  # then the second is not first
+    wrong.header("once", 1)
