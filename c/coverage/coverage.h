@@ -50,6 +50,7 @@ struct coverage {
     int32 open;                 /* lines with gaps */
     int32 overflow;             /* 1: there were not enough gaps: draw all again, back to front */
     int32 seen;                 /* 1: the last scan has found visible pixels */
+    int32 shown;                /* 1: a scan has, since it was set to 0 */
     enum cover_way way;
     int32 aside;                /* bytes from the frame to the one aside */
     uint8 *aside_pixels;
