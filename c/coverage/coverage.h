@@ -71,6 +71,9 @@ void coverage_set(struct coverage *coverage);
 /* Begins a frame: no pixel is covered. */
 void coverage_begin(struct coverage *coverage, const struct frame *frame);
 
+/* Returns 1 if all pixels of the frame in a box, right and bottom included, are covered. */
+int32 coverage_hides_box(const struct coverage *coverage, const struct frame *frame, const struct rectangle *box);
+
 /* Returns 1 if all pixels of the frame that vertices' box has are covered. */
 int32 coverage_hides(const struct coverage *coverage, const struct frame *frame,
                      const struct vertex *vertices, int32 count);

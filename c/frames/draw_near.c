@@ -5,7 +5,9 @@
 
 /* A tree in a frame. */
 struct near_tree {
+    struct near_walk walk;      /* first: is_hidden casts */
     const struct scene *scene;
+    const struct renderer *renderer;
     struct mesh_point *points;  /* memory that is left */
     struct mesh_attributes *attributes;
     struct mesh_face *faces;
@@ -13,7 +15,6 @@ struct near_tree {
     uint32 first, count;        /* its number; instances */
     const struct near_slot *slots;
     struct near_face face;
-    struct near_walk walk;
     struct mesh_face *seen;
 };
 
@@ -61,23 +62,33 @@ static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
     return 1;
 }
 
+/* Returns 1 if no pixel is left in the rectangle of a box. */
+static int32 is_hidden(const struct near_walk *walk, const struct mesh_box *box)
+{
+    const struct near_tree *tree = (const struct near_tree *)walk;
+    struct rectangle pixels;
+
+    return near_rectangle(walk, box, &pixels)
+        && coverage_hides_box(tree->scene->coverage, tree->renderer->frame, &pixels);
+}
+
 static void begin_walk(struct near_tree *tree, int32 root)
 {
     const struct scene *const scene = tree->scene;
     const struct scene_header *const header = scene->header;
     struct near_walk *const walk = &tree->walk;
-    struct near_frame frame;
 
-    frame.width = header->width;
-    frame.height = header->height;
-    frame.guard = header->guard;
-    frame.near_plane = header->near_plane;
+    walk->frame.width = header->width;
+    walk->frame.height = header->height;
+    walk->frame.guard = header->guard;
+    walk->frame.near_plane = header->near_plane;
     walk->node = &scene->nodes[root];
     walk->last = walk->steps;
     walk->nodes = scene->nodes;
     walk->boxes = scene->near->boxes;
-    near_set_borders(walk, &frame, walk->boxes[root].shift);
-    near_set_view(&tree->face, &frame, walk->view);
+    walk->is_hidden = is_hidden;
+    near_set_borders(walk, walk->boxes[root].shift);
+    near_set_view(&tree->face, &walk->frame, walk->view);
     tree->face.stamp = ++scene->near->stamp;
     tree->face.points = 0;
 }
@@ -94,7 +105,7 @@ static void choose(struct near_tree *tree, struct mesh_placed *placed)
     tree->face.from = &tree->scene->points[placed->mesh->point];
 }
 
-/* Draws what is visible of the face in a slot. */
+/* Draws what is visible of the face in a slot, which is seen from the front. */
 static enum polygon_result draw_slot(struct renderer *renderer, struct near_tree *tree, const struct near_slot *slot)
 {
     const struct scene *const scene = tree->scene;
@@ -138,6 +149,7 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
     struct near_tree tree;
 
     tree.scene = scene;
+    tree.renderer = renderer;
     tree.placed = room->placed;
     tree.points = room->points;
     tree.attributes = room->attributes;
@@ -155,15 +167,16 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
     coverage_begin(coverage, renderer->frame);
     renderer->cover = &coverage->cover;
     while (coverage->open && !coverage->overflow && (node = mesh_near(&tree.walk)) != 0) {
-        const struct near_slot *slot = &tree.slots[node->slot + node->slots];
+        const struct near_slot *slot;
 
-        for (uint32 left = node->slots; left && coverage->open && !coverage->overflow; left--)
-            if ((--slot)->face) {
-                const enum polygon_result result = draw_slot(renderer, &tree, slot);
+        tree.face.slots = &tree.slots[node->slot];
+        tree.face.slot = &tree.face.slots[node->slots];
+        while (coverage->open && !coverage->overflow && (slot = mesh_near_seen(&tree.face)) != 0) {
+            const enum polygon_result result = draw_slot(renderer, &tree, slot);
 
-                if (result > POLYGON_EMPTY)
-                    *refused = result;
-            }
+            if (result > POLYGON_EMPTY)
+                *refused = result;
+        }
     }
     renderer->cover = 0;
     *seen = tree.seen;

@@ -48,8 +48,9 @@ static void set_border(struct box_border *to, const int32 *row, const int32 *dep
     set_factor(&to->z_at, half[2], (uint32)((const int8 *)&box.low_z - at), (uint32)((const int8 *)&box.high_z - at));
 }
 
-void near_set_borders(struct near_walk *walk, const struct near_frame *frame, int32 shift)
+void near_set_borders(struct near_walk *walk, int32 shift)
 {
+    const struct near_frame *frame = &walk->frame;
     static const int32 none[3];
     const struct scene_view *view = walk->view;
     const int32 whole = 1 << frame->guard;
@@ -90,4 +91,59 @@ void near_set_view(struct near_face *plan, const struct near_frame *frame, const
     plan->middle_x = frame->width << 15;
     plan->middle_y = frame->height << 15;
     plan->view = view;
+}
+
+/* A coordinate of points in the camera's space, 16.16. */
+struct extent {
+    int32 low, high;
+};
+
+/* Sets the extent of a box. */
+static void set_extent(struct extent *to, const struct mesh_box *box, const int32 *row, fix16 move)
+{
+    const int16 *low = &box->low_x, *high = &box->high_x;
+    const int32 down = NEAR_FACTOR_BITS - box->shift, off = (SUM_OFF >> down) + DEPTH_OFF;
+    int32 least = 0, most = 0;
+
+    for (int32 k = 3; k > 0; k--) {
+        const int16 factor = (int16)(*row++ >> FACTOR_SHIFT);
+        const int32 a = factor * *low++, b = factor * *high++;
+
+        least += a < b ? a : b;
+        most += a < b ? b : a;
+    }
+    to->low = move + (least >> down) - off;
+    to->high = move + (most >> down) + off;
+}
+
+/* Returns pixels to the right of the middle, inside the guard band, of a coordinate at the depth at which it is farther
+   from the middle. */
+static int32 pixels_of(int32 coordinate, int32 near_depth, int32 far_depth, int32 outwards, uint32 guard)
+{
+    const int32 depth = (coordinate < 0) == (outwards < 0) ? near_depth : far_depth;
+    const int32 most = 1 << guard;
+
+    if (coordinate >= depth)
+        return most;
+    if (coordinate <= -depth)
+        return -most;
+    return mul_div(coordinate, most, depth);
+}
+
+int32 near_rectangle(const struct near_walk *walk, const struct mesh_box *box, struct rectangle *to)
+{
+    const struct scene_view *view = walk->view;
+    const struct near_frame *frame = &walk->frame;
+    struct extent x, y, w;
+
+    set_extent(&w, box, &view->zx, view->z0);
+    if (w.low < frame->near_plane)
+        return 0;
+    set_extent(&x, box, &view->xx, view->x0);
+    set_extent(&y, box, &view->yx, view->y0);
+    to->left = (frame->width >> 1) - 2 + pixels_of(x.low, w.low, w.high, -1, frame->guard);
+    to->right = (frame->width >> 1) + 2 + pixels_of(x.high, w.low, w.high, 1, frame->guard);
+    to->top = (frame->height >> 1) - 2 + pixels_of(y.low, w.low, w.high, -1, frame->guard);
+    to->bottom = (frame->height >> 1) + 2 + pixels_of(y.high, w.low, w.high, 1, frame->guard);
+    return 1;
 }

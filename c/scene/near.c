@@ -51,6 +51,18 @@ static void include_face(struct mesh_box *box, const struct scene *scene, const 
     }
 }
 
+/* Returns the slots of a node and of those of its front and back, whose boxes are made; at most 65,535. */
+static uint16 count_of(const struct scene_node *node, const struct mesh_box *box)
+{
+    uint32 count = node->slots;
+
+    if (node->front)
+        count += box[1].slots;
+    if (node->back)
+        count += box[1 + node->front].slots;
+    return (uint16)(count > 0xffff ? 0xffff : count);
+}
+
 /* Makes the boxes of a tree, those of a node's front and back before its own. */
 static void make_boxes(struct mesh_box *boxes, const struct scene *scene, const struct scene_node *root,
                        const struct near_slot *slots, int32 shift)
@@ -62,6 +74,7 @@ static void make_boxes(struct mesh_box *boxes, const struct scene *scene, const 
         box->low_x = box->low_y = box->low_z = BOX_MOST;
         box->high_x = box->high_y = box->high_z = -BOX_MOST;
         box->shift = (int16)shift;
+        box->slots = count_of(node, box);
         for (uint32 k = 0; k < node->slots; k++)
             if (slots[node->slot + k].face)
                 include_face(box, scene, &slots[node->slot + k]);

@@ -24,12 +24,6 @@ struct scene_scratch {
     struct mesh_batch batch;
 };
 
-/* What is in a slot of a tree; face 0: nothing. */
-struct near_slot {
-    const struct scene_face *face;
-    uint32 instance;
-};
-
 /* Of trees that are drawn each pixel once. */
 struct scene_near {
     struct mesh_box *boxes;     /* one a node */

@@ -4,7 +4,7 @@
 ;
 ; in:      a0  struct near_walk*  a walk that has begun: node is the root, last is steps
 ; out:     d0  const struct scene_node*  a node with slots; 0: there is none left
-; reads:   the plan, its view's eye, the tree's nodes, their boxes
+; reads:   the plan, its view's eye, the tree's nodes, their boxes; whatever is_hidden reads
 ; writes:  node, last, steps
 ; formats: as in mesh_walk
 ; error:   mesh_walk's. Nodes whose box is outside a border are left out, with those of their front and back
@@ -19,13 +19,14 @@ along   macro
         endm
 
 ; a0 the node, a1 the border, a2 behind the last step, a3 the box, a4 the plan, a5 the farther half space's first
-; node; d5-d7 the eye.
+; node, a6 not 0: the node is the first of such a half space; d5-d7 the eye.
         routine mesh_near,a0
         save_all
         movea.l a0,a4
         movea.l near_walk_view(a4),a1
         movem.l scene_view_eye_x(a1),d5-d7
         movea.l near_walk_last(a4),a2
+        movea.w #1,a6
         move.l  near_walk_node(a4),d0
         bne.s   .enter
 .step   cmpa.l  near_walk_steps(a4),a2
@@ -34,6 +35,7 @@ along   macro
         movea.l -(a2),a0
         tst.l   scene_node_slots(a0)
         bne     .found
+        movea.w #1,a6
         move.l  a5,d0
         beq.s   .step
 .enter  movea.l d0,a0
@@ -49,9 +51,11 @@ along   macro
         cmp.l   (a1)+,d3
         blt.s   .step
         dbra    d4,.border
-        move.l  scene_node_front(a0),d0
+        move.l  a6,d0
+        bne     .test
+.seen   move.l  scene_node_front(a0),d0
         or.l    scene_node_back(a0),d0
-        beq.s   .last
+        beq     .last
         eye_along a0,scene_node
         lea     scene_node_sizeof(a0),a5
         move.l  scene_node_front(a0),d0
@@ -69,9 +73,26 @@ along   macro
         exg     a3,a5
 .behind move.l  a0,(a2)+
         move.l  a5,(a2)+
+        suba.l  a6,a6
         move.l  a3,d0
         bne     .enter
         bra     .step
+
+.test   cmp.w   #NEAR_TESTED,mesh_box_slots(a3)
+        blo     .seen
+        move.l  near_walk_is_hidden(a4),d0
+        beq     .seen
+        movea.l d0,a1
+        move.l  a0,-(sp)
+        move.l  a3,-(sp)
+        move.l  a4,-(sp)
+        jsr     (a1)
+        addq.l  #8,sp
+        movea.l (sp)+,a0
+        tst.l   d0
+        beq     .seen
+        bra     .step
+
 .last   suba.l  a5,a5
         tst.l   scene_node_slots(a0)
         beq     .step

@@ -1,29 +1,22 @@
-        include "eye.i"
         include "transform.i"
 
-; mesh_near_face - whether a face may be seen; transforms those of its points that have not been
+; mesh_near_face - the borders that a face is outside of; transforms those of its points that have not been
 ;
 ; in:      a0  const struct near_face*  its points: those with its stamp are transformed
-; out:     d0  int32  NEAR_HIDDEN: seen from the back, or wholly outside one border; else the borders, enum
-;                     mesh_outside, that a point is outside of
-; reads:   the plan, its view's eye, the face, its corners, their points
-; writes:  stamp, x, y, w and outside of the other points of a face that is seen from the front; screen_x and screen_y
-;          if outside is 0
-; formats: as in mesh_faces_wide and mesh_transform_wide
-; error:   theirs
-; cost:    bench row mesh_near_face: four corners, all transformed before; mesh_near_face_back
+; out:     d0  int32  NEAR_HIDDEN: all points are outside of one border; else the borders, enum mesh_outside, that a
+;                     point is outside of
+; reads:   the plan, the face, its corners, their points
+; writes:  stamp, x, y, w and outside of the other points; screen_x and screen_y if outside is 0
+; formats: as in mesh_transform_wide
+; error:   mesh_transform_wide's
+; cost:    bench row mesh_near_face: four corners, all transformed before
 
 ; a2 the point in the camera's space, a4 the plan, a5 the corner. On the stack: corners left, the borders that all
 ; points are outside of, those that one is.
         routine mesh_near_face,a0
         save_all
         movea.l a0,a4
-        movea.l near_face_view(a4),a1
-        movem.l scene_view_eye_x(a1),d5-d7
         movea.l near_face_face(a4),a1
-        eye_along a1,scene_face
-        cmp.l   scene_face_distance(a1),d2
-        ble     .back
         move.l  scene_face_corner(a1),d0
         move.l  d0,d1
         add.l   d0,d0
