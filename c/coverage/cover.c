@@ -126,6 +126,7 @@ static enum polygon_result draw(struct setup *s, enum polygon_result (*rest)(str
     }
     if (c->overflow || !c->seen)
         return POLYGON_DRAWN;
+    c->shown = 1;
     if (c->parts == c->parts_end)
         return rest(s);
     if (is_cut(s)) {

@@ -32,11 +32,28 @@ static inline int32 row_hides(const struct gap *gap, int32 left, int32 last)
     return gap->left > last;
 }
 
+int32 coverage_hides_box(const struct coverage *c, const struct frame *frame, const struct rectangle *box)
+{
+    const int32 left = box->left + EDGE_BIAS, last = box->right + EDGE_BIAS;
+    const int32 top = outline_most(box->top, 0), bottom = outline_least(box->bottom, frame->height - 1);
+    const int32 middle = (top + bottom) >> 1;
+
+    if (box->right < 0 || box->left >= frame->width)
+        return 1;
+    for (int32 i = middle; i <= bottom; i++)
+        if (!row_hides(c->rows[i], left, last))
+            return 0;
+    for (int32 i = middle - 1; i >= top; i--)
+        if (!row_hides(c->rows[i], left, last))
+            return 0;
+    return 1;
+}
+
 int32 coverage_hides(const struct coverage *c, const struct frame *frame,
                      const struct vertex *v, int32 count)
 {
     fix16 x_low = v->x, x_high = v->x, y_low = v->y, y_high = v->y;
-    int32 left, last, top, bottom, middle;
+    struct rectangle box;
 
     for (count--, v++; count > 0; count--, v++) {
         if (v->x < x_low)
@@ -48,16 +65,9 @@ int32 coverage_hides(const struct coverage *c, const struct frame *frame,
         else if (v->y > y_high)
             y_high = v->y;
     }
-    left = (x_low >> 16) + EDGE_BIAS;
-    last = (x_high >> 16) + 1 + EDGE_BIAS;
-    top = outline_most(y_low >> 16, 0);
-    bottom = outline_least((y_high >> 16) + 1, frame->height - 1);
-    middle = (top + bottom) >> 1;
-    for (int32 i = middle; i <= bottom; i++)
-        if (!row_hides(c->rows[i], left, last))
-            return 0;
-    for (int32 i = middle - 1; i >= top; i--)
-        if (!row_hides(c->rows[i], left, last))
-            return 0;
-    return 1;
+    box.left = x_low >> 16;
+    box.right = (x_high >> 16) + 1;
+    box.top = y_low >> 16;
+    box.bottom = (y_high >> 16) + 1;
+    return coverage_hides_box(c, frame, &box);
 }

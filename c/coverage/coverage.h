@@ -50,6 +50,7 @@ struct coverage {
     int32 open;                 /* lines with gaps */
     int32 overflow;             /* 1: there were not enough gaps: draw all again, back to front */
     int32 seen;                 /* 1: the last scan has found visible pixels */
+    int32 shown;                /* 1: a scan has, since it was set to 0 */
     enum cover_way way;
     int32 aside;                /* bytes from the frame to the one aside */
     uint8 *aside_pixels;
@@ -69,6 +70,9 @@ void coverage_set(struct coverage *coverage);
 
 /* Begins a frame: no pixel is covered. */
 void coverage_begin(struct coverage *coverage, const struct frame *frame);
+
+/* Returns 1 if all pixels of the frame in a box, right and bottom included, are covered. */
+int32 coverage_hides_box(const struct coverage *coverage, const struct frame *frame, const struct rectangle *box);
 
 /* Returns 1 if all pixels of the frame that vertices' box has are covered. */
 int32 coverage_hides(const struct coverage *coverage, const struct frame *frame,

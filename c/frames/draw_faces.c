@@ -34,7 +34,17 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
     }
 }
 
-/* Cuts a face that crosses a border; sets *count to the number of corners, below 3 if nothing is left. */
+/* Cuts a polygon in the camera's space that crosses a border; sets *count to the number of corners, below 3 if nothing is
+   left. */
+static const struct vertex *clipped(const struct scene *scene, struct vertex *vertices, int32 *count)
+{
+    vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane);
+    if (*count >= 3)
+        project(vertices, *count, scene->header);
+    return vertices;
+}
+
+/* The same of a face whose vertices are on the screen. */
 static const struct vertex *cut_face(const struct scene *scene, const struct mesh_face *face,
                                      struct vertex *vertices, int32 *count)
 {
@@ -50,10 +60,7 @@ static const struct vertex *cut_face(const struct scene *scene, const struct mes
         vertices[i].y = p->y;
         vertices[i].w = p->w;
     }
-    vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane);
-    if (*count >= 3)
-        project(vertices, *count, scene->header);
-    return vertices;
+    return clipped(scene, vertices, count);
 }
 
 /* Sets a vertex's x, y and w; returns the borders that it is outside of. */
@@ -110,11 +117,13 @@ static inline const struct vertex *vertices_of(const struct scene *scene, const 
     struct vertex *v = vertices;
     uint32 outside = 0;
 
+    *number = count;
+    if (!placed->view16 && !(placed->flags & MESH_LINKED))
+        return mesh_vertices(face, vertices) ? clipped(scene, vertices, number) : vertices;
     for (int32 i = count; i > 0; i--, corner++, v++) {
         outside |= set_place(v, placed, corner->point);
         set_values(v, placed, corner);
     }
-    *number = count;
     return outside ? cut_face(scene, face, vertices, number) : vertices;
 }
 

@@ -23,10 +23,9 @@ void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed
     mesh_transform_wide(&plan);
 }
 
-/* Sets s, t and shade of an instance's normals; there is at least one. */
-static void make_attributes(struct mesh_attributes *to, const struct scene_normal *normals,
-                            int32 count, const struct scene_instance *instance,
-                            const struct scene_view *view)
+void mesh_make_attributes(struct mesh_attributes *to, const struct scene_normal *normals,
+                          int32 count, const struct scene_instance *instance,
+                          const struct scene_view *view)
 {
     struct attribute_plan plan;
 
@@ -195,8 +194,8 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     if (placed->flags & MESH_LINKED)
         make_values(at->places, &scene->normals[mesh->normal], at->marks, placed, instance, view);
     else if (instance->flags)
-        make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
-                        instance, view);
+        mesh_make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
+                             instance, view);
     if (count && (placed->view16 || placed->flags & MESH_LINKED)) {
         orders.faces = at->faces;
         orders.count = count;
@@ -250,6 +249,29 @@ static struct mesh_face *place_all(const struct renderer *renderer, const struct
     return mesh_walk(&walk);
 }
 
+/* Draws the instances from *first to end (excluded) that are in the same tree, or in none; sets *first to the next
+   and *drawn to the faces in their order, those that are hidden may lack. */
+static enum polygon_result draw_group(struct renderer *renderer, const struct scene *scene, int32 number,
+                                      uint32 *first, uint32 end, const struct mesh_work *room,
+                                      struct mesh_face **drawn)
+{
+    const int32 tree = scene->instances[*first].tree;
+    enum near_result near = NEAR_OTHERWISE;
+    enum polygon_result refused = POLYGON_DRAWN;
+    struct mesh_work left = *room;
+
+    if (scene->near && tree >= 0 && !renderer->only_counts)
+        near = mesh_draw_near(renderer, scene, number, *first, end, room, &refused, drawn);
+    if (near == NEAR_DRAWN) {
+        while (*first < end && scene->instances[*first].tree == tree)
+            ++*first;
+        return refused;
+    }
+    *drawn = place_all(renderer, scene, number, first, end, &left);
+    return scene->is_once && near != NEAR_OVERFLOW ? mesh_draw_once(renderer, scene, *drawn)
+                                                   : mesh_draw_faces(renderer, scene, *drawn);
+}
+
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
                               uint32 first, uint32 end)
 {
@@ -263,11 +285,9 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
             mesh_depths_begin(scene, tested);
     }
     while (first < end) {
-        struct mesh_work left = room;
-        struct mesh_face *const face = place_all(renderer, scene, number, &first, end, &left);
+        struct mesh_face *face;
 
-        result = scene->is_once ? mesh_draw_once(renderer, scene, face)
-                                : mesh_draw_faces(renderer, scene, face);
+        result = draw_group(renderer, scene, number, &first, end, &room, &face);
         if (tested)
             mesh_depths_fill(renderer, scene, face);
         if (result != POLYGON_DRAWN)

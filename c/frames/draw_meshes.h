@@ -41,6 +41,25 @@ enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene
 enum polygon_result mesh_draw_once(struct renderer *renderer, const struct scene *scene,
                                    struct mesh_face *face);
 
+/* draw_near.c. How the instances of a tree were drawn. */
+enum near_result {
+    NEAR_DRAWN,
+    NEAR_OTHERWISE,             /* not at all: they cannot be drawn so */
+    NEAR_OVERFLOW               /* in part: all faces are to be drawn back to front */
+};
+
+/* Draws the instances of a tree from `first` on, those before `end`, from the nearest face on until the frame is full;
+   sets *refused to why a polygon was refused if one was, and *seen to a list of the faces that are seen, back to
+   front, in memory of the room. */
+enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *scene, int32 number,
+                                uint32 first, uint32 end, const struct mesh_work *room,
+                                enum polygon_result *refused, struct mesh_face **seen);
+
+/* Sets s, t and shade of an instance's normals; there is at least one. */
+void mesh_make_attributes(struct mesh_attributes *to, const struct scene_normal *normals,
+                          int32 count, const struct scene_instance *instance,
+                          const struct scene_view *view);
+
 /* Transforms points of an instance with 32-bit operands, from the first given on. */
 void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,
                      int32 count);

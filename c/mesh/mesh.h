@@ -20,7 +20,7 @@ struct mesh_point {
     fix16 x, y, w;              /* w: z, the depth */
     fix16 screen_x, screen_y;   /* written where outside is 0 */
     uint32 outside;             /* enum mesh_outside, ored */
-    uint32 spare[2];            /* 32 bytes: an index is a shift */
+    uint32 stamp, spare;        /* mesh_near_face's; 32 bytes: an index is a shift */
 };
 
 /* A mesh's point in 16 bits: coordinates of scene_point * MESH_UNIT16 / the largest of the mesh,
@@ -157,6 +157,7 @@ void mesh_shade(const struct values_plan *plan);
 int32 mesh_faces(const struct faces_plan *plan);
 int32 mesh_faces_wide(const struct faces_plan *plan);
 void mesh_orders(const struct orders_plan *plan);
+uint32 mesh_vertices(const struct mesh_face *face, struct vertex *to);
 void mesh_cut(const struct cut_plan *plan);
 
 /* Converts a mesh's points to 16 bits. */

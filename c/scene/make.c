@@ -203,7 +203,7 @@ static enum scene_memory make_work(struct scene *scene)
         && mem_alloc(&work->faces, (int32)(most_faces * sizeof *work->faces), MEMORY_ANY)
         && mem_alloc(&work->marks, (int32)(most_points + 4) & ~3, MEMORY_ANY)
         && make_points16(scene) && make_smooth(scene) && make_trees(scene)
-        && make_depths(scene)
+        && scene_make_near(scene) && make_depths(scene)
         ? SCENE_MADE : SCENE_MESHES;
 }
 

@@ -6,6 +6,7 @@
 #include "depths/depths.h"
 #include "glide/polygons/unit.h"
 #include "mesh/gather.h"
+#include "mesh/near.h"
 #include "n64/polygons/unit.h"
 #include "polygon/polygon.h"
 #include "scene/scene_file.h"
@@ -23,6 +24,13 @@ struct scene_scratch {
     struct mesh_batch batch;
 };
 
+/* Of trees that are drawn each pixel once. */
+struct scene_near {
+    struct mesh_box *boxes;     /* one a node */
+    struct near_slot *slots;    /* of all trees */
+    uint32 stamp;               /* of the tree that was drawn last */
+};
+
 struct scene {
     const struct scene_header *header;
 #define TABLE(name, type) const struct type *name;
@@ -37,6 +45,7 @@ struct scene {
     uint8 *smooth;              /* one a mesh, 1: all corners have the normal of their point's number */
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
+    struct scene_near *near;    /* of a scene with `once` that has trees, else 0 */
     struct coverage *coverage;  /* of a scene with `once`, else 0 */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* if a material needs them, else 0 */
@@ -146,6 +155,13 @@ const char *scene_wrong_once(const struct scene *scene);
 /* Makes memory for a scene whose meshes' pixels are drawn once, and sets is_once; returns 0 if memory is
    short. */
 int32 scene_make_coverage(struct scene *scene);
+
+/* near.c. Makes the tables by which trees are walked from the nearest face on, if pixels are drawn once; returns 0 if
+   memory is short. Trees must be checked. */
+int32 scene_make_near(struct scene *scene);
+
+/* Returns the slots of a tree. */
+struct near_slot *scene_near_slots(const struct scene *scene, int32 tree);
 
 /* Reserves memory for data that texture units make while they draw, if a scene has any. */
 void scene_reserve(const struct scene *scene);

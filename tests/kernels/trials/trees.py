@@ -1,10 +1,12 @@
-"""Trials of src68k/mesh/mesh_walk.s against tools/tmap/model/trees.py."""
+"""Trials of the walks through trees, src68k/mesh/mesh_walk.s and mesh_near*.s, against tools/tmap/model/trees.py and
+mesh.py; of mesh_vertices."""
 
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
-from tests.kernels.trials.mesh import ONE, UNIT, number
+from tests.kernels.trials.mesh import ONE, UNIT, number, points_of, scene, view
 from tmap.bench.mesh import walk_trial
+from tmap.bench.mesh_batches import Near, near_face_trial, near_trial, seen_trial, vertices_trial
 from tmap.bench.trial import Trial
 
 
@@ -22,13 +24,71 @@ def tree(rng, count: int) -> list[list[int]]:
     return nodes
 
 
-def trials() -> list[Trial]:
-    """Some slots are empty; the eye is anywhere, every fourth time in the origin."""
-    rng, made = np.random.default_rng(81), []
+def eye(rng) -> list[int]:
+    """Anywhere, every fourth time in the origin."""
+    return [0, 0, 0] if rng.integers(4) == 0 else [number(rng, (1 << 31) - 1) for _ in range(3)]
+
+
+def walk_trials(rng) -> list[Trial]:
+    """Some slots are empty."""
+    made = []
     for k, count in enumerate((1, 2, 3, 4, 9, 60) * 12):
         nodes = tree(rng, count)
         slots = nodes[-1][6] + nodes[-1][7]
         seen = [int(face) if rng.integers(2) else None for face in rng.permutation(slots)]
-        eye = [0, 0, 0] if rng.integers(4) == 0 else [number(rng, (1 << 31) - 1) for _ in range(3)]
-        made.append(walk_trial(Memory(), nodes, seen, eye, f"{count} nodes, number {k}"))
+        made.append(walk_trial(Memory(), nodes, seen, eye(rng), f"{count} nodes, number {k}"))
     return made
+
+
+def near_trials(rng) -> list[Trial]:
+    """Calls of whole walks, until there is no node left; some boxes are outside a border."""
+    made = []
+    for k, count in enumerate((1, 2, 3, 7, 20) * 3):
+        boxes = np.sort(rng.integers(-1 << 15, 1 << 15, (count, 2, 3)), axis=1).reshape(count, 6).tolist()
+        borders = [(tuple(int(axis + 3 * rng.integers(2)) for axis in range(3)),
+                    tuple(rng.integers(-1 << 14, (1 << 14) + 1, 3).tolist()),
+                    int(rng.choice((-1 << 30, -1 << 29, 0 if k % 2 else -3 << 29)))) for _ in range(5)]
+        walk = Near(tree(rng, count), boxes, borders, eye(rng))
+        calls, is_left = 0, True
+        while is_left:
+            made.append(near_trial(Memory(), walk, f"{count} nodes, number {k}, call {calls}"))
+            calls, is_left = calls + 1, walk.node is not None or bool(walk.steps)
+        made.append(near_trial(Memory(), walk, f"{count} nodes, number {k}, after the end"))
+    return made
+
+
+def seen_trials(rng) -> list[Trial]:
+    made = []
+    for k, count in enumerate((1, 2, 5, 12) * 8):
+        faces = [None if rng.integers(6) == 0 else
+                 [0, 0, 0, -1] if rng.integers(8) == 0 and k % 2 else
+                 [*(number(rng, UNIT) for _ in range(3)), number(rng, (1 << 30 + k % 2) - 1)] for _ in range(count)]
+        made.append(seen_trial(Memory(), faces, eye(rng), f"{count} slots, number {k}"))
+    return made
+
+
+def near_face_trials(rng) -> list[Trial]:
+    """Faces some of whose points are transformed before; the same point at two corners too."""
+    made = []
+    for k, count in enumerate((3, 4, 5, 32) * 10):
+        corners = rng.integers(0, 12, count).tolist()
+        stamped = (rng.integers(3, size=12) < k % 4).tolist()
+        made.append(near_face_trial(Memory(), scene(rng), points_of(rng, 12), stamped, corners, view(rng),
+                                    f"{count} corners, number {k}"))
+    return made
+
+
+def vertices_trials(rng) -> list[Trial]:
+    """All flags; all points inside every second time."""
+    made = []
+    for k, count in enumerate((3, 4, 5, 32) * 8):
+        points = [(*(number(rng, 1 << 30) for _ in range(5)), int(rng.integers(32)) * (k // 4 % 2)) for _ in range(9)]
+        values = [[number(rng, 1 << 24) for _ in range(3)] for _ in range(9)]
+        corners = [(*rng.integers(0, 9, 2).tolist(), number(rng, 1 << 28), number(rng, 1 << 28)) for _ in range(count)]
+        made.append(vertices_trial(Memory(), points, values, corners, k % 4 if k < 16 else k // 8, f"number {k}"))
+    return made
+
+
+def trials() -> list[Trial]:
+    return [trial for seed, make in enumerate((walk_trials, near_trials, seen_trials, near_face_trials, vertices_trials))
+            for trial in make(np.random.default_rng(81 + seed))]

@@ -60,6 +60,22 @@ def needs_reciprocals(scene: Scene) -> bool:
         for m in scene.materials)
 
 
+def tree_bytes(scene: Scene) -> list[int]:
+    """Returns the requests for trees: make_trees in c/scene/make.c; where pixels are drawn once c/scene/near.c too."""
+    sizes, slots = [], []  # nodes and slots of each tree
+    while sum(sizes) < len(scene.nodes):
+        root = sum(sizes)
+        sizes.append(1 + int(scene.nodes[root, 4] + scene.nodes[root, 5]))
+        slots.append(int(scene.nodes[root + sizes[-1] - 1, 6:8].sum()))
+    if not sizes:
+        return []
+    made = [4 * max(slots), 8 * max(sizes)]
+    if scene.once:
+        size = {name: layout.load().struct(name).size for name in ("scene_near", "mesh_box", "near_slot")}
+        made += [size["scene_near"], len(scene.nodes) * size["mesh_box"], sum(slots) * size["near_slot"]]
+    return made
+
+
 def mesh_bytes(scene: Scene) -> list[int]:
     """Returns the requests for meshes: make_work in c/scene/make.c."""
     if not scene.instances:
@@ -79,7 +95,7 @@ def mesh_bytes(scene: Scene) -> list[int]:
     return [most * size["mesh_placed"], points * size["mesh_point"], points * size["mesh_place"],
             normals * size["mesh_attributes"], faces * size["mesh_face"], points + 4 & ~3,
             *([len(scene.points) * size["mesh_point16"]] if len(scene.views16) else []), len(scene.meshes),
-            *depths]
+            *tree_bytes(scene), *depths]
 
 
 def coverage_bytes(scene: Scene) -> list[int]:
