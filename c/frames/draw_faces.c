@@ -7,14 +7,28 @@
 #include "polygon/setup.h"
 #include "triangle/polygon.h"
 
+static int32 has_one_shade(const struct vertex *v, int32 count)
+{
+    const fix16 first = v->shade;
+
+    while (--count > 0)
+        if ((++v)->shade != first)
+            return 0;
+    return 1;
+}
+
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
 static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
-                                        int32 count, const struct material *material)
+                                        int32 count, const struct mesh_placed *placed)
 {
+    const struct material *const material = placed->material;
     struct polygon polygon;
 
-    /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
+    /* A face is a plane in space, but on the screen its affine texels need not be on a plane; nor depths, which
+       fog follows. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
+    if (placed->flags & MESH_FOG && count > 3 && !has_one_shade(vertices, count))
+        polygon.planar -= PLANAR_SHADES;
     if (renderer->cover)
         return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT
@@ -35,7 +49,7 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
 }
 
 /* Cuts a face that crosses a border; sets *count to the number of corners, below 3 if nothing is left. */
-static const struct vertex *cut_face(const struct scene *scene, const struct mesh_face *face,
+static struct vertex *cut_face(const struct scene *scene, const struct mesh_face *face,
                                      struct vertex *vertices, int32 *count)
 {
     const struct mesh_placed *placed = face->placed;
@@ -115,7 +129,11 @@ static inline const struct vertex *vertices_of(const struct scene *scene, const 
         set_values(v, placed, corner);
     }
     *number = count;
-    return outside ? cut_face(scene, face, vertices, number) : vertices;
+    if (outside)
+        vertices = cut_face(scene, face, vertices, number);
+    if (placed->flags & MESH_FOG)
+        mesh_fade(vertices, *number, &placed->fog);
+    return vertices;
 }
 
 const struct vertex *mesh_face_vertices(const struct scene *scene, const struct mesh_face *face, int32 *count)
@@ -124,9 +142,9 @@ const struct vertex *mesh_face_vertices(const struct scene *scene, const struct 
 }
 
 enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
-                                      const struct material *material)
+                                      const struct mesh_placed *placed)
 {
-    return draw_polygon(renderer, vertices, count, material);
+    return draw_polygon(renderer, vertices, count, placed);
 }
 
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
@@ -135,7 +153,7 @@ enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene
     int32 count;
     const struct vertex *vertices = vertices_of(scene, face, &count);
 
-    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed->material);
+    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed);
 }
 
 /* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is
