@@ -7,14 +7,17 @@
 #include "polygon/setup.h"
 #include "triangle/polygon.h"
 
-static int32 has_one_shade(const struct vertex *v, int32 count)
+/* Returns 1 if all shades are within one: any plane through three of them is near the others then. */
+static int32 is_even(const struct vertex *v, int32 count)
 {
-    const fix16 first = v->shade;
+    fix16 low = v->shade, high = low;
 
-    while (--count > 0)
-        if ((++v)->shade != first)
-            return 0;
-    return 1;
+    while (--count > 0) {
+        v++;
+        low = v->shade < low ? v->shade : low;
+        high = v->shade > high ? v->shade : high;
+    }
+    return high - low <= PLANAR_SHADE;
 }
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
@@ -27,8 +30,8 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
     /* A face is a plane in space, but on the screen its affine texels need not be on a plane; nor depths, which
        fog follows. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
-    if (placed->flags & MESH_FOG && count > 3 && !has_one_shade(vertices, count))
-        polygon.planar -= PLANAR_SHADES;
+    if (placed->flags & MESH_FOG && count > 3 && !is_even(vertices, count))
+        polygon.planar += PLANAR_ROUGH - PLANAR_SHADES;
     if (renderer->cover)
         return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT

@@ -23,6 +23,8 @@ Placed = tuple[int, list[tuple], int]
 #: drawn, "test" a face, which its polygons draw aside. Faces are whole.
 Step = tuple[str, list[Drawn], list[Placed]]
 Z = -2  # TREE_Z
+#: Kinds of values that are planar of faces in fog: depths, which it follows, are on no plane over the screen.
+FOGGY = planarity.IN_SPACE - planarity.SHADES + planarity.ROUGH
 CORNERS_MAX = 62  # a convex face cannot get more: mesh_clip gives up
 
 
@@ -198,9 +200,7 @@ def ordered(scene, instances, number: int) -> list[Placed]:
     for instance in instances:
         for depth, vertices, which in faces_of(scene, instance, number):
             key = -depth if tree < 0 else int(scene.slots[instance.slot + which, 0])
-            # Depths, which fog follows, are on no plane over the screen.
-            faces.append((key, instance.material, vertices,
-                          planarity.IN_SPACE - planarity.SHADES * bool(instance.flags & FOG)))
+            faces.append((key, instance.material, vertices, FOGGY if instance.flags & FOG else planarity.IN_SPACE))
             eye = scene.views[instance.view + number - instance.first_frame].tolist()[12:15]
     if tree >= 0 and faces:
         place = {slot: rank for rank, slot in enumerate(trees.walk(scene.nodes.tolist(), tree, eye))}
