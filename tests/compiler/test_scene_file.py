@@ -43,6 +43,7 @@ def test_mesh_columns_are_the_headers():
         assert tuple(built.struct(scene_file.TABLES[table]).fields) == columns
     assert built.constants["MESH_ENVIRONMENT"] == meshes.ENVIRONMENT
     assert built.constants["MESH_LIT"] == meshes.LIT
+    assert built.constants["MESH_FOG"] == meshes.FOG
 
 
 def test_names_are_the_headers():
