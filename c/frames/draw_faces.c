@@ -7,19 +7,6 @@
 #include "polygon/setup.h"
 #include "triangle/polygon.h"
 
-/* Returns 1 if all shades are within one: any plane through three of them is near the others then. */
-static int32 is_even(const struct vertex *v, int32 count)
-{
-    fix16 low = v->shade, high = low;
-
-    while (--count > 0) {
-        v++;
-        low = v->shade < low ? v->shade : low;
-        high = v->shade > high ? v->shade : high;
-    }
-    return high - low <= PLANAR_SHADE;
-}
-
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
 static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
                                         int32 count, const struct mesh_placed *placed)
@@ -30,8 +17,8 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
     /* A face is a plane in space, but on the screen its affine texels need not be on a plane; nor depths, which
        fog follows. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
-    if (placed->flags & MESH_FOG && count > 3 && !is_even(vertices, count))
-        polygon.planar += PLANAR_ROUGH - PLANAR_SHADES;
+    if (placed->flags & MESH_FOG)
+        polygon.planar = mesh_fade_planar(vertices, count);
     if (renderer->cover)
         return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT

@@ -170,6 +170,9 @@ void mesh_cut(const struct cut_plan *plan);
 /* Sets the shades of vertices by their depths, within half a unit. */
 void mesh_fade(struct vertex *v, int32 count, const struct mesh_fog *fog);
 
+/* Returns the enum planar_values of a face with such shades that need no test, and PLANAR_ROUGH if shades do. */
+uint32 mesh_fade_planar(const struct vertex *v, int32 count);
+
 /* Converts a mesh's points to 16 bits. */
 void mesh_points16(struct mesh_point16 *to, const struct scene_point *from, int32 count);
 
