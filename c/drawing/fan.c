@@ -137,13 +137,14 @@ static int32 depths_lie(const struct look *look, struct vertex *to, const struct
     return lie_on_planes(look, unsure_product, 0);
 }
 
-static int32 shades_lie(const struct look *look, struct vertex *to, const struct vertex *v)
+/* more: units that shades may be off in addition to rounding. */
+static int32 shades_lie(const struct look *look, struct vertex *to, const struct vertex *v, uint32 more)
 {
     for (int32 i = 0; i < look->count; i++) {
         to[i].s = v[i].shade;
         to[i].t = 0;
     }
-    return lie_on_planes(look, 0, 0);
+    return lie_on_planes(look, more, 0);
 }
 
 static int32 colours_lie(const struct look *look, struct vertex *to, const struct vertex *v)
@@ -213,7 +214,7 @@ uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
 {
     struct look look;
     struct vertex *corners;
-    uint32 found = 0;
+    uint32 found = asked & PLANAR_ROUGH;
 
     if (is_quick(places, values, count, asked))
         return asked;
@@ -230,7 +231,7 @@ uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
         found |= PLANAR_TEXELS;
     if (asked & PLANAR_DEPTHS && depths_lie(&look, corners, values))
         found |= PLANAR_DEPTHS;
-    if (asked & PLANAR_SHADES && shades_lie(&look, corners, values))
+    if (asked & PLANAR_SHADES && shades_lie(&look, corners, values, found ? PLANAR_SHADE : 0))
         found |= PLANAR_SHADES;
     if (asked & PLANAR_COLOURS && colours_lie(&look, corners, values))
         found |= PLANAR_COLOURS;

@@ -4,8 +4,8 @@
 
 #include "polygon/scratch.h"
 
-/* Returns those of the given enum planar_values that are on planes. x and y are read from
-   `places`, all other fields from `values`. Returns all of the given ones if they cannot be tested:
+/* Returns those of the given enum planar_values that are on planes, and PLANAR_ROUGH if it is among them. x and y
+   are read from `places`, all other fields from `values`. Returns all of the given ones if they cannot be tested:
    the polygon has no area, or a coordinate is not in -POLYGON_FAR to POLYGON_FAR. */
 uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
                       const struct vertex *values, int32 count, uint32 asked);
@@ -17,9 +17,10 @@ static inline int32 polygon_is_planar(const struct renderer *renderer,
                                       const struct vertex *values, uint32 needed)
 {
     needed &= ~polygon->planar;
-    return !needed
-        || polygon_planar(renderer->scratch, polygon->vertices, values, polygon->count, needed)
-           == needed;
+    if (!needed)
+        return 1;
+    needed |= polygon->planar & PLANAR_ROUGH;
+    return polygon_planar(renderer->scratch, polygon->vertices, values, polygon->count, needed) == needed;
 }
 
 /* Combines the results of a fan's triangles: the first refusal, else POLYGON_DRAWN if any triangle

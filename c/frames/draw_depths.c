@@ -42,7 +42,7 @@ enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct sce
         if (material->mapper == MAPPER_KEYED)
             depths_blank(renderer, scene->depths, vertices, count, material);
         renderer->frame = &scene->depths->aside;
-        result = mesh_draw_polygon(renderer, vertices, count, material);
+        result = mesh_draw_polygon(renderer, vertices, count, face->placed);
         renderer->frame = frame;
         if (result == POLYGON_DRAWN)
             depths_copy(renderer, scene->depths, vertices, count, material);

@@ -9,12 +9,16 @@
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
 static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
-                                        int32 count, const struct material *material)
+                                        int32 count, const struct mesh_placed *placed)
 {
+    const struct material *const material = placed->material;
     struct polygon polygon;
 
-    /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
+    /* A face is a plane in space, but on the screen its affine texels need not be on a plane; nor depths, which
+       fog follows. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
+    if (placed->flags & MESH_FOG)
+        polygon.planar = mesh_fade_planar(vertices, count);
     if (renderer->cover)
         return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT
@@ -36,7 +40,7 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
 
 /* Cuts a polygon in the camera's space that crosses a border; sets *count to the number of corners, below 3 if nothing is
    left. */
-static const struct vertex *clipped(const struct scene *scene, struct vertex *vertices, int32 *count)
+static struct vertex *clipped(const struct scene *scene, struct vertex *vertices, int32 *count)
 {
     vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane);
     if (*count >= 3)
@@ -45,8 +49,8 @@ static const struct vertex *clipped(const struct scene *scene, struct vertex *ve
 }
 
 /* The same of a face whose vertices are on the screen. */
-static const struct vertex *cut_face(const struct scene *scene, const struct mesh_face *face,
-                                     struct vertex *vertices, int32 *count)
+static struct vertex *cut_face(const struct scene *scene, const struct mesh_face *face,
+                               struct vertex *vertices, int32 *count)
 {
     const struct mesh_placed *placed = face->placed;
     const struct scene_corner *corner = &placed->corners[face->face->corner];
@@ -118,13 +122,20 @@ static inline const struct vertex *vertices_of(const struct scene *scene, const 
     uint32 outside = 0;
 
     *number = count;
-    if (!placed->view16 && !(placed->flags & MESH_LINKED))
-        return mesh_vertices(face, vertices) ? clipped(scene, vertices, number) : vertices;
-    for (int32 i = count; i > 0; i--, corner++, v++) {
-        outside |= set_place(v, placed, corner->point);
-        set_values(v, placed, corner);
+    if (!placed->view16 && !(placed->flags & MESH_LINKED)) {
+        if (mesh_vertices(face, vertices))
+            vertices = clipped(scene, vertices, number);
+    } else {
+        for (int32 i = count; i > 0; i--, corner++, v++) {
+            outside |= set_place(v, placed, corner->point);
+            set_values(v, placed, corner);
+        }
+        if (outside)
+            vertices = cut_face(scene, face, vertices, number);
     }
-    return outside ? cut_face(scene, face, vertices, number) : vertices;
+    if (placed->flags & MESH_FOG)
+        mesh_fade(vertices, *number, &placed->fog);
+    return vertices;
 }
 
 const struct vertex *mesh_face_vertices(const struct scene *scene, const struct mesh_face *face, int32 *count)
@@ -133,9 +144,9 @@ const struct vertex *mesh_face_vertices(const struct scene *scene, const struct 
 }
 
 enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
-                                      const struct material *material)
+                                      const struct mesh_placed *placed)
 {
-    return draw_polygon(renderer, vertices, count, material);
+    return draw_polygon(renderer, vertices, count, placed);
 }
 
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
@@ -144,7 +155,7 @@ enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene
     int32 count;
     const struct vertex *vertices = vertices_of(scene, face, &count);
 
-    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed->material);
+    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed);
 }
 
 /* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is

@@ -90,6 +90,15 @@ static void make_values(struct mesh_place *to, const struct scene_normal *normal
     }
 }
 
+/* Sets the depths and shades of an instance's fog. */
+static void set_fog(struct mesh_fog *to, const struct scene_instance *instance)
+{
+    to->near = instance->fog_near;
+    to->far = instance->fog_far;
+    to->dark = instance->dark;
+    to->bright = instance->bright;
+}
+
 /* Sets the marks of count points to 0 or MARKED. */
 static void mark_all(uint8 *marks, int32 count, uint8 mark)
 {
@@ -174,6 +183,8 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     placed->attributes = at->attributes;
     placed->flags = instance->flags;
     placed->flags |= linked(renderer, scene, placed);
+    if (instance->flags & MESH_FOG)
+        set_fog(&placed->fog, instance);
     faces.from = &scene->faces[mesh->face];
     faces.count = (int32)mesh->faces;
     faces.placed = placed;
@@ -193,7 +204,7 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     }
     if (placed->flags & MESH_LINKED)
         make_values(at->places, &scene->normals[mesh->normal], at->marks, placed, instance, view);
-    else if (instance->flags)
+    else if (instance->flags & (MESH_ENVIRONMENT | MESH_LIT))
         mesh_make_attributes(at->attributes, &scene->normals[mesh->normal], (int32)mesh->normals,
                              instance, view);
     if (count && (placed->view16 || placed->flags & MESH_LINKED)) {

@@ -21,7 +21,7 @@ const struct vertex *mesh_face_vertices(const struct scene *scene, const struct 
 
 /* Draws these corners. */
 enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
-                                      const struct material *material);
+                                      const struct mesh_placed *placed);
 
 /* draw_depths.c. Makes the z buffer empty where faces of a list are. */
 void mesh_depths_begin(const struct scene *scene, const struct mesh_face *face);

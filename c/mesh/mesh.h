@@ -88,6 +88,13 @@ struct values_plan {
     fix16 low, high;            /* of mesh_shade */
 };
 
+/* Shades by depth: `bright` up to the depth `near`, `dark` from `far` on, evenly between. All 16.16; far
+   is above near, bright not below dark. */
+struct mesh_fog {
+    fix16 near, far;
+    fix16 dark, bright;
+};
+
 /* An instance in a frame. */
 struct mesh_placed {
     const struct scene_mesh *mesh;
@@ -100,6 +107,7 @@ struct mesh_placed {
                                                    routines for triangles may draw it */
     const struct mesh_attributes *attributes;
     uint32 flags;
+    struct mesh_fog fog;        /* with MESH_FOG */
 };
 
 /* A face to draw. */
@@ -159,6 +167,12 @@ int32 mesh_faces_wide(const struct faces_plan *plan);
 void mesh_orders(const struct orders_plan *plan);
 uint32 mesh_vertices(const struct mesh_face *face, struct vertex *to);
 void mesh_cut(const struct cut_plan *plan);
+
+/* Sets the shades of vertices by their depths, within half a unit. */
+void mesh_fade(struct vertex *v, int32 count, const struct mesh_fog *fog);
+
+/* Returns the enum planar_values of a face with such shades that need no test, and PLANAR_ROUGH if shades do. */
+uint32 mesh_fade_planar(const struct vertex *v, int32 count);
 
 /* Converts a mesh's points to 16 bits. */
 void mesh_points16(struct mesh_point16 *to, const struct scene_point *from, int32 count);

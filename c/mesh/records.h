@@ -46,11 +46,12 @@ struct scene_mesh {
     uint32 point, points, normal, normals, corner, corners, face, faces;
 };
 
-/* Values that come from normals, in instance.flags. */
+/* Values of corners that are made for each frame, in instance.flags. */
 enum mesh_flags {
-    MESH_ENVIRONMENT = 1,       /* s and t */
-    MESH_LIT = 2,               /* shade */
-    MESH_FLAGS = 4
+    MESH_ENVIRONMENT = 1,       /* s and t, from normals */
+    MESH_LIT = 2,               /* shade, from normals */
+    MESH_FOG = 4,               /* shade, from depths: not with MESH_LIT */
+    MESH_FLAGS = 8
 };
 
 /* A node of a tree that says in which order faces are drawn. The nodes of its front, the half space

@@ -124,7 +124,9 @@ enum planar_values {
     PLANAR_DEPTHS = 2,          /* 1/w, s/w and t/w */
     PLANAR_SHADES = 4,          /* shade */
     PLANAR_COLOURS = 8,         /* R, G, B and A of shade */
-    PLANAR_ALL = 15
+    PLANAR_ALL = 15,
+    PLANAR_ROUGH = 16,          /* those that are checked: PLANAR_SHADES may be a shade off */
+    PLANAR_SHADE = 65536        /* a shade, 16.16 */
 };
 
 /* A convex polygon, either winding. */

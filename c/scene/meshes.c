@@ -119,12 +119,18 @@ static const char *wrong_look(const struct scene *scene, const struct scene_inst
     const struct scene_face *face = &scene->faces[mesh->face];
     const struct scene_corner *corner = &scene->corners[mesh->corner];
 
-    if (instance->flags & MESH_LIT
+    if (instance->flags & (MESH_LIT | MESH_FOG)
         && (instance->dark < 0 || instance->bright < instance->dark
             || instance->bright >= 256 << 16))
         return "instance.dark or bright";
-    if (m->mapper == MAPPER_GOURAUD && !(instance->flags & MESH_LIT))
+    if (m->mapper == MAPPER_GOURAUD && !(instance->flags & (MESH_LIT | MESH_FOG)))
         return "instance.flags";
+    if (instance->flags & MESH_FOG) {
+        if (instance->flags & MESH_LIT || (m->light == NO_TEXTURE && m->mapper != MAPPER_GOURAUD))
+            return "instance.flags";
+        if (instance->fog_near < 0 || instance->fog_far <= instance->fog_near || instance->fog_far > W_MAX)
+            return "instance.fog_near or fog_far";
+    }
     if (m->mapper != MAPPER_FLAT && m->gradients == GRADIENTS_POLYGON)
         for (uint32 i = mesh->faces; i; i--, face++)
             if (face->corners != 3)

@@ -15,7 +15,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 15,
+    SCENE_VERSION = 16,
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     NO_TEXTURE = -1,
@@ -158,7 +158,7 @@ struct scene_instance {
     uint32 view, views;
     uint32 first_frame;
     uint32 flags;
-    fix16 dark, bright;         /* range of shades with MESH_LIT */
+    fix16 dark, bright;         /* range of shades with MESH_LIT or MESH_FOG */
     int32 view16;               /* first of as many as views, or NO_VIEW16 */
     int32 tree;                 /* the first node of a tree, NO_TREE, or TREE_Z: its pixels are tested against all
                                    faces that are drawn with it. Those are the first with the same number, have
@@ -167,6 +167,9 @@ struct scene_instance {
                                    instances, from node 0 on. All instances of a tree have views from
                                    the same space */
     uint32 slot;                /* with a tree: first of as many slots as the mesh has faces */
+    fix16 fog_near, fog_far;    /* with MESH_FOG: depths from 0 to W_MAX up to which shades are bright and from which
+                                   on they are dark, the first below the second. The material has a light table or
+                                   is Gouraud's */
 };
 
 /* One frame in the file that `render ... DIGEST name` writes instead of dumps. sum: of its

@@ -193,7 +193,7 @@ def test_palette_of_lit_pictures():
     v, u = np.indices((64, 64)) * 4
     picture = np.stack([u, 255 - v, (u + v) // 2], axis=-1).astype(np.uint8)
     errors = []
-    for lit in ([], [picture]):
+    for lit in ([], [(picture, (0, 0, 0))]):
         colours, (texels,) = palette.build([(0, 0, 0)], [picture], "here", lit)
         table = palette.light(colours)
         errors.append(np.mean([abs(colours[table[level, texels]] - picture * (level / 63)).mean()

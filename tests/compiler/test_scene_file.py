@@ -43,6 +43,7 @@ def test_mesh_columns_are_the_headers():
         assert tuple(built.struct(scene_file.TABLES[table]).fields) == columns
     assert built.constants["MESH_ENVIRONMENT"] == meshes.ENVIRONMENT
     assert built.constants["MESH_LIT"] == meshes.LIT
+    assert built.constants["MESH_FOG"] == meshes.FOG
 
 
 def test_names_are_the_headers():
@@ -67,7 +68,7 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not use the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\x0f"
+    assert data[:8] == b"TMAP\0\0\0\x10"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
     assert data[232:236] == b"\0" + scene.palette[0].tobytes()

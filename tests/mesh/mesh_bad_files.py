@@ -6,6 +6,7 @@ import numpy as np
 
 from tests.helpers.wrong_fields import M32, Row, WrongFields
 from tests.helpers import mesh_cases
+from tmap.scene_file.meshes import FOG
 from tmap.scene_file.scene_file import Material, Texture
 
 UNIT = 1 << 30
@@ -17,6 +18,7 @@ def wrong_meshes() -> list[Row]:
     made.textures = [Texture(np.zeros((8, 8), np.uint8)),
                      Texture(np.zeros((30, 7), np.uint8), "linear")]
     made.instances[1].flags = 0
+    made.instances[8].flags, made.instances[8].fog_near, made.instances[8].fog_far = FOG, 1 << 16, 9 << 16
     made.materials = [*made.materials, Material("arbitrary", texture=1)]
     rows: list[Row] = []
     wrong = WrongFields(made, rows)
@@ -55,7 +57,10 @@ def wrong_meshes() -> list[Row]:
     entry("instances", 1, "view", 33, M32, said="instance.views")
     entry("instances", 1, "views", 0, 33, M32)
     entry("instances", 1, "first_frame", 4, M32)
-    entry("instances", 1, "flags", 4, M32)
+    entry("instances", 1, "flags", 4, 8, M32)  # fog needs shades
+    entry("instances", 4, "flags", 6)  # beside light
+    entry("instances", 8, "fog_near", -1, 9 << 16, 2**31, said="instance.fog_near or fog_far")
+    entry("instances", 8, "fog_far", 0, 1 << 16, (1 << 30) + 1, said="instance.fog_near or fog_far")
     entry("instances", 4, "dark", -1, 221 << 16, said="instance.dark or bright")
     entry("instances", 4, "bright", 19 << 16, 256 << 16, said="instance.dark or bright")
     entry("instances", 3, "mesh", 0, said="face.corners")  # gradients for triangles

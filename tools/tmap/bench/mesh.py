@@ -160,7 +160,7 @@ def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "")
     faces_at = table(arena, "scene_face", faces)
     placed = arena.struct("mesh_placed", {"corners": corners_at, "points": points_at,
                                           "view": table(arena, "scene_view", [row])},
-                          mesh=0, material=0, places=0, view16=0, attributes=0, flags=0)
+                          mesh=0, material=0, places=0, view16=0, attributes=0, flags=0, fog=0)
     to = arena.room("mesh_face", len(faces))
     plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to}, count=len(faces), marks=0)
     writes, seen = [], 0
@@ -182,7 +182,7 @@ def faces_trial(arena: Arena, corners, faces, row, title: str = "") -> Trial:
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for number in corners])
     faces_at = table(arena, "scene_face", faces)
     placed = arena.struct("mesh_placed", {"corners": corners_at, "view16": table(arena, "scene_view16", [row])},
-                          mesh=0, material=0, view=0, points=0, places=0, attributes=0, flags=0)
+                          mesh=0, material=0, view=0, points=0, places=0, attributes=0, flags=0, fog=0)
     to = arena.room("mesh_face", len(faces))
     plan_at = arena.struct("faces_plan", {"from": faces_at, "placed": placed, "to": to, "marks": marks},
                            count=len(faces))
@@ -204,7 +204,7 @@ def orders_trial(arena: Arena, places, faces, shift: int, title: str = "") -> Tr
     corners_at = table(arena, "scene_corner", [(number, 0, 0, 0) for face in faces for number in face])
     faces_at = table(arena, "scene_face", [(0, 0, 0, 0, sum(sizes[:k]), count) for k, count in enumerate(sizes)])
     placed = arena.struct("mesh_placed", {"corners": corners_at, "places": places_at},
-                          mesh=0, material=0, view=0, view16=0, points=0, attributes=0, flags=0)
+                          mesh=0, material=0, view=0, view16=0, points=0, attributes=0, flags=0, fog=0)
     to = arena.add(b"".join(longs((0, 0, faces_at + k * face_size, placed, 1, 1, 1, 1)) for k in range(len(faces))),
                    name="faces")
     arena.pointers += [to + size * k + at for k in range(len(faces)) for at in (8, 12)]

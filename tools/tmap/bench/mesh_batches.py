@@ -84,7 +84,7 @@ def gather_trial(arena: Arena, these: Gathered, title: str = "") -> Trial:
                                       name="attributes")}
     materials = [arena.blank(16, name) for name in ("material", "another")]
     placed = [arena.struct("mesh_placed", common | {"material": materials[k in these.others]},
-                           mesh=0, points=0, view=0, view16=0, flags=these.flags)
+                           mesh=0, points=0, view=0, view16=0, fog=0, flags=these.flags)
               for k in range(1 + max(instance for instance, _ in these.faces))]
     first = arena.blank(size * len(these.faces), "faces")
     for k, (instance, corners) in enumerate(these.faces):

@@ -22,7 +22,7 @@ from tmap.scene_file.scene_file import Scene
 NAMES = ("cube", "face", "floor", "corridor", "environment", "rotator", "lit", "torch", "shaded", "crane", "grove",
          "lamps", "wide", "panel", "n64_room", "n64_wall", "n64_ocean", "n64_floor", "n64_palettes", "n64_yuv",
          "n64_rectangles", "glide_aspects", "glide_floor", "glide_wall", "glide_window",
-         "glide_lightmap", "dithered", "rooms", "terrace", "movers", "keep")
+         "glide_lightmap", "dithered", "rooms", "terrace", "movers", "keep", "mist")
 FRAMES = 4
 ROW = "scene_"
 

@@ -5,12 +5,12 @@ from pathlib import Path
 
 import numpy as np
 
-from tmap.base.fields import (REQUIRED, choice, colour, fail, integer, join, number, one_of, rows,
+from tmap.base.fields import (REQUIRED, choice, colour, fail, flag, integer, join, number, one_of, rows,
                               table, text)
 from tmap.base.fixed import fix
 from tmap.base.pixel_formats import FORMATS, PixelFormat
 from tmap.build import layout
-from tmap.compiler import glide, n64
+from tmap.compiler import fog, glide, n64
 from tmap.images import images, mipmap, palette
 from tmap.scene_file.materials import SETTINGS, Material
 from tmap.scene_file.textures import (IN_DEPTH, LAYOUTS, MAPPERS, MAPPER_LAYOUT, MIPMAPPED, ON_PLANE, UNITS, Texture,
@@ -54,7 +54,9 @@ def material_schema():
     """Returns the check of a material."""
     settings = {name: (one_of(*SETTINGS[name]), None if name == "edges" else getattr(Material, name), SAYS[name])
                 for name in SETTINGS if name != "mapper"} \
-        | {"tolerance": (number(0, 1, "texels"), 0, "error that cheaper perspective may cause")}
+        | {"tolerance": (number(0, 1, "texels"), 0, "error that cheaper perspective may cause"),
+           "fog": (flag, False, "objects in space fade into the scene's [fog](#fog): a `colour`, or a texture with the "
+                                "mapper `lit` or `lit_gouraud`, on which no light shines then")}
     mappers = [mapper for mapper, each in MAPPER_LAYOUT.items() if each]
     levels = layout.load().constants["MIPMAP_LEVELS_MAX"]
     check = choice({
@@ -206,6 +208,7 @@ def check(spec: dict, where: str) -> None:
                  f"{texture['width']}x{texture['height']} is more than {TEXELS_MAX} texels")
         if texture["key"] and not any(is_keyed(m) and m["texture"] == name for m in spec["materials"].values()):
             fail(join(f"{where}textures", name) + ".key", f'no material with mapper "{KEYED}" has this texture')
+    fog.settle(spec, where)
     settle_edges(spec["materials"], spec["visible"] == "once")
     for name, material in spec["materials"].items():
         at = join(f"{where}materials", name)
@@ -296,7 +299,8 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
     materials. ``engines``: numbers of materials' engines or pipes."""
     textured = [m for m in spec["materials"].values() if "texture" in m]
     wanted = {((m["texture"], is_keyed(m)), MAPPER_LAYOUT[m["mapper"]]) for m in textured}
-    lit = {(m["texture"], False) for m in textured if m["mapper"] in LIT}
+    dark = {name: tuple(spec["fog"]["colour"]) if fog.is_foggy(m) else (0, 0, 0)
+            for name, m in spec["materials"].items() if mapper_of(m) in LIT}
     pictures, opaque = load_pictures(spec, {name for name, _ in wanted}, folder, where)
     halves = {}
     for m in textured:
@@ -310,23 +314,24 @@ def build(spec: dict, made: Pixels, engines: dict[str, int], folder: Path,
         texels = [pixel.numbers(picture).astype(pixel.dtype) for picture in drawn]
     else:
         colours, texels = palette.build(made.exact, drawn, f"{where}materials",
-                                        [pictures[name] for name in pictures if name in lit], opaque)
+                                        [(picture, towards) for (name, _), picture in pictures.items()
+                                         for towards in sorted({dark[each] for each in dark
+                                                                if spec["materials"][each]["texture"] == name})], opaque)
     stored, number = [], {}
     for name, array in zip(pictures, texels):
         for layout_ in LAYOUTS:
             if (name, layout_) in wanted:
                 number[name, layout_] = len(stored)
                 stored.append(Texture(array, layout_, name[0]))
-    light = len(stored)
-    if lit:
-        stored.append(Texture(palette.light(colours), "light", "(light)"))
+    light = {towards: len(stored) + k for k, towards in enumerate(dict.fromkeys(dark.values()))}
+    stored += [Texture(palette.light(colours, towards), "light", "(fog)" if any(towards) else "(light)") for towards in light]
     first = len(stored)
     stored += [Texture(array, "page", name) for (name, _), array in zip(smaller, texels[len(pictures):])]
     looks = [
         Material(mapper_of(m), m["edges"], m["gradients"], m["start"], m["clip"], m["perspective"],
                  number[(m["texture"], is_keyed(m)), MAPPER_LAYOUT[m["mapper"]]] if "texture" in m else -1,
                  made.of[m["colour"]] if "colour" in m else 0,
-                 light if mapper_of(m) in LIT else -1, fix(m["tolerance"]),
+                 light[dark[name]] if name in dark else -1, fix(m["tolerance"]),
                  engines.get(name, -1), m.get("primitive", "polygons"))
         for name, m in spec["materials"].items()]
     return colours, stored, with_levels(looks, spec, {key: first + k for k, key in enumerate(smaller)})

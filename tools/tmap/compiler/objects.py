@@ -13,11 +13,11 @@ from tmap.base.fields import (REQUIRED, fail, flag, integer, join, named, number
 from tmap.base.fixed import ONE, fix
 from tmap.base.linear import length, product
 from tmap.build import layout
-from tmap.compiler import (glide, grids, hierarchy, lights, materials, mesh_build, mtl_file, orders, parts,
+from tmap.compiler import (fog, glide, grids, hierarchy, lights, materials, mesh_build, mtl_file, orders, parts,
                            projectors as scene_projectors, space, visible)
 from tmap.compiler.map_range import Map, check_corners, inside_map, map_of
 from tmap.compiler.mesh_build import Wishes
-from tmap.scene_file.meshes import ENVIRONMENT, LIT, UNIT_30, Instance, Mesh, empty
+from tmap.scene_file.meshes import ENVIRONMENT, FOG, LIT, UNIT_30, Instance, Mesh, empty
 from tmap.scene_file.textures import UNITS
 from tmap.shapes import billboards, mesh_file
 
@@ -86,6 +86,7 @@ def schema(limits: dict[str, int]) -> dict:
                         "how hidden pixels of objects in space are found: nearer faces are drawn over them, or faces "
                         "from the nearest on, each pixel once; the same picture"),
             **lights.schema(),
+            **fog.schema(limits),
             "projectors": (named(scene_projectors.schema(limits)), {}, "pictures thrown on objects in space")}
 
 
@@ -352,25 +353,27 @@ class Space:
     def add_instance(self, mesh: int, obj: dict, look: tuple, before: int, where: str, tree: int = -1,
                      slot: int = 0) -> None:
         """Adds an object with a mesh. ``tree``, ``slot``: as in struct scene_instance."""
-        number, _, _, ramp = look
+        number, material, _, ramp = look
         lives = lives_of(obj, self.count)
         if lives < 1:
             return
         self.check_together(self.meshes[mesh], before, where)
-        flags = ENVIRONMENT * (obj["mapping"] == "environment") | LIT * (ramp is not None)
+        flags = ENVIRONMENT * (obj["mapping"] == "environment") \
+            | (FOG if fog.is_foggy(material) else LIT * (ramp is not None))
         dark = bright = 0.0
         if ramp:
-            ambient = self.spec["light"]["ambient"] * (materials.SHADES - 1)
+            ambient = 0 if flags & FOG else self.spec["light"]["ambient"] * (materials.SHADES - 1)
             dark, bright = (materials.shade_pixel(shade, ramp)
                             for shade in (ambient, materials.SHADES - 1))
         made = Instance(mesh, number, before, len(self.views), lives, obj["first"], flags, fix(dark), fix(bright),
-                        tree=self.limits["TREE_Z"] if obj["order"] == "z" else tree, slot=slot)
+                        -1, self.limits["TREE_Z"] if obj["order"] == "z" else tree, slot, *fog.depths(self.spec, material))
         at = len(self.instances)
         while obj["order"] == "z" and at and self.instances[at - 1].before == before \
                 and self.instances[at - 1].tree != made.tree:
             at -= 1  # before those that it is tested against
         self.instances.insert(at, made)
-        self.views += [self.view(obj, obj["first"] + age, bright - dark, where)
+        shades = 0.0 if flags & FOG else bright - dark
+        self.views += [self.view(obj, obj["first"] + age, shades, where)
                        for age in range(lives)]
         if len(self.views) > self.limits["SCENE_COUNT_MAX"]:
             fail(where, f"more than {self.limits['SCENE_COUNT_MAX']} frames of meshes in the scene")

@@ -2,7 +2,7 @@
 materials take of an object's fields."""
 
 from tmap.base.fields import fail, join
-from tmap.compiler import materials
+from tmap.compiler import fog, materials
 from tmap.compiler.glide import has_own
 from tmap.shapes.mesh_file import Shape
 
@@ -11,13 +11,14 @@ MAPPINGS = {"gouraud": ("shade",), "flat": ("none",), "arbitrary": ("uv",)}
 
 
 def has_light(material: dict) -> bool:
-    """Returns True if a material takes shades."""
-    return materials.mapper_of(material) == "gouraud" or materials.has_shades(material)
+    """Returns True if a material takes shades from the light."""
+    return not fog.is_foggy(material) and (materials.mapper_of(material) == "gouraud" or materials.has_shades(material))
 
 
 def mappings_of(material: dict) -> tuple[str, ...]:
     """Returns the mappings that a material takes, its usual one first."""
-    return MAPPINGS.get(materials.mapper_of(material), ("uv", "environment"))
+    mapper = materials.mapper_of(material)
+    return MAPPINGS.get("flat" if mapper == "gouraud" and fog.is_foggy(material) else mapper, ("uv", "environment"))
 
 
 def takes_normals(material: dict, mapping: str | None) -> bool:

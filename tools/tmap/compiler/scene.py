@@ -18,7 +18,7 @@ from tmap.base.fixed import fix_all
 from tmap.base.pixel_formats import FORMATS
 from tmap.base.toml_lines import located, with_line
 from tmap.build import layout
-from tmap.compiler import (glide, glide_build, hierarchy, materials, mtl_file, n64_build, objects as
+from tmap.compiler import (fog, glide, glide_build, hierarchy, materials, mtl_file, n64_build, objects as
                            scene_space, pages, parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
@@ -144,6 +144,7 @@ def checked(content: dict, path: Path) -> dict:
             fail(f"{at}.first", f"the scene ends with frame {spec['frames'] - 1}")
         if obj["last"] is not None and not obj["first"] <= obj["last"] < spec["frames"]:
             fail(f"{at}.last", f"must be from {obj['first']} to {spec['frames'] - 1}")
+        fog.check_object(obj, spec["materials"][obj["material"]], scene_space.is_mesh(obj))
         primitives.check(obj, spec["materials"][obj["material"]], at)
         glide.check_object(obj, spec["materials"][obj["material"]], at)
     primitives.place(spec)

@@ -39,7 +39,7 @@ from tmap.compiler.objects import RADIUS
 from tmap.ideal import bounds, bounds_perspective, ideal, mesh as ideal_mesh, perspective
 from tmap.ideal.ideal import UNIT
 from tmap.model import mesh as model_mesh, mesh16, model
-from tmap.scene_file.meshes import ENVIRONMENT, LIT, ONE, UNIT_14, Instance, Mesh
+from tmap.scene_file.meshes import ENVIRONMENT, FOG, LIT, ONE, UNIT_14, Instance, Mesh
 from tmap.setup import planarity
 from tmap.setup.texturing import Settings
 
@@ -172,8 +172,7 @@ def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) ->
             looks = [dot(look, normals[normal][:3]) / UNIT_14 for look in camera.looks]
             if instance.flags & ENVIRONMENT:
                 texels = [min(max(128 + look, 0), 256) * ONE for look in looks[:2]]
-            shade = min(max(Fraction(instance.dark, ONE) + looks[2], Fraction(instance.dark, ONE)),
-                        Fraction(instance.bright, ONE))
+            shade = ideal_mesh.shade(instance, looks[2], places[point][2])
             corners.append((*places[point], *(Fraction(c) * longer / (256 * ONE) for c in texels), shade))
         ring = [[Fraction(c, ONE) for c in points[corner[0]]] for corner in rows]
         ways = [[a - b for a, b in zip(p, ring[0])] for p in ring]
@@ -317,17 +316,17 @@ def check_pixels(face: Face, vertices, polygons: list[model.Polygon], off: list[
                              "all edges")
 
 
-def check_attributes(instance: Instance, vertices, face: Face, longer: int, out: Verdict) -> None:
-    """Adds the values that normals gave to the corners of a face that is not cut."""
-    light = face.camera.looks[2]
-    columns = [(2, 3, RADIUS, longer / 256), (3, 4, RADIUS, longer / 256)]
-    columns = columns * bool(instance.flags & ENVIRONMENT)
-    if instance.flags & LIT:
-        columns.append((4, 5, math.sqrt(float(dot(light, light))), 1))
-    for ours, exact, radius, scale in columns:
+def check_attributes(instance: Instance, vertices, face: Face, longer: int, e: float, out: Verdict) -> None:
+    """Adds the values that normals or depths gave to the corners of a face that is not cut."""
+    light, turned = face.camera.looks[2], ideal_mesh.look_error(RADIUS)
+    columns = [(2, 3, turned, longer / 256), (3, 4, turned, longer / 256)] * bool(instance.flags & ENVIRONMENT)
+    if instance.flags & (LIT | FOG):
+        columns.append((4, 5, ideal_mesh.fog_error(instance, e) if instance.flags & FOG else
+                        ideal_mesh.look_error(math.sqrt(float(dot(light, light)))), 1))
+    for ours, exact, most, scale in columns:
         error = np.array([v[ours] * UNIT * scale - float(c[exact])
                           for v, c in zip(vertices, face.corners, strict=True)])
-        bound = np.full(len(error), ideal_mesh.look_error(radius) * scale)
+        bound = np.full(len(error), most * scale)
         out.errors(error, 0 * error, bound, f"{('s', 't', 'the shade')[ours - 2]} of corner {{}}")
 
 
@@ -363,7 +362,7 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     if not polygons:
         return out
     if not cut:
-        check_attributes(instance, vertices, face, longer, out)
+        check_attributes(instance, vertices, face, longer, e, out)
     if settings.perspective != "none":
         f = ideal_mesh.look_error(RADIUS) if instance.flags & ENVIRONMENT else 0.0
         f = (f + ideal_mesh.CUT * cut) * longer / 256 + UNIT * (longer != 256)

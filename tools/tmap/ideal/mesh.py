@@ -57,6 +57,7 @@ import math
 from fractions import Fraction
 
 from tmap.base.fixed import ONE
+from tmap.scene_file.meshes import FOG
 
 SHORT = 1 / 32  # pixels by which 16-bit operands may move a point, before it is snapped
 CUT = 5 * 2.0 ** -17  # error that cutting at all borders adds to a corner's numbers
@@ -114,6 +115,21 @@ def screen(guard: int, width: int, height: int, x: Fraction, y: Fraction,
            w: Fraction) -> tuple[Fraction, Fraction]:
     """Projects an exact point before the camera to the screen, pixels."""
     return (Fraction(width, 2) + 2 ** guard * x / w, Fraction(height, 2) + 2 ** guard * y / w)
+
+
+def shade(instance, light: Fraction, w: Fraction) -> Fraction:
+    """Returns the exact shade of a corner: by its normal's product with the light, or in fog by its depth."""
+    dark, bright = Fraction(instance.dark, ONE), Fraction(instance.bright, ONE)
+    if instance.flags & FOG:
+        near, far = Fraction(instance.fog_near, ONE), Fraction(instance.fog_far, ONE)
+        return bright - (bright - dark) * (min(max(w, near), far) - near) / (far - near)
+    return min(max(dark + light, dark), bright)
+
+
+def fog_error(instance, corner: float) -> float:
+    """Returns the error of a shade in fog, whose depth is off by as much as its ``corner``, and which is
+    rounded to half a unit."""
+    return corner * (instance.bright - instance.dark) / (instance.fog_far - instance.fog_near) + 2.0 ** -17
 
 
 def clip(vertices, near: Fraction) -> list[tuple]:

@@ -39,23 +39,30 @@ def sample(picture: np.ndarray) -> np.ndarray:
     return picture[(s + t) % 4 == 0]  # from every row and column
 
 
-def light(palette: np.ndarray) -> np.ndarray:
+def mixed(colours: np.ndarray, part, towards: tuple[int, int, int] = (0, 0, 0)) -> np.ndarray:
+    """Returns colours, uint8 (..., 3), of which ``part`` is left: the rest is another colour, or black."""
+    dark = np.array(towards, float)
+    return np.rint(dark + (colours - dark) * part).astype(np.uint8)
+
+
+def light(palette: np.ndarray, towards: tuple[int, int, int] = (0, 0, 0)) -> np.ndarray:
     """Returns the light table of a palette, uint8 (LIGHT_LEVELS, 256): at each level, the index
-    nearest to each darkened entry, from black at level 0 to the entry itself at the last one."""
+    nearest to each darkened entry, from black, or the fog's colour, at level 0 to the entry itself at the
+    last one."""
     levels = layout.load().constants["LIGHT_LEVELS"]
     part = np.arange(levels)[:, None, None] / (levels - 1)
-    table = nearest(np.rint(palette * part).astype(np.uint8), palette)
+    table = nearest(mixed(palette, part, towards), palette)
     table[-1] = np.arange(COLOURS)
     return table
 
 
 def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: str,
-          lit: list[np.ndarray] = (), opaque: dict[int, np.ndarray] = {}) -> tuple[np.ndarray, list[np.ndarray]]:
+          lit: list[tuple[np.ndarray, tuple[int, int, int]]] = (), opaque: dict[int, np.ndarray] = {}) -> tuple[np.ndarray, list[np.ndarray]]:
     """Returns the palette, uint8 (256, 3), and the textures, uint8 (height, width) each.
 
     ``exact`` colours get the first entries, in their order. The pictures, uint8
     (height, width, 3), share the rest and are mapped without dithering; ``lit`` ones are
-    also counted in less light. Unused entries are black. ``opaque``: which pixels of a picture, by its number, are
+    also counted in less light, or in fog: each has the colour of its darkest level. Unused entries are black. ``opaque``: which pixels of a picture, by its number, are
     opaque; if there are such pictures, entry 0 is that of their other pixels alone.
     """
     most = EXACT_MAX if pictures else COLOURS
@@ -67,8 +74,7 @@ def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: 
     if not pictures:
         return palette, []
     samples = [picture[opaque[k]] if k in opaque else sample(picture) for k, picture in enumerate(pictures)]
-    samples += [np.rint(sample(picture) * part).astype(np.uint8) for picture in lit
-                for part in DIMMED]
+    samples += [mixed(sample(picture), part, towards) for picture, towards in lit for part in DIMMED]
     together = Image.fromarray(np.concatenate(samples)[None])
     reduced = together.quantize(COLOURS - len(exact), Image.Quantize.MEDIANCUT, kmeans=1,
                                 dither=Image.Dither.NONE)

@@ -11,7 +11,7 @@ import numpy as np
 
 from tmap.base.fixed import M32, ONE, mul_div, signed
 from tmap.model import mesh16, trees
-from tmap.scene_file.meshes import ENVIRONMENT, LIT
+from tmap.scene_file.meshes import ENVIRONMENT, FOG, LIT
 from tmap.scene_file.scene_file import vertices_at
 from tmap.setup import planarity
 
@@ -23,6 +23,8 @@ Placed = tuple[int, list[tuple], int]
 #: drawn, "test" a face, which its polygons draw aside. Faces are whole.
 Step = tuple[str, list[Drawn], list[Placed]]
 Z = -2  # TREE_Z
+#: Kinds of values that are planar of faces in fog: depths, which it follows, are on no plane over the screen.
+FOGGY = planarity.IN_SPACE - planarity.SHADES + planarity.ROUGH
 CORNERS_MAX = 62  # a convex face cannot get more: mesh_clip gives up
 
 
@@ -73,6 +75,15 @@ def looks_of(instance, normals, view) -> tuple[list[int], list[int], list[int]]:
     if instance.flags & LIT:
         shade = looks(normals, view[21:24], instance.dark, instance.dark, instance.bright)
     return s, t, shade
+
+
+def faded(instance, vertices: list[tuple]) -> list[tuple]:
+    """mesh_fade: vertices with the shades of their depths, if the instance has fog."""
+    if not instance.flags & FOG:
+        return vertices
+    near, far, dark, bright = instance.fog_near, instance.fog_far, instance.dark, instance.bright
+    return [(*v[:4], bright - mul_div(min(max(v[5], near), far) - near, bright - dark, far - near), v[5])
+            for v in vertices]
 
 
 def is_seen(face, view) -> bool:
@@ -178,44 +189,49 @@ def faces_of(scene, instance, number: int) -> list[tuple[int, list[tuple], int]]
                 [(p.x, p.y, *rest, p.w) for p, rest in zip(cut, rests)], scene.near_plane)]
         order = max(0, *(p.w for p in used)) if not places else \
             max(int(places.depth[point]) for point, *_ in corners) << row[mesh16.DEPTH_SHIFT] & M32
-        made.append((order, vertices, which))
+        made.append((order, faded(instance, vertices), which))
     return made
 
 
-def ordered(scene, instances, number: int) -> list[Drawn]:
+def ordered(scene, instances, number: int) -> list[Placed]:
     """Returns the faces, whole, of instances that are drawn together, in drawing order: by their tree, or
     by depth if they have none."""
     tree, faces, eye = instances[0].tree, [], None
     for instance in instances:
         for depth, vertices, which in faces_of(scene, instance, number):
             key = -depth if tree < 0 else int(scene.slots[instance.slot + which, 0])
-            faces.append((key, instance.material, vertices))
+            faces.append((key, instance.material, vertices, FOGGY if instance.flags & FOG else planarity.IN_SPACE))
             eye = scene.views[instance.view + number - instance.first_frame].tolist()[12:15]
     if tree >= 0 and faces:
         place = {slot: rank for rank, slot in enumerate(trees.walk(scene.nodes.tolist(), tree, eye))}
         faces = [(place[slot], *face) for slot, *face in faces]
     faces.sort(key=lambda face: face[0])
-    return [(material, vertices) for _, material, vertices in faces if len(vertices) >= 3]
+    return [tuple(face) for _, *face in faces if len(face[1]) >= 3]
 
 
-def parts_of(scene, face: Drawn) -> list[Placed]:
+def parts_of(scene, face: Placed) -> list[Placed]:
     """Returns the polygons that draw a mesh's face."""
-    material, vertices = face
-    return [(material, part, planarity.IN_SPACE) for part in polygons_of(scene.materials[material], vertices)]
+    material, vertices, vouched = face
+    return [(material, part, vouched) for part in polygons_of(scene.materials[material], vertices)]
+
+
+def whole(faces: list[Placed]) -> list[Drawn]:
+    """Returns the same faces without the kinds of values that are planar."""
+    return [face[:2] for face in faces]
 
 
 def group_steps(scene, groups, number: int) -> Iterator[Step]:
     """Yields the steps of instances at one place in the scene's order, a group for each tree."""
     tested = ordered(scene, groups[0], number) if groups[0][0].tree == Z else []
     if tested:
-        yield "begin", tested, []
+        yield "begin", whole(tested), []
     for group in groups[groups[0][0].tree == Z:]:
         faces = ordered(scene, group, number)
-        yield "draw", faces, [part for face in faces for part in parts_of(scene, face)]
+        yield "draw", whole(faces), [part for face in faces for part in parts_of(scene, face)]
         if tested:
-            yield "fill", faces, []
+            yield "fill", whole(faces), []
     for face in tested:
-        yield "test", [face], parts_of(scene, face)
+        yield "test", whole([face]), parts_of(scene, face)
 
 
 def steps_at(scene, number: int) -> Iterator[Step]:

@@ -23,7 +23,7 @@ COLUMNS = {"points": ("x", "y", "z"), "normals": ("x", "y", "z", "spare"),
            "views16": ("w_move", "wx", "wy", "wz", "divisor_shift", "x_move", "xx", "xy", "xz", "depth_shift",
                        "y_move", "yx", "yy", "yz", "seen_shift", "eye_x", "eye_y", "eye_z", "is_used"),
            "nodes": ("x", "y", "z", "distance", "front", "back", "slot", "slots"), "slots": ("slot",)}
-ENVIRONMENT, LIT = 1, 2  # MESH_ENVIRONMENT, MESH_LIT
+ENVIRONMENT, LIT, FOG = 1, 2, 4  # MESH_ENVIRONMENT, MESH_LIT, MESH_FOG
 NOT_ONCE = ("keyed", *UNITS)  # mappers whose pixels nothing says whether they are opaque
 UNIT_14, UNIT_30 = 1 << 14, 1 << 30  # 1.0 in 2.14 and 2.30
 
@@ -58,6 +58,8 @@ class Instance:
     view16: int = -1  # NO_VIEW16
     tree: int = -1  # NO_TREE
     slot: int = 0
+    fog_near: int = 0
+    fog_far: int = 0
 
 
 def empty(table: str) -> np.ndarray:
@@ -95,7 +97,8 @@ def check_mesh(scene, mesh: Mesh, name: str, where: str) -> None:
 def check_look(scene, instance: Instance, name: str, where: str) -> None:
     """Refuses an instance whose mesh or flags its material cannot draw."""
     material, mesh = scene.materials[instance.material], scene.meshes[instance.mesh]
-    if instance.flags & LIT:
+    limits = layout.load().constants
+    if instance.flags & (LIT | FOG):
         require(name, f"{where}.bright", instance.bright, 0, (256 << 16) - 1)
         require(name, f"{where}.dark", instance.dark, 0, instance.bright)
     if pipes.has_own(scene, material):
@@ -103,8 +106,13 @@ def check_look(scene, instance: Instance, name: str, where: str) -> None:
     if material.primitive != "polygons":
         raise UserError(f"{name}: {where}.material: a mesh's polygons are not "
                         f"{material.primitive!r}")
-    if material.mapper == "gouraud" and not instance.flags & LIT:
+    if material.mapper == "gouraud" and not instance.flags & (LIT | FOG):
         raise UserError(f"{name}: {where}.flags: a Gouraud material needs light")
+    if instance.flags & FOG:
+        if instance.flags & LIT or material.light < 0 and material.mapper != "gouraud":
+            raise UserError(f"{name}: {where}.flags: fog is for a light table, or Gouraud's, alone")
+        require(name, f"{where}.fog_near", instance.fog_near, 0, limits["W_MAX"])
+        require(name, f"{where}.fog_far", instance.fog_far, instance.fog_near + 1, limits["W_MAX"])
     if material.mapper != "flat" and material.gradients == "polygon":
         most = scene.faces[mesh.face:mesh.face + mesh.faces, 5].max()
         require(name, f"{where}: face.corners", int(most), 3, 3)

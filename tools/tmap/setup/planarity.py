@@ -13,6 +13,8 @@ from tmap.setup.texturing import Settings, plane
 #: enum planar_values
 TEXELS, DEPTHS, SHADES, COLOURS = 1, 2, 4, 8
 ALL = 15
+#: In what a polygon's caller vouches for: its shades may be SHADE off their plane.
+ROUGH, SHADE = 16, 1 << 16
 IN_SPACE = ALL - TEXELS  # what is planar on the screen if it is planar in space
 FAR = 16384 << 16
 ROUNDED = 16  # units
@@ -47,7 +49,9 @@ def parts(vertices, material, frame: tuple[int, ...], longer: int, vouched: int 
             material, *frame):
         return fan(vertices)
     wanted = asked(material) & ~vouched
-    if len(vertices) > 3 and planar(vertices, wanted) != wanted:
+    if vouched & ROUGH and max(v[4] for v in vertices) - min(v[4] for v in vertices) <= SHADE:
+        wanted &= ~SHADES
+    if len(vertices) > 3 and planar(vertices, wanted, SHADE if vouched & ROUGH else 0) != wanted:
         return fan(vertices)
     return [vertices]
 
@@ -114,22 +118,23 @@ def divided(vertices) -> tuple[list[tuple[int, int]], list[tuple[int, int]], tup
         (unsure, unsure + (4 * Q_ONE >> scale) + 2)
 
 
-def pairs_of(vertices, kind: int):
-    """Returns the pairs of a kind of values, each with its allowances beyond that of 16.16."""
+def pairs_of(vertices, kind: int, rough: int = 0):
+    """Returns the pairs of a kind of values, each with its allowances beyond that of 16.16; ``rough``: that of
+    shades."""
     if kind == TEXELS:
         return [([v[2:4] for v in vertices], (0, 0))]
     if kind == DEPTHS:
         first, second, (q, s) = divided(vertices)
         return [(first, (q, s)), (second, (s, 0))]
     if kind == SHADES:
-        return [([(v[4], 0) for v in vertices], (0, 0))]
+        return [([(v[4], 0) for v in vertices], (rough, 0))]
     return [([(c >> high << 8 & 0xFF0000, c >> high << 16 & 0xFF0000) for c in (v[4] for v in vertices)],
              (COLOUR_ROUNDED, COLOUR_ROUNDED)) for high in (16, 0)]
 
 
-def planar(vertices, asked: int) -> int:
-    """Returns those of the kinds ``asked`` whose values are on planes. Returns all of them if that
-    cannot be tested: there is no area, or a coordinate is too far away."""
+def planar(vertices, asked: int, rough: int = 0) -> int:
+    """Returns those of the kinds ``asked`` whose values are on planes, shades but for ``rough``. Returns all of
+    them if that cannot be tested: there is no area, or a coordinate is too far away."""
     quick = TEXELS | DEPTHS * (len({v[5] for v in vertices}) == 1)
     if not asked & ~quick and is_parallelogram(vertices):
         return asked
@@ -139,4 +144,4 @@ def planar(vertices, asked: int) -> int:
     points = [v[:2] for v in vertices]
     return sum(kind for kind in (TEXELS, DEPTHS, SHADES, COLOURS) if asked & kind
                and all(lie_on_plane(points, pair, corners, extra)
-                       for pair, extra in pairs_of(vertices, kind)))
+                       for pair, extra in pairs_of(vertices, kind, rough)))
