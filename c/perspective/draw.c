@@ -111,7 +111,7 @@ static int32 made_by_reciprocals(const struct setup *s, struct scanline_step *st
 {
     struct perspective_plan *plan = s->perspective;
 
-    if (plan->tilt || !EDGES_ARE_EXACT(s->material->edges))
+    if (plan->tilt || plan->count < PERSPECTIVE_RECIPROCAL_LINES || !EDGES_ARE_EXACT(s->material->edges))
         return 0;
     plan->width = s->box.right - s->box.left;
     plan->spare = ways[s->setting].spare - (plan->width << plan->chained);
@@ -178,11 +178,11 @@ static inline int32 is_straight(const struct setup *s, const struct number64 *gr
 static int32 is_even(const struct setup *s, const struct number64 *grows, int32 width)
 {
     const struct perspective_plan *plan = s->perspective;
-    const int32 texels = ((perspective_reach(plan) >> 16) + 1) * width;
+    const int32 steep = perspective_steepness(grows) + 1;
 
-    return !ways[s->setting].bend && s->setting == (enum perspective)s->material->perspective
-        && EDGES_ARE_EXACT(s->material->edges)
-        && perspective_steepness(grows) + 1 <= (plan->q_low >> ways[s->setting].even) / texels;
+    return steep <= plan->q_low >> PERSPECTIVE_EVEN_STEEP && !ways[s->setting].bend
+        && s->setting == (enum perspective)s->material->perspective && EDGES_ARE_EXACT(s->material->edges)
+        && steep <= (plan->q_low >> ways[s->setting].even) / (((perspective_reach(plan) >> 16) + 1) * width);
 }
 
 /* Returns 1 if columns are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three

@@ -32,7 +32,10 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
 
 def is_even(p: Perspective, width: int, setting: str) -> bool:
     """Returns true if lines with straight pieces are off by a half or a quarter of a texel at most without a tilt."""
-    return steepness(p.q.dx) + 1 <= (p.least >> way(setting).even) // (((p.farthest >> 16) + 1) * width)
+    steep = steepness(p.q.dx) + 1
+    if steep > p.least >> layout.load().constants["PERSPECTIVE_EVEN_STEEP"]:
+        return False
+    return steep <= (p.least >> way(setting).even) // (((p.farthest >> 16) + 1) * width)
 
 
 def tilt_of(p: Perspective, width: int, least: int) -> int | None:

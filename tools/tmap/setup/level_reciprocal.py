@@ -6,6 +6,7 @@ takes a reciprocal R of its q, and four products: C R and dC R for u and v."""
 from dataclasses import dataclass
 
 from tmap.base.fixed import M32, signed
+from tmap.build import layout
 from tmap.setup.perspective import Perspective, way
 
 FAST = 1 << 22  # v of a pixel
@@ -77,8 +78,8 @@ def find(p: Perspective, count: int, width: int, spare: int) -> Constants | None
 
 
 def settle(p: Perspective, count: int, width: int, setting: str) -> None:
-    """Sets the constants of level lines with exact edges, if there is no tilt."""
-    if not p.tilt:
+    """Sets the constants of level lines with exact edges, if there is no tilt and there are enough lines."""
+    if not p.tilt and count >= layout.load().constants["PERSPECTIVE_RECIPROCAL_LINES"]:
         p.inverse = find(p, count, width, way(setting).spare - (width << p.chained))
 
 
