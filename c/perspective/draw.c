@@ -12,19 +12,24 @@ static const struct {
     int32 off, width;           /* level lines: error allowed, widest polygon */
     int32 saved;                /* cycles by columns, a pixel */
     int32 chain;                /* level lines: widest polygon with a chain of u and v */
+    int32 spare;                /* level lines by reciprocals: units that their steps may add */
     int32 straight;             /* curves: units that straight pieces may be off */
+    int32 even;                 /* straight pieces: log2 of the parts of a texel that level lines may be off */
 } ways[PERSPECTIVE_KINDS] = {
     [PERSPECTIVE_EVERY16] = {PERSPECTIVE_PIECE_EVERY16, 0, PERSPECTIVE_RAISE_EVERY16, 0,
-                             FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY16, FRAME_SIDE_MAX},
+                             FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY16, FRAME_SIDE_MAX,
+                             PERSPECTIVE_SPARE_PIECES, 0, PERSPECTIVE_EVEN_EVERY16},
     [PERSPECTIVE_EVERY8] = {PERSPECTIVE_PIECE_EVERY8, 0, PERSPECTIVE_RAISE_EVERY8, 0,
-                            FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY8, FRAME_SIDE_MAX},
+                            FRAME_SIDE_MAX, PERSPECTIVE_SAVED_EVERY8, FRAME_SIDE_MAX,
+                            PERSPECTIVE_SPARE_PIECES, 0, PERSPECTIVE_EVEN_EVERY8},
     [PERSPECTIVE_PIXEL] = {PERSPECTIVE_PIECE_PIXEL, PERSPECTIVE_BEND_PIXEL,
                            PERSPECTIVE_RAISE_PIXEL, PERSPECTIVE_LEVEL_PIXEL, FRAME_SIDE_MAX,
                            PERSPECTIVE_SAVED_PIXEL, PERSPECTIVE_CHAIN_PIXEL,
-                           PERSPECTIVE_STRAIGHT_PIXEL},
+                           PERSPECTIVE_SPARE_PIXEL, PERSPECTIVE_STRAIGHT_PIXEL},
     [PERSPECTIVE_FINE] = {PERSPECTIVE_PIECE_FINE, PERSPECTIVE_BEND_FINE,
                           PERSPECTIVE_RAISE_FINE, PERSPECTIVE_LEVEL_FINE,
-                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_SAVED_FINE, 0, PERSPECTIVE_STRAIGHT_FINE}
+                          PERSPECTIVE_LEVEL_WIDTH, PERSPECTIVE_SAVED_FINE, 0, PERSPECTIVE_SPARE_FINE,
+                          PERSPECTIVE_STRAIGHT_FINE}
 };
 
 /* Spans for pixels of 1, 2 and 4 bytes. */
@@ -100,6 +105,19 @@ static int32 changes(const struct perspective_plan *plan)
     return (plan->q.dx.hi | plan->q.dx.lo | plan->q.dy.hi | plan->q.dy.lo) != 0;
 }
 
+/* Returns 1 if it has made lines without a tilt by a reciprocal each. Their first pixels are not clamped: edges must be
+   exact. */
+static int32 made_by_reciprocals(const struct setup *s, struct scanline_step *steps)
+{
+    struct perspective_plan *plan = s->perspective;
+
+    if (plan->tilt || plan->count < PERSPECTIVE_RECIPROCAL_LINES || !EDGES_ARE_EXACT(s->material->edges))
+        return 0;
+    plan->width = s->box.right - s->box.left;
+    plan->spare = ways[s->setting].spare - (plan->width << plan->chained);
+    return level_reciprocal(plan, steps);
+}
+
 void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
 {
     struct perspective_plan *plan = s->perspective;
@@ -114,7 +132,8 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
         plan->v += ways[s->setting].raise;
     }
     plan->chained = changes(plan) && s->box.right - s->box.left <= ways[s->setting].chain;
-    level_lines(plan, steps);
+    if (!made_by_reciprocals(s, steps))
+        level_lines(plan, steps);
     lines.lines = plan->lines;
     lines.count = plan->count;
     lines.row = s->span.row;
@@ -155,6 +174,17 @@ static inline int32 is_straight(const struct setup *s, const struct number64 *gr
     return 1;
 }
 
+/* The same without a tilt: depth hardly changes, so that a half or a quarter of a texel is all they are off. */
+static int32 is_even(const struct setup *s, const struct number64 *grows, int32 width)
+{
+    const struct perspective_plan *plan = s->perspective;
+    const int32 steep = perspective_steepness(grows) + 1;
+
+    return steep <= plan->q_low >> PERSPECTIVE_EVEN_STEEP && !ways[s->setting].bend
+        && s->setting == (enum perspective)s->material->perspective && EDGES_ARE_EXACT(s->material->edges)
+        && steep <= (plan->q_low >> ways[s->setting].even) / (((perspective_reach(plan) >> 16) + 1) * width);
+}
+
 /* Returns 1 if columns are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three
    quarters or so. */
 static int32 columns_are_cheaper(const struct setup *s, int32 width, int32 height)
@@ -169,7 +199,7 @@ static int32 columns_are_cheaper(const struct setup *s, int32 width, int32 heigh
 static inline int32 has_columns(struct setup *s, int32 width, int32 height)
 {
     struct perspective_plan *plan = s->perspective;
-    const int32 level = is_level(s, &plan->q.dy, height, 0);
+    const int32 level = is_level(s, &plan->q.dy, height, 0) || is_even(s, &plan->q.dy, height);
 
     if (!level && !is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE))
         return 0;
@@ -190,7 +220,7 @@ void perspective_find_level(struct setup *s)
     plan->tilt = plan->steep = 0;
     if (s->level)
         return;
-    if (is_level(s, &plan->q.dx, width, ways[s->setting].off)
+    if (is_level(s, &plan->q.dx, width, ways[s->setting].off) || is_even(s, &plan->q.dx, width)
         || is_straight(s, &plan->q.dx, width, plan->q_low))
         s->level = LEVEL_LINES;
     else if (is_narrow(s) && EDGES_ARE_EXACT(s->material->edges) && has_columns(s, width, height))

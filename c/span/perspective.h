@@ -20,6 +20,12 @@ enum perspective_constants {
        2. Pieces of m pixels leave 4 m of them to what their lines are raised by and their ends and steps cut by. */
     PERSPECTIVE_STRAIGHT_PIXEL = 2046,
     PERSPECTIVE_STRAIGHT_FINE = 510,
+    /* log2 of the parts of a texel that lines with straight pieces may be off if they are drawn as if their depth were
+       constant; by reciprocals they are off by half of that. */
+    PERSPECTIVE_EVEN_EVERY16 = 1,
+    PERSPECTIVE_EVEN_EVERY8 = 2,
+    PERSPECTIVE_EVEN_STEEP = 12,            /* q grows by less than 2^-12 of its least a pixel: a quick test */
+    PERSPECTIVE_RECIPROCAL_LINES = 6,       /* from so many on level_reciprocal is cheaper than level_lines */
     /* The error allowed for drawing a line as if its depth were constant, in 1/65536 texel, and the
        widest polygon with such lines. Their steps add a unit a pixel, two where u and v are chained, as they are in
        lines up to CHAIN wide; both together stay inside 1/32 or 1/128 texel. With straight pieces the depth must
@@ -28,6 +34,11 @@ enum perspective_constants {
     PERSPECTIVE_LEVEL_PIXEL = 1020,
     PERSPECTIVE_LEVEL_FINE = 128,
     PERSPECTIVE_LEVEL_WIDTH = 380,          /* of FINE; of the others any frame's width */
+    /* Units that steps of level_reciprocal may add, a unit or two a pixel included. Of the tolerance the error for
+       the depth is left out, and 8 for rounding. */
+    PERSPECTIVE_SPARE_PIXEL = 1020,
+    PERSPECTIVE_SPARE_FINE = 376,
+    PERSPECTIVE_SPARE_PIECES = 1 << 20,     /* all that fits */
     /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 800 and 22 a pixel, a line from
        550 and 38 (EVERY16), 40, 70 or 90. */
     PERSPECTIVE_TURN = 6000,
@@ -65,6 +76,8 @@ struct perspective_plan {
     fix16 v, v_low, v_high;
     int32 tilt;                         /* level_lines: q.hi's growth a pixel, 24.8; 0: none */
     int32 chained;                      /* level_lines: 1 if spans chain u and v, whose wraps change u */
+    int32 width;                        /* level_reciprocal: pixels from left on in which all lines are; */
+    int32 spare;                        /* units that C's steps may add over the width */
     int32 steep;                        /* lines_bend: the magnitude of q.hi's growth a pixel, rounded up */
     int32 bend;                         /* curves: PERSPECTIVE_BEND_...; else 0 */
     struct perspective_line *to;
@@ -98,6 +111,7 @@ struct perspective_span {
 void perspective_lines(const struct perspective_plan *plan);
 int32 lines_bend(const struct perspective_plan *plan, int32 width);
 void level_lines(const struct perspective_plan *plan, struct scanline_step *steps);
+int32 level_reciprocal(const struct perspective_plan *plan, struct scanline_step *steps);
 void span_affine_upright(const struct span_plan *plan);
 void span_affine_level(const struct span_plan *plan);
 void span_affine_level_upright(const struct span_plan *plan);

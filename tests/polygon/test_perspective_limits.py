@@ -35,12 +35,13 @@ def test_level_lines_keep_the_tolerance(setting: str) -> None:
     """The error of a level line is the one in its bound, and the widest line still fits the
     tolerance."""
     way = perspective.way(setting)
-    assert way.off * UNIT == bounds_level.LEVEL.get(setting, 0)
+    assert (way.off * UNIT or 2.0**-way.even) == bounds_level.LEVEL[setting]
     assert way.width <= layout.load().constants["FRAME_SIDE_MAX"]
     if setting in CURVES:
         for chained, width in ((False, way.width), (True, way.chain)):
             bound = bounds_level.level_bound(0, setting, max(width - 1, 0), chained)
             assert bound < bounds_perspective.TOLERANCE[setting]
+        assert way.off + way.spare + 8 <= bounds_perspective.TOLERANCE[setting] / UNIT
 
 
 def test_cubics_keep_their_error() -> None:

@@ -164,6 +164,22 @@ def level_trial(rng, is_held: bool = False) -> Trial:
     return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
 
 
+def reciprocal_trial(rng) -> Trial:
+    """Lines of a depth of their own, seen anyhow, with gaps; many a trial's numbers do not fit."""
+    lines, deep = lines_and_planes((0, -5, 1, 2, 300), rng)
+    count, width = len(lines), 1200
+    if rng.integers(4):  # a plane in space: s and t are between their limits at two lines' left, 1.0 or less deep
+        ends = [int(2.0 ** rng.uniform(rng.integers(16, 30), 30)) << 32 for _ in range(2)]
+        deep.q.at, deep.q.dy = ends[0], (ends[1] - ends[0]) // max(count - 1, 1)
+        for plane, high in ((deep.s, deep.high[0]), (deep.t, deep.high[1])):
+            at = [int(rng.integers(-high, high + 1)) * (end >> 32) for end in ends]
+            plane.at, plane.dy = at[0], (at[1] - at[0]) // max(count - 1, 1)
+            plane.dx = any_size(rng, 40)
+        deep.q.dx = any_size(rng, 20) * int(rng.integers(2))
+    deep.chained, spare = bool(rng.integers(2)), int(rng.choice([50, 500, 1 << 20]))
+    return perspective.reciprocal_trial(Memory(), deep, lines, width, spare, f"{count} lines, {spare} spare, {deep}")
+
+
 def bend_trial(rng) -> Trial:
     """Lines on both sides of what may be straight."""
     lines, deep = lines_and_planes((0, -5, 1, 2, 90, 300), rng)
@@ -204,6 +220,7 @@ def trials() -> list[Trial]:
             *(ranges_trial(rng) for _ in range(60)),
             *(corners_trial(rng) for _ in range(60)),
             *(level_trial(rng, held) for held in (False, True) for _ in range(60)),
+            *(reciprocal_trial(rng) for _ in range(160)),
             *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *(span_trial(setting, ends, reach, rng) for setting in spans for ends in Q_ENDS

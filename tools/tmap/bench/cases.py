@@ -115,6 +115,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "perspective_lines_curves": perspective.lines_case("pixel"),
                        "level_lines": perspective.level_case(),
                        "level_lines_tilted": perspective.level_case(True),
+                       "level_reciprocal": perspective.reciprocal_case(),
                        "edge_opaque": edges.opaque_case(),
                        "coverage_scan": visible.scan_case(),
                        "edges_far": far.edges_case(), "lines_far": far.lines_case()}.items():

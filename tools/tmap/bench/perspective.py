@@ -15,6 +15,7 @@ from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup.edges import measure
+from tmap.setup import level_reciprocal
 from tmap.setup.level import level_line
 from tmap.setup.perspective import (CURVES, EXACT, Ends, Perspective, coordinates, ends, enough,
                                     perspective, steepness, way, weights)
@@ -106,8 +107,8 @@ def span_case(setting: str, ratio: int, *wide_and_length: int):
                           partial(span_trial, setting), *wide)
 
 
-def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int]) -> int:
-    """Puts a struct perspective_plan into an arena."""
+def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int], **more: int) -> int:
+    """Puts a struct perspective_plan into an arena; ``more``: of its fields."""
     fields = {}
     for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t)):
         fields[key] = list(b"".join((n % (1 << 64)).to_bytes(8, "big")
@@ -117,7 +118,7 @@ def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[s
     return arena.struct("perspective_plan", pointers, count=count, left=deep.i, q_low=deep.least, q_high=deep.most,
                         gentle=deep.gentle, tilt=deep.tilt, chained=int(deep.chained),
                         steep=steepness(deep.q.dx) + 1, u=deep.base[0], v=deep.base[1], bend=way(setting).bend,
-                        **fields, **limits)
+                        **fields, **limits, **dict(width=0, spare=0) | more)
 
 
 def polygon_lines():
@@ -160,6 +161,31 @@ def level_case(tilt: bool = False):
     """LINES lines of a turned triangle; with a tilt, from their first pixels to their last."""
     deep, lines = polygon_lines()
     return level_trial(Arena(), replace(deep, tilt=int(tilt) << 8), lines).row(LINES)
+
+
+def reciprocal_trial(arena: Arena, deep: Perspective, lines, width: int, spare: int, title: str = "") -> Trial:
+    """Lines (left, right, y) of one depth each, by reciprocals, if the planes let them."""
+    size = layout.load().struct("scanline").size
+    lines_at, steps_at = scanlines(arena, lines), arena.room("scanline_step", len(lines), "steps")
+    plan_at = plan_of(arena, deep, "every16", len(lines), dict(lines=lines_at, to=steps_at), width=width, spare=spare)
+    writes, deep = [], replace(deep, inverse=level_reciprocal.find(deep, len(lines), width, spare))
+    for k, (left, right, y) in enumerate(lines):
+        if deep.inverse and right > left:
+            (u, dudx), (v, dvdx) = level_line(deep, left, right, y)
+            writes += fields(lines_at + k * size, "scanline", pack("addx", u, v))
+            writes += fields(steps_at + 8 * k, "scanline_step", {"dudx": dudx, "dvdx": dvdx})
+    return Trial(Case("level_reciprocal", arena, pointers={"a0": plan_at, "a1": steps_at}), title,
+                 writes=writes, outputs={"d0": int(bool(deep.inverse))})
+
+
+def reciprocal_case():
+    """LINES lines of a turned triangle whose depth changes from line to line alone."""
+    deep, lines = polygon_lines()
+    deep.q.dx = 0
+    trial = reciprocal_trial(Arena(), deep, lines, 300, 300)
+    if not trial.outputs["d0"]:
+        raise ValueError("no reciprocals")
+    return trial.row(LINES)
 
 
 def lines_trial(setting: str, arena: Arena, deep: Perspective, lines, title: str = "") -> Trial:

@@ -24,6 +24,20 @@ u is also off by the times that v wraps, half a unit per step at most, and its s
 down: another unit per step.
 
 If q does not change along lines, they are never below the exact value: neither is the first pixel, nor S(n) / q.
+
+**Lines by reciprocals** (tmap.setup.level_reciprocal) have no clamp. Letters as there; f is the line that is farthest, all
+q are in the middle of the width, [q] is q cut to a whole number. Let k be what K is cut by: less than a unit, and |K| / 2^31 for
+the divisor's cut, 5/4 in all. The planes' S / q is then K + k (1 - q(f) / q) + (S(f) - K q(f)) / q. Drawn is, by turns:
+
+* k is left out: 5/4 at most either way, as q(f) is the least.
+* C has A more and a unit, A being |K| and the range, at least |u - K|: up to A / q + 1 / q higher.
+* [q] for q: C / [q] - C / q is |u - K| / q at most either way, which A makes up for.
+* C is rounded up, and so is dC: a unit each, times R / 2^32; x pixels right of the left 1 + x of them.
+* R is cut: by less than 1, times C / 2^32, half a unit. The product is cut: another unit.
+* Steps are rounded up: a unit a pixel, or two in a chain, as above; R's cut takes a unit from all of them at most.
+
+Lines are raised by 3 units and the base's one, so they are never below: 5/4 + 1/2 + 1 + 1 < 4. They are above by
+4 + 5/4 + 1, 2 A / q, and the steps.
 """
 
 import numpy as np
@@ -31,7 +45,7 @@ import numpy as np
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import FLOAT, Curve
 
-LEVEL = {"pixel": 1020 * UNIT, "fine": 128 * UNIT}  # 0 for straight pieces
+LEVEL = {"every16": 1 / 2, "every8": 1 / 4, "pixel": 1020 * UNIT, "fine": 128 * UNIT}  # texels
 MOST = 2.0**31  # units: values are modulo twice that
 
 
@@ -59,6 +73,19 @@ def straight_bound(bound, left: int, n: int, y: int) -> float:
     reached = (last.off_s + (off + held) * far + more * way + n) / max(q - off, p.least) + 1 + stretched
     reached += added * stretched + taken * max(stretched - 1, 1 - shrunk) + n * (taken > 0)
     return min(max(bound.end(left, y)[0], reached), MOST)
+
+
+def reciprocal_bound(bound, left: int, n: int, y: int) -> float:
+    """``straight_bound`` of a line that is made by a reciprocal; with what the steps of C add."""
+    first, last, p = bound.at(left, y), bound.at(left + n, y), bound.p
+    if min(first.q, last.q) <= 0:
+        return MOST
+    made, key = p.inverse, 0 if bound.plane is p.s else 1
+    cut = 4.0 if p.q.dx else 0.0  # below 2^-8 a pixel; what grows more is within LEVEL or the tolerance
+    planes = max((at.off_s + (at.off_q + cut) * max(bound.largest, abs(at.value - bound.base)))
+                 / max(at.q - at.off_q, 1) for at in (first, last))
+    q = max(min(first.q - first.off_q, last.q - last.off_q), 1)
+    return planes + 8 + (2 * made.away[key] + 2) / q + (left + n + 1 - p.i) * (made.farthest + 1) / 2.0**32
 
 
 def level_bound(b: float, setting: str, n: int, chained: bool) -> float:

@@ -81,7 +81,7 @@ import numpy as np
 
 from tmap.base.fixed import signed
 from tmap.ideal import bounds_fetched, ideal
-from tmap.ideal.bounds_level import chord, level_bound, straight_bound
+from tmap.ideal.bounds_level import chord, level_bound, reciprocal_bound, straight_bound
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import FLOAT, Curve, curves, curves_through
 from tmap.setup import afar, cubic, far, spans
@@ -262,9 +262,9 @@ def line_errors(vertices, polygon, tolerance: float = 0.0):
         for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
             error = bound.curve.errors(found[seen], columns, y)
             if polygon.is_level:
-                b = straight_bound(bound, made.left, made.n, y) * UNIT
+                b = (reciprocal_bound if p.inverse else straight_bound)(bound, made.left, made.n, y) * UNIT
                 yield (key, y, columns, found[seen], error, chord(bound.curve, drawn, y)[seen] if p.tilt else 0 * error,
-                       level_bound(b, polygon.setting if p.q.dx else "", made.n, p.chained)
+                       level_bound(b, polygon.setting if p.q.dx and not p.tilt else "", made.n, p.chained)
                        + tolerance * polygon.straight + raised * UNIT)
                 continue
             if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):

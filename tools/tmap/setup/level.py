@@ -1,10 +1,12 @@
 """The integer model's lines and columns of polygons with perspective that are drawn as if they were affine:
-c/perspective/draw.c, src68k/edge/level_lines and lines_bend."""
+c/perspective/draw.c, src68k/edge/level_lines and lines_bend.
+Those by reciprocals: tmap.setup.level_reciprocal."""
 
 import numpy as np
 
 from tmap.base.fixed import M32, cut_quotient, signed
 from tmap.build import layout
+from tmap.setup import level_reciprocal
 from tmap.setup.perspective import Perspective, steepness, way
 
 STEEP_2_22 = 1 << 22
@@ -26,6 +28,14 @@ def keeps_level(p: Perspective, width: int, tolerance: int) -> bool:
         return not high
     off = (((p.farthest >> 16) + 1) * width * ((part >> 16) + 1) >> 16) + 1
     return off <= (p.least >> 16) * tolerance + ((p.least & 0xFFFF) * tolerance >> 16)
+
+
+def is_even(p: Perspective, width: int, setting: str) -> bool:
+    """Returns true if lines with straight pieces are off by a half or a quarter of a texel at most without a tilt."""
+    steep = steepness(p.q.dx) + 1
+    if steep > p.least >> layout.load().constants["PERSPECTIVE_EVEN_STEEP"]:
+        return False
+    return steep <= (p.least >> way(setting).even) // (((p.farthest >> 16) + 1) * width)
 
 
 def tilt_of(p: Perspective, width: int, least: int) -> int | None:
@@ -76,6 +86,8 @@ def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int,
     """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded. From a
     first pixel that is held below the range's end, lines lead to the last one's value all the same. In a chain u goes a
     unit up where v goes down, with or without that."""
+    if p.inverse:
+        return level_reciprocal.line(p, left, y)
     n = right - 1 - left
     more = [regained(c, high, n) for c, high in zip(p.quotients(left, y)[1], p.high)]
     q, starts = p.divided(left, y)

@@ -55,6 +55,8 @@ class Way:
     saved: int  # cycles that columns save, a pixel
     chain: int  # the longest line of level lines by a chain of u and v
     straight: int  # for curves: units that straight pieces may be off
+    spare: int  # units that steps of level lines by reciprocals may add
+    even: int  # straight pieces: log2 of the parts of a texel that level lines may be off
 
 
 @cache
@@ -68,7 +70,8 @@ def way(setting: str) -> Way:
     widest = found["FRAME_SIDE_MAX" if setting != "fine" else "PERSPECTIVE_LEVEL_WIDTH"]
     chain = {"pixel": found["PERSPECTIVE_CHAIN_PIXEL"], "fine": 0}.get(setting, widest)
     return Way(found[f"PERSPECTIVE_PIECE_{setting.upper()}"], number("BEND"), number("LEVEL"),
-               widest, number("RAISE"), number("SAVED"), chain, number("STRAIGHT"))
+               widest, number("RAISE"), number("SAVED"), chain, number("STRAIGHT"),
+               number("SPARE", found["PERSPECTIVE_SPARE_PIECES"]), number("EVEN"))
 
 
 def raise_of(exact: str) -> int:
@@ -125,6 +128,7 @@ class Perspective:
     raised: tuple[int, int] = (0, 0)  # units by which S and T are raised
     tilt: int = 0  # of level lines: q's growth a pixel, 24.8
     chained: bool = False  # level lines: u and v are stepped by a chain; v's wraps change u
+    inverse: object = None  # level lines by reciprocals: level_reciprocal.Constants
     corners: Corners | None = None
     is_sure: bool = True  # S and T are accurate enough
 
@@ -137,7 +141,7 @@ class Perspective:
         """Returns the planes with lines and columns exchanged, at pixel (x, y) of the frame."""
         q, s, t = (Plane(plane.value(x - self.i, y - self.j), plane.dy, plane.dx)
                    for plane in (self.q, self.s, self.t))
-        return replace(self, q=q, s=s, t=t, i=y, j=x, tilt=0, chained=False)
+        return replace(self, q=q, s=s, t=t, i=y, j=x, tilt=0, chained=False, inverse=None)
 
     def quotients(self, x: int, y: int) -> tuple[int, list[int]]:
         """Returns q at a pixel, at least ``least``, and u and v, less their bases, divided by it."""

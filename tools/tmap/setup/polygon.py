@@ -10,10 +10,10 @@ from functools import cached_property
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, mul, signed
-from tmap.setup import afar, cubic, far, snapped
+from tmap.setup import afar, cubic, far, level_reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
-from tmap.setup.level import bends, columns_are_cheaper, is_chained, is_level, level, tilt_of
+from tmap.setup.level import bends, columns_are_cheaper, is_chained, is_even, is_level, level, tilt_of
 from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, coordinates as perspective_coordinates, ends,
                                     perspective, raise_of, way)
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
@@ -249,6 +249,8 @@ def set_level(polygon: Polygon, deep: Perspective, width: int, off: int, least: 
         return True
     if polygon.setting not in PIECES or polygon.setting != settings.perspective:
         return False
+    if settings.has_exact_edges and is_even(deep, width, polygon.setting):
+        return True
     tilt = tilt_of(deep, width, least)
     deep.tilt = tilt or 0
     return tilt is not None
@@ -276,6 +278,7 @@ def columns_of(polygon: Polygon, found, height: int, size: tuple[int, int]) -> P
     deep, turned, sides = found
     columns = Outline(sides.corners, turned, sides).polygon(size[1], True, True, True)
     columns.perspective, columns.setting, columns.is_level = deep, polygon.setting, True
+    level_reciprocal.settle(deep, len(columns.lines), height, polygon.setting)
     return None if deep.tilt and bends(deep, columns.lines, height) else columns
 
 
@@ -292,6 +295,8 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     polygon.exact = afar.exact_setting(deep, setting, settings)
     deep.chained = is_chained(deep, width, setting)
     polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
+    if polygon.is_level and settings.has_exact_edges:
+        level_reciprocal.settle(deep, outline.box[3] - outline.box[1], width, setting)
     turned = None
     if narrow and not polygon.is_level and settings.has_exact_edges:
         turned = turned_of(polygon, vertices, outline.box, size, settings)
