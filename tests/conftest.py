@@ -1,7 +1,8 @@
 """Sets the order of the test files: ``make test`` hands whole files to two processes in this order.
-Adds to each failure the command that runs it again."""
+Adds to each failure the command that runs it again, and the slowest files at the end."""
 
 import shlex
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -10,8 +11,8 @@ import tmap  # noqa: F401  before NumPy, whose threads it limits
 
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
-LONGEST = """polygon/polygons accuracy/bench kernels/kernels guest/guest_input accuracy/hard_cases
-    accuracy/fuzz product/scene_program glide/tiles glide/polygons n64/polygons polygon/lowering
+LONGEST = """accuracy/bench kernels/kernels accuracy/hard_cases guest/guest_input accuracy/fuzz
+    polygon/polygons product/scene_program glide/tiles glide/polygons n64/polygons polygon/lowering
     polygon/wide glide/scenes screen/show n64/vectors mesh/meshes n64/scenes compiler/run
     accuracy/properties accuracy/italian_methods compiler/settings product/report mesh/hard_meshes
     accuracy/accuracy polygon/mappers product/disk screen/demo screen/display product/sdk
@@ -20,6 +21,7 @@ LONGEST = """polygon/polygons accuracy/bench kernels/kernels guest/guest_input a
     glide/downloads n64/model n64/core guest/emulator guest/ntsc guest/endings""".split()
 RANKS = {name: rank for rank, name in enumerate(LONGEST)}
 TESTS = Path(__file__).parent
+SLOWEST = 15  # files in the list at the end
 
 
 def place(item) -> str:
@@ -41,3 +43,16 @@ def pytest_runtest_makereport(item):
         report.sections.append(
             ("again", f".deps/venv/bin/python -m pytest -q {shlex.quote(test)}"))
     return report
+
+
+def pytest_terminal_summary(terminalreporter) -> None:
+    """Lists the slowest files with their seconds, if there are many."""
+    seconds = Counter()
+    for reports in terminalreporter.stats.values():
+        for report in reports:
+            if isinstance(report, pytest.TestReport):
+                seconds[report.nodeid.partition("::")[0]] += report.duration
+    if len(seconds) > SLOWEST:
+        terminalreporter.section("slowest files, seconds")
+        for name, spent in seconds.most_common(SLOWEST):
+            terminalreporter.write_line(f"{spent:7.1f}  {name}")

@@ -31,6 +31,7 @@ int32 plan_arenas_make(struct plan_arenas *arenas, const uint8 *plan)
     }
     for (int32 i = 0; i < PLAN_HELD; i++)
         arenas->any_held[i] = arenas->chip_held[i] = PLAN_WRITTEN;
+    arenas->changed = 0;
     return make_arena(&arenas->near, near, MEMORY_ANY)
         && make_arena(&arenas->any, any, MEMORY_ANY)
         && make_arena(&arenas->chip, chip, MEMORY_CHIP);
@@ -56,11 +57,34 @@ void plan_copy(uint8 *to, const uint8 *from, uint32 bytes)
         *to_long++ = *from_long++;
 }
 
-static void place_piece(uint8 *to, const uint8 *plan, uint32 piece, uint32 bytes)
+static const uint8 *content(const uint8 *plan, uint32 piece)
 {
     static const uint8 zeros[PLAN_PIECE];
 
-    plan_copy(to, piece > PLAN_WRITTEN ? plan + (piece & ~(uint32)PLAN_WRITTEN) : zeros, bytes);
+    return piece > PLAN_WRITTEN ? plan + (piece & ~(uint32)PLAN_WRITTEN) : zeros;
+}
+
+static void place_piece(uint8 *to, const uint8 *plan, uint32 piece, uint32 bytes)
+{
+    plan_copy(to, content(plan, piece), bytes);
+}
+
+/* Returns 1 if a whole piece that no call may write is not the plan's. */
+static uint32 is_changed(const uint8 *at, const uint8 *plan, uint32 held)
+{
+    const uint32 *found = (const uint32 *)at;
+    const uint32 *right = (const uint32 *)content(plan, held);
+    uint32 changed = 0;
+
+    if (held & PLAN_WRITTEN)
+        return 0;
+    for (int32 i = PLAN_PIECE / 16; i > 0; i--) {
+        changed |= *found++ ^ *right++;
+        changed |= *found++ ^ *right++;
+        changed |= *found++ ^ *right++;
+        changed |= *found++ ^ *right++;
+    }
+    return changed != 0;
 }
 
 static void place(uint8 *to, const uint8 *plan, uint32 at, uint32 bytes)
@@ -73,20 +97,41 @@ static void place(uint8 *to, const uint8 *plan, uint32 at, uint32 bytes)
         place_piece(to, plan, *piece, bytes);
 }
 
-/* The same but for whole pieces that are there. */
-static void place_far(uint8 *to, uint32 *held, const uint8 *plan, uint32 at, uint32 bytes)
+/* The same but for whole pieces that are there. Returns how many of the others were changed. */
+static uint32 place_far(uint8 *to, uint32 *held, const uint8 *plan, uint32 at, uint32 bytes)
 {
+    uint32 changed = 0;
     const uint32 *piece = (const uint32 *)(plan + at);
     const uint32 *const end = held + PLAN_HELD;
 
     for (; bytes > PLAN_PIECE && held < end; bytes -= PLAN_PIECE, to += PLAN_PIECE) {
-        if (*held != (*piece & ~(uint32)PLAN_WRITTEN))
+        if (*held != (*piece & ~(uint32)PLAN_WRITTEN)) {
+            changed += is_changed(to, plan, *held);
             place_piece(to, plan, *piece, PLAN_PIECE);
+        }
         *held++ = *piece++;
     }
-    if (held < end)
+    if (held < end && bytes) {
+        changed += is_changed(to, plan, *held);
         *held = PLAN_WRITTEN;
+    }
     place(to, plan, (uint32)((const uint8 *)piece - plan), bytes);
+    return changed;
+}
+
+static uint32 changed_of(const uint8 *arena, const uint32 *held, const uint8 *plan)
+{
+    uint32 changed = 0;
+
+    for (int32 i = 0; i < PLAN_HELD; i++, arena += PLAN_PIECE)
+        changed += is_changed(arena, plan, held[i]);
+    return changed;
+}
+
+uint32 plan_changed(const struct plan_arenas *arenas, const uint8 *plan)
+{
+    return arenas->changed + changed_of(arenas->any, arenas->any_held, plan)
+        + changed_of(arenas->chip, arenas->chip_held, plan);
 }
 
 static void relocate(uint8 *near, const uint8 *offsets, uint32 count, const uint8 *base)
@@ -100,7 +145,7 @@ static void relocate(uint8 *near, const uint8 *offsets, uint32 count, const uint
 static void prepare(struct plan_call *call, const struct plan_case *c, const uint8 *plan)
 {
     place(call->near, plan, c->near_at, c->near);
-    place_far(call->far, call->held, plan, c->far_at, c->far);
+    *call->changed += place_far(call->far, call->held, plan, c->far_at, c->far);
     relocate(call->near, plan + c->near_offsets_at, c->near_offsets, call->near);
     relocate(call->near, plan + c->far_offsets_at, c->far_offsets, call->far);
     for (int32 i = 0; i < PLAN_REGISTERS; i++) {
@@ -123,6 +168,7 @@ int32 plan_call(struct plan_call *call, const struct plan_case *c, const uint8 *
     call->near = arenas->near;
     call->far = c->far_memory == MEMORY_CHIP ? arenas->chip : arenas->any;
     call->held = c->far_memory == MEMORY_CHIP ? arenas->chip_held : arenas->any_held;
+    call->changed = &arenas->changed;
     prepare(call, c, plan);
     quiet_enter();
     clock_start((int32)c->limit);

@@ -12,6 +12,7 @@ enum plan_constants {
     PLAN_REGISTERS = 15,        /* d0-d7/a0-a6 */
     PLAN_PIECE = 1024,          /* bytes of an image's piece */
     PLAN_WRITTEN = 1,           /* bit of a piece's offset: the call may write it */
+    PLAN_HELD = 1024,           /* pieces of a `far` that may be left as they are */
     ARENA_ALIGN = 65536         /* arenas begin at a multiple of this */
 };
 
@@ -39,7 +40,8 @@ struct plan_header {
    An image is a list with a longword for each PLAN_PIECE of its bytes, of which the last may be
    shorter: the piece's offset in the file, or 0 for zeros, and PLAN_WRITTEN. Cases share equal pieces.
    A piece of `far` that the last call may not write, and that the next one has at the same place, is
-   not copied again: that is most of a map's. */
+   not copied again: that is most of a map's. Of `far` the last piece, and those from PLAN_HELD on, have
+   PLAN_WRITTEN. */
 struct plan_case {
     uint32 name_at;             /* the kernel's name, ended by 0 */
     uint32 near_at, near;       /* offset of the image's list; its bytes: multiples of 4 */
@@ -61,7 +63,9 @@ struct plan_case {
     uint32 drawn;               /* checksum of `far` after a call; 0: none */
 };
 
-/* A case's result, after the bytes of near and far as the first call left them. */
+/* A case's result, after the bytes as the first call left them: of near, and of far's pieces that have
+   PLAN_WRITTEN. The others are compared with the plan before they are replaced, and after the last
+   call; a longword at the file's end counts those that a call has changed. */
 struct plan_result {
     uint32 near, far;           /* their addresses */
     uint32 ticks;               /* colour clocks, of all repeats */

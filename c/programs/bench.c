@@ -40,6 +40,24 @@ static int32 results_add(int32 file, const uint8 *from, uint32 bytes)
     return 1;
 }
 
+/* The pieces of far that the call may write, those side by side at once. */
+static int32 add_far(int32 file, const struct plan_case *c, const uint8 *plan, const uint8 *far)
+{
+    const uint32 *piece = (const uint32 *)(plan + c->far_at);
+    const uint8 *first = far, *const end = far + c->far;
+
+    while (far < end) {
+        const uint32 is_written = *piece++ & PLAN_WRITTEN;
+
+        if (!is_written && first < far && !results_add(file, first, (uint32)(far - first)))
+            return 0;
+        far = end - far > PLAN_PIECE ? far + PLAN_PIECE : end;
+        if (!is_written)
+            first = far;
+    }
+    return first == end || results_add(file, first, (uint32)(end - first));
+}
+
 static int32 run(const struct plan_case *c, const uint8 *plan, struct plan_arenas *arenas,
                  int32 file)
 {
@@ -48,7 +66,7 @@ static int32 run(const struct plan_case *c, const uint8 *plan, struct plan_arena
 
     if (!plan_call(&call, c, plan, arenas))
         return 0;
-    if (!results_add(file, call.near, c->near) || !results_add(file, call.far, c->far))
+    if (!results_add(file, call.near, c->near) || !add_far(file, c, plan, call.far))
         return 0;
     result.near = (uint32)call.near;
     result.far = (uint32)call.far;
@@ -75,6 +93,7 @@ static int32 run_plan(const uint8 *plan, const char *name, int32 results)
     const struct plan_case *cases = plan_cases(plan);
     uint32 count = ((const struct plan_header *)plan)->cases;
     struct plan_arenas arenas;
+    uint32 changed;
 
     if (!plan_arenas_make(&arenas, plan))
         return outcome_lack_memory(name, "the cases");
@@ -84,7 +103,8 @@ static int32 run_plan(const uint8 *plan, const char *name, int32 results)
         if ((i && outcome_break()) || !run(&cases[i], plan, &arenas, results))
             return 0;
     }
-    return results_flush(results);
+    changed = plan_changed(&arenas, plan);
+    return results_add(results, (const uint8 *)&changed, sizeof changed) && results_flush(results);
 }
 
 int main(void)

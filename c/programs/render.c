@@ -86,19 +86,37 @@ static int32 draw(struct scene *scene, int32 number, struct run *run, struct fra
     return 1;
 }
 
-/* The hash skips longwords equal to the one before: most of a frame is background. */
+/* Skips longwords from `at` on that are `last`, up to `end`; eight a step, as most of a frame is background. */
+static const uint32 *skip_equal(const uint32 *at, const uint32 *end, uint32 last)
+{
+    while (end - at >= 8 && at[0] == last && at[1] == last && at[2] == last && at[3] == last
+           && at[4] == last && at[5] == last && at[6] == last && at[7] == last)
+        at += 8;
+    while (at < end && *at == last)
+        at++;
+    return at;
+}
+
+/* The hash leaves out longwords equal to the one before. */
 static void add_up(const struct frame *frame, struct frame_digest *digest)
 {
-    const uint32 *pixels = (const uint32 *)frame->pixels;
+    const uint32 *at = (const uint32 *)frame->pixels;
+    const uint32 *const end = at + frame->pitch * frame->height / 4;
     uint32 sum = 0, hash = 0, last = 0;
 
-    for (int32 i = frame->pitch * frame->height / 4; i > 0; i--) {
-        uint32 four = *pixels++;
+    for (;;) {
+        const uint32 *const first = at;
 
-        sum += four;
-        if (four != last)
-            hash = ((hash << 16 | hash >> 16) ^ four) * FRAME_HASH + (uint32)i;
-        last = four;
+        if (at < end && *at == last) {
+            at = skip_equal(at, end, last);
+            sum += last * (uint32)(at - first);
+        }
+        if (at == end)
+            break;
+        last = *at;
+        sum += last;
+        hash = ((hash << 16 | hash >> 16) ^ last) * FRAME_HASH + (uint32)(end - at);
+        at++;
     }
     digest->sum = sum;
     digest->hash = hash;

@@ -141,19 +141,24 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
     in which the crash was, and by halves. Its result is the crash report, and no further trial of
     that kernel is called (None).
 
-    Unchanged pieces of the far arena are not restored between calls, so a kernel that writes where it must
-    not may be found at another's: all trials of the kernels concerned are called again, each with the whole
-    arena restored.
+    Unchanged pieces of the far arena are neither restored nor returned between calls, so a kernel that writes
+    where it must not is found at a later call, or at the end: all trials of its boot are called again, each
+    with the whole arena restored and returned.
     """
     results: list[kernels.Result | str | None] = [None] * len(trials)
     crashed: set[str] = set()
 
-    def attempt(part: list[int], case_of: Callable[[Trial], kernels.Case]) -> None:
+    def attempt(part: list[int], case_of: Callable[[Trial], kernels.Case] = with_writes) -> None:
         part = [index for index in part if trials[index].case.kernel not in crashed]
         if not part:
             return
         try:
             called = kernels.call_batch([case_of(trials[index]) for index in part], machine, None)
+        except kernels.Changed as changed:
+            attempt(part, lambda trial: trial.case)
+            if not any(map(wrong, part)):
+                raise UserError(f"{changed}; each call alone changes none") from None
+            return
         except UserError as error:
             if "crashed" not in str(error):
                 raise
@@ -169,14 +174,17 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
             return
         for index, result in zip(part, called):
             results[index] = result
+        if case_of is with_writes and any(map(wrong, part)):
+            attempt(part, lambda trial: trial.case)
+
+    def wrong(index: int) -> bool:
+        found = results[index]
+        return isinstance(found, kernels.Result) and trials[index].memory_complaint(found, True) is not None
 
     done = 0
     for batch in kernels.batches([trial.case for trial in trials], machine):
-        attempt(list(range(done, done + len(batch))), with_writes)
+        attempt(list(range(done, done + len(batch))))
         done += len(batch)
-    wrong = {trial.case.kernel for trial, result in zip(trials, results)
-             if isinstance(result, kernels.Result) and trial.memory_complaint(result, True)}
-    attempt([index for index, trial in enumerate(trials) if trial.case.kernel in wrong], lambda trial: trial.case)
     return results
 
 

@@ -24,6 +24,10 @@ BATCH_BYTES = 950_000
 BATCH_BYTES_FAST = 5_000_000
 
 
+class Changed(UserError):
+    """Far memory was changed outside of what cases list."""
+
+
 class Place(NamedTuple):
     """What an offset of an arena belongs to: its name, where that begins, its bytes."""
 
@@ -137,13 +141,24 @@ def pieces(image: bytes) -> list[bytes]:
     return [piece if piece.strip(b"\0") else b"" for piece in cut]
 
 
+def written(size: int, writes: list[tuple[int, int]] | None) -> np.ndarray:
+    """Returns which pieces of an image have PLAN_WRITTEN: bool. ``size``: its bytes; ``writes``: as in Case."""
+    constants = layout.load().constants
+    piece = constants["PLAN_PIECE"]
+    found = np.full(-(-size // piece), writes is None)
+    for first, count in writes or ():
+        if count:
+            found[first // piece:(first + count - 1) // piece + 1] = True
+    found[-1:] = found[constants["PLAN_HELD"]:] = True
+    return found
+
+
 def plan(cases: list[Case]) -> bytes:
     """Returns the plan file for ``cases``."""
     shapes = layout.load()
     header, case_shape = shapes.struct("plan_header"), shapes.struct("plan_case")
     body = bytearray(header.size + len(cases) * case_shape.size)
     kept: dict[bytes, int] = {}
-    size = shapes.constants["PLAN_PIECE"]
 
     def place(content: bytes) -> int:
         if content not in kept:
@@ -157,9 +172,7 @@ def plan(cases: list[Case]) -> bytes:
 
     def place_image(image: bytes, writes: list[tuple[int, int]] | None = None) -> int:
         listed = np.array([place(piece) if piece else 0 for piece in pieces(image)], ">u4")
-        for first, count in [(0, len(image))] if writes is None else writes:
-            if count:
-                listed[first // size:(first + count - 1) // size + 1] |= shapes.constants["PLAN_WRITTEN"]
+        listed[written(len(image), writes)] |= shapes.constants["PLAN_WRITTEN"]
         return place(listed.tobytes())
 
     def mask(registers: dict[str, int]) -> int:
@@ -216,8 +229,20 @@ def batches(cases: list[Case], machine: str) -> list[list[Case]]:
     return runs
 
 
+def far_after(case: Case, data: memoryview) -> tuple[bytes, int]:
+    """Returns the far memory after a call, and how many bytes of ``data``, which has its written pieces, it took."""
+    image, size = bytearray(case.far.image), layout.load().constants["PLAN_PIECE"]
+    marks, at = np.flatnonzero(np.diff(written(len(image), case.writes), prepend=False, append=False)), 0
+    for first, end in zip((marks[::2] * size).tolist(), (marks[1::2] * size).tolist()):
+        end = min(end, len(image))
+        image[first:end] = data[at:at + end - first]
+        at += end - first
+    return bytes(image), at
+
+
 def call_batch(cases: list[Case], machine: str, progress) -> list[Result]:
-    """Runs the cases in one boot; returns their results."""
+    """Runs the cases in one boot; returns their results. Raises Changed if a call wrote far memory
+    outside its case's ``writes``."""
     with emulator.workspace() as directory:
         done = emulator.run("bench", "kernels.plan kernels.results", {"kernels.plan": plan(cases)},
                             machine, directory, progress)
@@ -225,16 +250,19 @@ def call_batch(cases: list[Case], machine: str, progress) -> list[Result]:
             raise UserError(f"bench: {emulator.last_words(done.output)}")
         data = (done.directory / "kernels.results").read_bytes()
     shape = layout.load().struct("plan_result")
-    results, at = [], 0
+    results, at, view = [], 0, memoryview(data)
     for case in cases:
-        near, far = len(case.arena.image), len(case.far.image)
-        memory, far_memory, at = data[at:at + near], data[at + near:at + near + far], at + near + far
-        fields, at = shape.unpack(data, at), at + shape.size
+        near = len(case.arena.image)
+        memory, at = data[at:at + near], at + near
+        far_memory, size = far_after(case, view[at:])
+        fields, at = shape.unpack(data, at + size), at + size + shape.size
         results.append(Result(fields["near"], memory, fields["far"], far_memory,
                               dict(zip(REGISTERS, fields["registers"])), fields["stack"],
                               fields["ticks"] * CYCLES_PER_TICK))
-    if at != len(data):
-        raise UserError(f"bench: {len(data)} bytes of results instead of {at}")
+    if at + 4 != len(data):
+        raise UserError(f"bench: {len(data)} bytes of results instead of {at + 4}")
+    if changed := int.from_bytes(data[at:], "big"):
+        raise Changed(f"bench: {changed} pieces of far memory were changed by calls that may not write them")
     return results
 
 

@@ -316,8 +316,7 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
         shown = [(each, (held, held)) for each, _ in shown]
     for error, both, key, pixel in found:
         add_error(error, both, key, pixel, out)
-    for each, allowed in shown:
-        bounds_fetched.judge(*each, allowed, out)
+    bounds_fetched.judge_lines(shown, out)
 
 
 def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:

@@ -16,6 +16,24 @@ from tmap.ideal.ideal import UNIT
 ROUNDING = 2.0**-30
 
 
+def judge_lines(lines: list[tuple], out) -> None:
+    """``judge`` for many lines, all at once: those alone that it would complain about are judged by it.
+    ``lines``: its arguments from ``key`` to ``y``, and ``allowed``."""
+    if not lines:
+        return
+    counts = [len(texels) for (_, texels, *_), _ in lines]
+    texels, values, errors = (np.concatenate([each[k] for each, _ in lines]) for k in (1, 2, 3))
+    sides = np.repeat([each[4] for each, _ in lines], counts)
+    middle = (texels + 0.5 - values * UNIT + errors + sides / 2) % sides - sides / 2
+    starts = np.cumsum([0, *counts[:-1]])
+    below, above = np.array([allowed for _, allowed in lines]).T + ROUNDING
+    wrong = ((-0.5 - np.minimum.reduceat(middle, starts) > below)
+             | (np.maximum.reduceat(middle, starts) - 0.5 > above))
+    for number in np.flatnonzero(wrong):
+        each, allowed = lines[number]
+        judge(*each, allowed, out)
+
+
 def judge(key: str, texels: np.ndarray, values: np.ndarray, errors: np.ndarray, side: int,
           left: int, y: int, allowed: tuple[float, float], out) -> None:
     """Adds a complaint to a Verdict if a texel of a line is too far below or above the exact value.

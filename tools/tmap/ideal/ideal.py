@@ -177,6 +177,7 @@ class Plane:
         self.nx = (values[1] - values[0]) * (y2 - y0) - (values[2] - values[0]) * (y1 - y0)
         self.ny = (x1 - x0) * (values[2] - values[0]) - (x2 - x0) * (values[1] - values[0])
         self.x0, self.y0, self.value0 = x0, y0, values[0]
+        self.last = None, None, ()  # texturing and cut of ``terms``, and its result
 
     def at(self, x: int, y: int) -> Fraction:
         """Returns the exact value at a point; all in units."""
@@ -199,7 +200,7 @@ class Plane:
     def errors(self, found: np.ndarray, columns: np.ndarray, j: int) -> np.ndarray:
         """Returns ``error`` for adjacent pixels ``columns`` of line j; the first is exact, the
         others are rounded to some 1/2^30 texel."""
-        moved = (found - found[0] + (1 << 31)) % (1 << 32) - (1 << 31)
+        moved = (found - found[0]).astype(np.int32)  # modulo 2^32
         exact = (columns - columns[0]) * (self.nx / self.d)
         error = self.error(int(found[0]), int(columns[0]), j) + moved * UNIT - exact
         return (error + 32768) % 65536 - 32768
@@ -231,10 +232,16 @@ class Plane:
 
     def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
         """Returns how far set-up's value may be above the exact one at pixel (i, j), in texels."""
-        ex, ey = (self.cut(n / self.d, t.gentle) for n in (self.nx, self.ny))
-        away = abs(t.i - self.x0 * UNIT) * ex + abs(t.j - self.y0 * UNIT) * ey
-        right, down = self.rounding(cut, t.gentle)
-        return self.raised(t, cut) + UNIT + away + abs(i - t.i) * right + abs(j - t.j) * down
+        raised, away, right, down = self.terms(t, cut)
+        return raised + UNIT + away + abs(i - t.i) * right + abs(j - t.j) * down
+
+    def terms(self, t: model.Texturing, cut: int) -> tuple[float, float, float, float]:
+        """What the bounds of all pixels share, which are asked for one after the other."""
+        if self.last[0] is not t or self.last[1] != cut:
+            ex, ey = (self.cut(n / self.d, t.gentle) for n in (self.nx, self.ny))
+            away = abs(t.i - self.x0 * UNIT) * ex + abs(t.j - self.y0 * UNIT) * ey
+            self.last = t, cut, (self.raised(t, cut), away, *self.rounding(cut, t.gentle))
+        return self.last[2]
 
     def below(self) -> bool:
         """Returns true if set-up's value may be below the exact one as well."""

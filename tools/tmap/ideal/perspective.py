@@ -112,7 +112,7 @@ class Curve:
         """Returns ``error`` for adjacent pixels ``columns`` of line j, all in front of the viewer;
         the deepest one's is exact, the others' are rounded to some 2^-33 texel."""
         deepest, exact = self.travel(columns, j)
-        moved = (found - found[deepest] + (1 << 31)) % (1 << 32) - (1 << 31)
+        moved = (found - found[deepest]).astype(np.int32)  # modulo 2^32
         error = self.error(int(found[deepest]), int(columns[deepest]), j) + moved * UNIT - exact
         return (error + 32768) % 65536 - 32768
 
