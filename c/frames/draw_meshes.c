@@ -90,8 +90,7 @@ static void make_values(struct mesh_place *to, const struct scene_normal *normal
     }
 }
 
-/* Sets the depths and shades of an instance's fog. */
-static void set_fog(struct mesh_fog *to, const struct scene_instance *instance)
+void mesh_set_fog(struct mesh_fog *to, const struct scene_instance *instance)
 {
     to->near = instance->fog_near;
     to->far = instance->fog_far;
@@ -184,7 +183,7 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     placed->flags = instance->flags;
     placed->flags |= linked(renderer, scene, placed);
     if (instance->flags & MESH_FOG)
-        set_fog(&placed->fog, instance);
+        mesh_set_fog(&placed->fog, instance);
     faces.from = &scene->faces[mesh->face];
     faces.count = (int32)mesh->faces;
     faces.placed = placed;

@@ -64,4 +64,7 @@ void mesh_make_attributes(struct mesh_attributes *to, const struct scene_normal 
 void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,
                      int32 count);
 
+/* Sets the depths and shades of an instance's fog. */
+void mesh_set_fog(struct mesh_fog *to, const struct scene_instance *instance);
+
 #endif

@@ -54,6 +54,8 @@ static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
         placed->places = 0;
         placed->attributes = 0;
         placed->flags = instance->flags;
+        if (instance->flags & MESH_FOG)
+            mesh_set_fog(&placed->fog, instance);
         if (tree->walk.view && !same_place(tree->walk.view, placed->view))
             return 0;
         tree->walk.view = placed->view;
@@ -121,7 +123,7 @@ static enum polygon_result draw_slot(struct renderer *renderer, struct near_tree
     tree->face.face = slot->face;
     if (mesh_near_face(&tree->face) == NEAR_HIDDEN)
         return POLYGON_EMPTY;
-    if (placed->flags && !placed->attributes) {
+    if (placed->flags & (MESH_ENVIRONMENT | MESH_LIT) && !placed->attributes) {
         placed->attributes = tree->attributes;
         mesh_make_attributes(tree->attributes, &scene->normals[placed->mesh->normal], (int32)placed->mesh->normals,
                              &scene->instances[slot->instance], placed->view);
