@@ -8,19 +8,17 @@
 #include "triangle/polygon.h"
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
-static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
-                                        int32 count, const struct material *material)
+static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
+                                        const struct material *material, polygon_routine *draw)
 {
     struct polygon polygon;
 
     /* A face is a plane in space, but on the screen its affine texels need not be on a plane. */
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
-    if (renderer->cover)
-        return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
-        return material->draw(renderer, &polygon, material);
-    return polygon_fan(material->draw, renderer, &polygon, material);
+        return draw(renderer, &polygon, material);
+    return polygon_fan(draw, renderer, &polygon, material);
 }
 
 /* Projects vertices from camera space to the screen, as mesh_transform does. */
@@ -126,16 +124,16 @@ const struct vertex *mesh_face_vertices(const struct scene *scene, const struct 
 enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
                                       const struct material *material)
 {
-    return draw_polygon(renderer, vertices, count, material);
+    return draw_polygon(renderer, vertices, count, material, material->draw);
 }
 
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
-                                   const struct mesh_face *face)
+                                   const struct mesh_face *face, polygon_routine *draw)
 {
     int32 count;
     const struct vertex *vertices = vertices_of(scene, face, &count);
 
-    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed->material);
+    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed->material, draw);
 }
 
 /* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is
@@ -189,7 +187,7 @@ enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scen
             face = left;
             continue;
         }
-        result = mesh_draw_face(renderer, scene, face);
+        result = mesh_draw_face(renderer, scene, face, face->placed->material->draw);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
         face = face->next;
