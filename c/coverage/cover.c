@@ -2,20 +2,13 @@
    aside, in a frame of the same size, from which visible parts are copied. */
 #include "coverage/coverage.h"
 #include "coverage/cut.h"
-#include "drawing/draw.h"
-#include "drawing/fan.h"
-#include "drawing/outline.h"
-#include "perspective/light.h"
-#include "polygon/kind.h"
 #include "span/far.h"
 
-static struct coverage *coverage_of(const struct setup *s)
-{
-    return (struct coverage *)s->renderer->cover;
-}
+#define DRAW_INSIDE_ONLY
+#include "drawing/draw.c"
 
 /* Makes the table of a polygon's lines without u and v. */
-static void make_lines(struct setup *s)
+static void make_outline(struct setup *s)
 {
     outline_lines(s, EDGES_ARE_EXACT(s->material->edges) ? edge_flat_exact : edge_flat, scissor_flat);
 }
@@ -105,48 +98,9 @@ static void count_hidden(const struct coverage *c, struct setup *s)
         s->counts->hidden++;
 }
 
-static enum polygon_result draw(struct setup *s, enum polygon_result (*rest)(struct setup *s))
-{
-    struct coverage *c = coverage_of(s);
-    struct scan_plan plan;
-    enum polygon_result result;
-    uint8 *const row = s->span.row;
-
-    make_lines(s);
-    plan.lines = s->edges.lines;
-    plan.count = s->span.count;
-    plan.rows = c->rows + s->box.top;
-    plan.coverage = c;
-    c->way = COVER_DIRECT;
-    coverage_scan(&plan);
-    if (s->counts) {
-        count_hidden(c, s);
-        if (s->renderer->only_counts)
-            return rest(s);
-    }
-    if (c->overflow || !c->seen)
-        return POLYGON_DRAWN;
-    c->shown = 1;
-    if (c->parts == c->parts_end)
-        return rest(s);
-    if (is_cut(s)) {
-        c->way = COVER_CUT;
-        return rest(s);
-    }
-    c->way = COVER_ASIDE;
-    s->span.row += c->aside;
-    result = rest(s);
-    if (result != POLYGON_DRAWN || c->way == COVER_CUT)
-        return result;
-    if (c->way == COVER_ASIDE)
-        make_lines(s);          /* the table may have had other uses */
-    copy_parts(c, s, row, c->way == COVER_ASIDE);
-    return result;
-}
-
 static void span(struct setup *s)
 {
-    struct coverage *c = coverage_of(s);
+    struct coverage *const c = s->renderer->coverage;
 
     if (c->way == COVER_CUT)
         cut_span(c, s);
@@ -154,23 +108,27 @@ static void span(struct setup *s)
         kind_spans[s->kind](&s->span);
 }
 
-static void level(const struct setup *s, struct span_plan *plan, int32 chained,
-                  void (*routine)(const struct span_plan *))
+static void level(const struct setup *s)
 {
-    struct coverage *c = coverage_of(s);
+    struct coverage *const c = s->renderer->coverage;
+    struct span_plan plan;
+    span_routine *const routine
+        = perspective_make_level(s, (struct scanline_step *)s->scratch->room, &plan);
 
+    if (!routine)
+        return;
     if (c->way != COVER_ASIDE || light_kind(s)) {
-        routine(plan);
+        routine(&plan);
         return;
     }
     c->way = COVER_CUT;
-    plan->row -= c->aside;
-    cut_level(c, plan, chained, routine);
+    plan.row -= c->aside;
+    cut_level(c, &plan, s->perspective->chained, routine);
 }
 
 static void lines(const struct setup *s)
 {
-    const struct coverage *c = coverage_of(s);
+    const struct coverage *const c = s->renderer->coverage;
 
     if (c->way == COVER_DIRECT)
         return;
@@ -204,7 +162,7 @@ static int32 place_cut(const struct coverage *c, struct far_line *to, const stru
 
 static void far(const struct setup *s, struct far_line *to, int32 leftwards, int32 cuts)
 {
-    struct coverage *c = coverage_of(s);
+    struct coverage *const c = s->renderer->coverage;
     struct visible_part *part = c->parts, *kept = c->parts, *first;
     uint8 *row = s->span.row;
 
@@ -226,27 +184,70 @@ static void far(const struct setup *s, struct far_line *to, int32 leftwards, int
     c->way = COVER_LINES_ASIDE;
 }
 
-static enum polygon_result draw_polygon(struct renderer *renderer, const struct polygon *polygon,
-                                        const struct material *material)
-{
-    const struct coverage *coverage = (const struct coverage *)renderer->cover;
+static const struct cover hooks = {lines, span, level, far};
 
-    /* what is counted is counted with its pixels */
-    if (!renderer->only_counts
-        && coverage_hides(coverage, renderer->frame, polygon->vertices, polygon->count))
-        return POLYGON_EMPTY;
-    if (polygon->count == 3 || material->mapper == MAPPER_FLAT
-        || material->gradients != GRADIENTS_POLYGON)
-        return polygon_draw_whole(renderer, polygon, material);
-    return polygon_fan(polygon_draw_whole, renderer, polygon, material);
+/* Draws what is visible of a polygon whose outline and span are set. */
+static enum polygon_result draw_visible(struct setup *s)
+{
+    struct coverage *const c = s->renderer->coverage;
+    struct scan_plan plan;
+    enum polygon_result result;
+    uint8 *const row = s->span.row;
+
+    make_outline(s);
+    plan.lines = s->edges.lines;
+    plan.count = s->span.count;
+    plan.rows = c->rows + s->box.top;
+    plan.coverage = c;
+    c->way = COVER_DIRECT;
+    coverage_scan(&plan);
+    if (s->counts) {
+        count_hidden(c, s);
+        if (s->renderer->only_counts)
+            return draw_inside(s, &hooks);
+    }
+    if (c->overflow || !c->seen)
+        return POLYGON_DRAWN;
+    c->shown = 1;
+    if (c->parts == c->parts_end)
+        return draw_inside(s, &hooks);
+    if (is_cut(s)) {
+        c->way = COVER_CUT;
+        return draw_inside(s, &hooks);
+    }
+    c->way = COVER_ASIDE;
+    s->span.row += c->aside;
+    result = draw_inside(s, &hooks);
+    if (result != POLYGON_DRAWN || c->way == COVER_CUT)
+        return result;
+    if (c->way == COVER_ASIDE)
+        make_outline(s);        /* the table may have had other uses */
+    copy_parts(c, s, row, c->way == COVER_ASIDE);
+    return result;
 }
 
-void coverage_set(struct coverage *c)
+static enum polygon_result draw_whole(struct renderer *renderer, const struct polygon *polygon,
+                                      const struct material *material)
 {
-    c->cover.polygon = draw_polygon;
-    c->cover.draw = draw;
-    c->cover.span = span;
-    c->cover.level = level;
-    c->cover.lines = lines;
-    c->cover.far = far;
+    enum polygon_result result;
+    struct setup s;
+
+    if (!is_polygon(polygon))
+        return POLYGON_FEW;
+    if (is_fan(renderer, polygon, material))
+        return polygon_fan(draw_whole, renderer, polygon, material);
+    s.form = renderer->form;
+    setup_begin(&s, renderer, polygon, material);
+    result = plan_set_up(&s);
+    return count_rules(&s, result == POLYGON_DRAWN ? draw_visible(&s) : result);
+}
+
+enum polygon_result coverage_draw(struct renderer *renderer, const struct polygon *polygon,
+                                  const struct material *material)
+{
+    /* what is counted is counted with its pixels */
+    if (!renderer->only_counts
+        && coverage_hides(renderer->coverage, renderer->frame, polygon->vertices, polygon->count))
+        return POLYGON_EMPTY;
+    return draw_whole(renderer, polygon, material);
 }

@@ -38,7 +38,6 @@ enum cover_way {
 };
 
 struct coverage {
-    struct cover cover;         /* renderer->cover points here */
     struct gap **rows;          /* of each line of the frame the first gap */
     struct gap *unused;         /* gaps, linked; 0: none, then those from `fresh` on are unused */
     struct gap *fresh;
@@ -65,14 +64,14 @@ struct scan_plan {
     struct coverage *coverage;
 };
 
-/* Sets the routines of this room that the drawing of polygons calls. */
-void coverage_set(struct coverage *coverage);
-
 /* Begins a frame: no pixel is covered. */
 void coverage_begin(struct coverage *coverage, const struct frame *frame);
 
 /* Returns 1 if all pixels of the frame in a box, right and bottom included, are covered. */
 int32 coverage_hides_box(const struct coverage *coverage, const struct frame *frame, const struct rectangle *box);
+
+/* Draws what of a polygon renderer->coverage does not hide, as polygon_draw would draw it whole, and covers it. */
+polygon_routine coverage_draw;
 
 /* Returns 1 if all pixels of the frame that vertices' box has are covered. */
 int32 coverage_hides(const struct coverage *coverage, const struct frame *frame,

@@ -1,11 +1,6 @@
-/* From a convex polygon to its scanline table and the call that draws it. With gradients of the plane and sub-
-   texel starts, all numbers that decide a pixel are functions of the pixel alone: x of an edge at line j is x0 +
-   (j - j0) slope, where j0 is its first line in the frame; u at pixel (i, j) is u_ref + (i - i_ref) dudx + (j -
-   j_ref) dudy modulo 2^32, (i_ref, j_ref) being the first pixel right of the left side, or the middle of the box
-   if gradients are steep. So it does not matter which vertex comes first, an edge from far above has not drifted
-   when it reaches the frame, and polygons that share an edge leave no gap. The model in tools/tmap/model/model.py
-   does the same arithmetic. */
-#include "drawing/clamp.h"
+/* From a polygon's span plan to its pixels. c/coverage/cover.c includes this file too, for polygons that are drawn
+   front to back: its `cover` leaves hidden pixels out, and that of polygon_draw_whole is 0, so that others ask for
+   nothing. */
 #include "drawing/columns.h"
 #include "drawing/draw.h"
 #include "drawing/fan.h"
@@ -13,151 +8,26 @@
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
-#include "perspective/afar.h"
+#include "drawing/plan.h"
+#include "perspective/cubic.h"
+#include "perspective/far.h"
 #include "perspective/light.h"
 #include "perspective/perspective.h"
-#include "polygon/clip.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
-#include "polygon/ramps.h"
-#include "polygon/setup.h"
 #include "polygon/shading.h"
 
-/* Uses of the scratch room by polygons without perspective, one at a time. */
-union made {
-    struct {
-        struct ramp left[CLIP_VERTICES_MAX], right[CLIP_VERTICES_MAX];
-        struct scanline_step steps[FRAME_SIDE_MAX];
-    } ramps;
-    uint32 shades[FRAME_SIDE_MAX];
-    uint8 code[CODE_BYTES + CACHE_BYTES];
+/* What leaves hidden pixels out of polygons that are drawn front to back. */
+struct cover {
+    /* Leaves hidden lines of a table that is just made without pixels. */
+    void (*lines)(const struct setup *s);
+    /* Draws the table of s->span by the kind of span of s. */
+    void (*span)(struct setup *s);
+    /* Draws lines of LEVEL_LINES, as perspective_draw. */
+    void (*level)(const struct setup *s);
+    /* Places lines that are drawn from their far ends. cuts: they may end early. */
+    void (*far)(const struct setup *s, struct far_line *lines, int32 leftwards, int32 cuts);
 };
-
-SCRATCH_FITS(union made);
-
-static union made *made_of(const struct setup *s)
-{
-    return (union made *)s->scratch->room;
-}
-
-/* Sets the map, light and code of the plan. Returns POLYGON_WRONG_MAP if the mapper cannot draw
-   this map or frame, else POLYGON_DRAWN. */
-static enum polygon_result set_map(struct setup *s)
-{
-    struct column_layout *columns = &s->scratch->columns;
-    const struct map *map = s->material->map;
-    const enum mapper mapper = s->material->mapper;
-    const struct mapper_traits *traits = &mappers[mapper];
-    uint8 *code;
-
-    if (mapper == MAPPER_FLAT)
-        return POLYGON_DRAWN;
-    if (mapper == MAPPER_GOURAUD)
-        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
-    if (!map || map->layout != traits->layout || map->texel_bytes != s->frame->pixel_bytes
-        || !(map->texel_bytes & traits->bytes))
-        return POLYGON_WRONG_MAP;
-    s->span.map = map->texels;
-    if (mapper == MAPPER_AFFINE)
-        return POLYGON_DRAWN;
-    code = made_of(s)->code;
-    s->span.map_width = map->width;
-    s->span.map_height = map->height;
-    s->span.columns = columns;
-    s->span.code = code + ((0 - (uint32)code) & (CACHE_BYTES - 1));
-    if (traits->is & MAPPER_LIGHTS
-        && !shading_light(&s->span, s->material,
-                          s->affine == SPAN_LIT_GOURAUD ? 0 : s->given->shade))
-        return POLYGON_WRONG_MAP;
-    if (mapper == MAPPER_COLUMNS && !column_layout_make(columns, map->width, map->height))
-        return POLYGON_WRONG_MAP;
-    return POLYGON_DRAWN;
-}
-
-/* Returns the pixel of a flat polygon. */
-static uint32 colour(const struct setup *s)
-{
-    return s->material->mapper == MAPPER_FLAT ? s->material->colour
-         : s->material->mapper == MAPPER_GOURAUD ? (uint32)s->given->shade >> 16
-         : *s->span.light;
-}
-
-static int32 is_flat(const struct setup *s)
-{
-    return s->kind <= SPAN_FILL_32;
-}
-
-static enum polygon_result set_span(struct setup *s)
-{
-    const struct frame *frame = s->frame;
-    enum polygon_result result;
-
-    s->span.lines = s->edges.lines;
-    s->span.count = s->box.bottom - s->box.top;
-    s->span.row = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
-    s->span.pitch = frame->pitch;
-    result = set_map(s);
-    if (result == POLYGON_DRAWN && is_flat(s))
-        s->span.colour = colour(s);
-    return result;
-}
-
-/* Returns how u and v of the polygon's spans share an addx chain. */
-static enum chain chain_of(const struct setup *s)
-{
-    const struct material *m = s->material;
-
-    if (m->mapper == MAPPER_GOURAUD)
-        return m->gradients == GRADIENTS_PLANE ? CHAIN_SHADES : CHAIN_NONE;
-    if (m->mapper == MAPPER_LIT_GOURAUD)
-        return s->kind == SPAN_LIT_GOURAUD ? CHAIN_NONE : CHAIN_WHOLE;
-    if (m->mapper != MAPPER_AFFINE && m->mapper != MAPPER_LIT && m->mapper != MAPPER_KEYED
-        && (m->mapper != MAPPER_GENERATED || s->kind == SPAN_GENERATED))
-        return CHAIN_NONE;
-    if (m->gradients != GRADIENTS_PLANE || m->start != START_SUBTEXEL)
-        return CHAIN_ANYWHERE;
-    return m->whole ? CHAIN_WHOLE : CHAIN_PLANE;
-}
-
-/* Sets the number of low bits of u and v that the mapper's spans do not keep. */
-static void set_cuts(struct texturing *t, enum mapper mapper)
-{
-    t->u_cut = mapper == MAPPER_COLUMNS ? CUT_COLUMNS : 0;
-    t->v_cut = mapper == MAPPER_TILED ? CUT_TILED_V : t->u_cut;
-}
-
-/* Finds the plane of a polygon that has its outline. Materials of texture units have the units' plane,
-   to the last bit. */
-static void set_plane(struct setup *s)
-{
-    struct texturing *t = &s->texturing;
-    enum chain chain = chain_of(s);
-
-    set_cuts(t, s->material->mapper);
-    if (s->material->whole) {
-        texturing_plane(t, &s->sides, &s->box, chain);
-        texturing_starts(t, s->edges.left, s->edges.lefts);
-    } else {
-        plane_find(s, (int32)chain);
-    }
-}
-
-/* Finds the outline and, unless the polygon is flat or has no plane of u and v, the plane. */
-static enum polygon_result set_outline(struct setup *s)
-{
-    const int32 has_plane = !is_flat(s) && s->kind != SPAN_PERSPECTIVE
-        && s->material->gradients == GRADIENTS_PLANE;
-    enum polygon_result result;
-
-    if (has_plane && !s->material->whole) {
-        set_cuts(&s->texturing, s->material->mapper);
-        return outline_find(s, (int32)chain_of(s));
-    }
-    result = outline_find(s, OUTLINE_ALONE);
-    if (has_plane && result == POLYGON_DRAWN)
-        set_plane(s);
-    return result;
-}
 
 /* Finds the polygon's steps and the starts on its left edges; a plane is there already. */
 static enum polygon_result set_texturing(struct setup *s)
@@ -169,8 +39,8 @@ static enum polygon_result set_texturing(struct setup *s)
         if (m->start == START_TRUNCATED)
             texturing_crossings(t, s->edges.left, s->edges.lefts);
     } else if (s->count == 3) {
-        set_cuts(t, m->mapper);
-        texturing_longest(t, &s->sides, &s->box, chain_of(s));
+        plan_set_cuts(t, m->mapper);
+        texturing_longest(t, &s->sides, &s->box, plan_chain(s));
         (m->start == START_SUBTEXEL ? texturing_pixels : texturing_edges)(
             t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
     } else {
@@ -195,7 +65,7 @@ static void make_lines(struct setup *s, enum span_kind kind)
 /* GRADIENTS_SCANLINE: first x of all lines, then u and v by two divides a line. */
 static void set_ramps(struct setup *s)
 {
-    union made *made = made_of(s);
+    union plan_made *made = plan_room(s);
     struct ramp_plan plan;
 
     make_lines(s, SPAN_FILL);
@@ -216,7 +86,7 @@ static void set_ramps(struct setup *s)
 static int32 has_range(const struct setup *s)
 {
     return (s->material->mapper == MAPPER_GOURAUD || s->material->mapper == MAPPER_ARBITRARY)
-        && !is_flat(s);
+        && !plan_is_flat(s);
 }
 
 /* Rounds u, v and the steps of a line up to the bits that its span keeps. */
@@ -232,23 +102,23 @@ static void raise_line(struct scanline *line, struct span_plan *span, const stru
 }
 
 /* Draws the lines of the plan, unless they are only counted. */
-static void draw_span(struct setup *s)
+static void draw_span(struct setup *s, const struct cover *cover)
 {
     if (s->counts && s->renderer->only_counts)
         return;
-    if (s->renderer->cover)
-        s->renderer->cover->span(s);
+    if (cover)
+        cover->span(s);
     else
         kind_spans[s->kind](&s->span);
 }
 
 /* Draws line by line, for mappers whose spans have only one pair of steps. */
-static void draw_each_line(struct setup *s)
+static void draw_each_line(struct setup *s, const struct cover *cover)
 {
     struct span_plan *line = &s->span;
     int32 count = line->count;
 
-    set_cuts(&s->texturing, s->material->mapper);
+    plan_set_cuts(&s->texturing, s->material->mapper);
     line->count = 1;
     for (int32 i = 0; i < count; i++) {
         line->lines = &s->edges.lines[i];
@@ -258,7 +128,7 @@ static void draw_each_line(struct setup *s)
             raise_line(&s->edges.lines[i], line, &s->texturing);
             if (has_range(s))
                 clamp_lines(s);
-            draw_span(s);
+            draw_span(s, cover);
         }
         line->row += line->pitch;
     }
@@ -266,22 +136,58 @@ static void draw_each_line(struct setup *s)
 
 /* Makes the table of lines, unless it is made or nothing reads it but lines from afar whose edges are in the
    frame. Returns 1 if it is made. */
-static int32 make_lines_read(struct setup *s, int32 from_afar, int32 is_made)
+static int32 make_lines_read(struct setup *s, const struct cover *cover, int32 from_afar, int32 is_made)
 {
-    if (from_afar && !s->counts && !light_kind(s) && !s->renderer->cover && lower_to_no_scissor(s))
+    if (from_afar && !s->counts && !light_kind(s) && !cover && lower_to_no_scissor(s))
         return 0;
     if (!is_made)
         make_lines(s, SPAN_FILL);
-    if (s->renderer->cover)
-        s->renderer->cover->lines(s);
+    if (cover)
+        cover->lines(s);
     s->perspective->lines = s->edges.lines;
     s->perspective->count = s->span.count;
     return 1;
 }
 
+/* How a polygon is drawn from the far ends of its lines. */
+union afar {
+    struct far_way way;         /* by settings with straight pieces */
+    struct cubic_span cubics;   /* by the others */
+};
+
+/* Returns 1 if the polygon's lines are drawn from their far ends: no planes of s and t are needed. */
+static int32 find_afar(union afar *afar, const struct setup *s, const struct depth *depth)
+{
+    if (s->frame->pixel_bytes != 1)     /* tables of lines are for texels of one byte */
+        return 0;
+    return perspective_has_pieces(s->setting)
+         ? s->renderer->reciprocals && far_find(&afar->way, s, depth)
+         : cubic_find(&afar->cubics, s, depth);
+}
+
+/* Draws so. has_lines: they are in the scanline table; else edges are inside the frame. */
+static void draw_afar(const struct setup *s, const struct cover *cover, const struct depth *depth,
+                      union afar *afar, int32 has_lines)
+{
+    const int32 has_pieces = perspective_has_pieces(s->setting);
+    struct far_line *lines;
+
+    if (s->counts)
+        count_lines(s, has_pieces ? SPAN_RECIPROCAL : SPAN_CUBIC);
+    if (s->renderer->only_counts)
+        return;
+    lines = has_pieces ? far_lines(s, &afar->way, has_lines) : cubic_lines(s, has_lines);
+    if (cover)
+        cover->far(s, lines, (int32)s->perspective->q.dx.hi < 0, has_pieces);
+    if (has_pieces)
+        far_draw(s, depth, &afar->way, lines);
+    else
+        cubic_draw(s, &afar->cubics, lines);
+}
+
 /* Draws with perspective. Returns 0 without drawing if the planes are too inexact, too steep or too
    wide: affine spans then draw the polygon. */
-static int32 draw_perspective(struct setup *s)
+static int32 draw_perspective(struct setup *s, const struct cover *cover)
 {
     struct perspective_plan plan;
     struct depth depth;
@@ -290,7 +196,7 @@ static int32 draw_perspective(struct setup *s)
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off: all lines are level */
-        set_plane(s);
+        plan_set_plane(s);
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
         depth.has_texels = 1;
@@ -302,27 +208,29 @@ static int32 draw_perspective(struct setup *s)
     perspective_find_level(s);
     if (s->level && !perspective_texels(&plan, &depth))
         return count_unsure(s);
-    is_made = s->renderer->cover && s->level != LEVEL_COLUMNS;
+    is_made = cover && s->level != LEVEL_COLUMNS;
     if (s->level == LEVEL_COLUMNS && !columns_draw(s))
         s->level = LEVEL_NOTHING;       /* they bend too much */
     if (s->level == LEVEL_COLUMNS && !light_kind(s))
         return 1;
-    from_afar = !s->level && afar_find(&afar, s, &depth);
+    from_afar = !s->level && find_afar(&afar, s, &depth);
     if (!from_afar && !perspective_texels(&plan, &depth))
         return count_unsure(s);
-    has_lines = make_lines_read(s, from_afar, is_made);
+    has_lines = make_lines_read(s, cover, from_afar, is_made);
     if (from_afar)
-        afar_draw(s, &depth, &afar, has_lines);
+        draw_afar(s, cover, &depth, &afar, has_lines);
+    else if (cover && s->level == LEVEL_LINES)
+        cover->level(s);
     else if (s->level != LEVEL_COLUMNS)
         perspective_draw(s);
     if (light_kind(s))
-        light_draw(s, made_of(s)->shades);
+        light_draw(s, plan_room(s)->shades);
     return 1;
 }
 
-static void draw_affine(struct setup *s)
+static void draw_affine(struct setup *s, const struct cover *cover)
 {
-    int32 scanline = !is_flat(s) && s->material->gradients == GRADIENTS_SCANLINE;
+    int32 scanline = !plan_is_flat(s) && s->material->gradients == GRADIENTS_SCANLINE;
 
     if (scanline) {
         set_ramps(s);
@@ -337,62 +245,58 @@ static void draw_affine(struct setup *s)
             outline_opaque(s);
     }
     if (s->kind == SPAN_LIT_GOURAUD)
-        shading_lines(s, made_of(s)->shades);
+        shading_lines(s, plan_room(s)->shades);
     if (s->counts)
         count_lines(s, s->kind);
     if (scanline && s->kind != SPAN_AFFINE_SCANLINE)
-        draw_each_line(s);
+        draw_each_line(s, cover);
     else
-        draw_span(s);
+        draw_span(s, cover);
 }
 
 /* Draws a polygon whose outline and span are set. */
-static enum polygon_result draw_inside(struct setup *s)
+static enum polygon_result draw_inside(struct setup *s, const struct cover *cover)
 {
     if (s->kind == SPAN_PERSPECTIVE) {
-        if (draw_perspective(s))
+        if (draw_perspective(s, cover))
             return POLYGON_DRAWN;
         s->kind = s->affine;
-        set_plane(s);
+        plan_set_plane(s);
     }
-    if (!is_flat(s) && s->material->gradients != GRADIENTS_SCANLINE) {
+    if (!plan_is_flat(s) && s->material->gradients != GRADIENTS_SCANLINE) {
         const enum polygon_result result = set_texturing(s);
 
         if (result != POLYGON_DRAWN)
             return result;
     }
-    draw_affine(s);
+    draw_affine(s, cover);
     return POLYGON_DRAWN;
 }
 
-static enum polygon_result draw(struct setup *s)
+/* Returns non-zero for polygons that are drawn as fans of triangles. */
+static int32 is_fan(struct renderer *renderer, const struct polygon *polygon,
+                    const struct material *material)
 {
-    const struct material *material = s->material;
-    enum polygon_result result;
-
-    s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, material);
-    if (lower_asked(s))
-        lower_by_vertices(s);
-    result = set_outline(s);
-    if (result != POLYGON_DRAWN)
-        return result;
-    result = set_span(s);
-    if (result != POLYGON_DRAWN)
-        return result;
-    return s->renderer->cover ? s->renderer->cover->draw(s, draw_inside) : draw_inside(s);
+    return polygon->count > 3 && polygon->planar != PLANAR_ALL
+        && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material));
 }
+
+#ifndef DRAW_INSIDE_ONLY
 
 enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct polygon *polygon,
                                        const struct material *material)
 {
+    enum polygon_result result;
     struct setup s;
 
     if (!is_polygon(polygon))
         return POLYGON_FEW;
-    if (polygon->count > 3 && polygon->planar != PLANAR_ALL
-        && !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material)))
-        return polygon_fan(renderer->cover ? polygon_draw_whole : polygon_draw, renderer, polygon, material);
+    if (is_fan(renderer, polygon, material))
+        return polygon_fan(polygon_draw, renderer, polygon, material);
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);
-    return count_rules(&s, draw(&s));
+    result = plan_set_up(&s);
+    return count_rules(&s, result == POLYGON_DRAWN ? draw_inside(&s, 0) : result);
 }
+
+#endif

@@ -1,5 +1,6 @@
 #include "drawing/material.h"
 
+#include "drawing/lower.h"
 #include "math/math.h"
 #include "polygon/shading.h"
 #include "triangle/triangles.h"
@@ -108,7 +109,8 @@ static void plane_range(uint32 at, fix16 ddx, fix16 ddy, const struct texturing 
     }
 }
 
-void material_range(struct clamp_plan *clamp, const struct setup *s)
+/* Sets the ranges that u and v of every pixel must stay in: MAPPER_GOURAUD, MAPPER_ARBITRARY. */
+static void find_range(struct clamp_plan *clamp, const struct setup *s)
 {
     clamp->u_low = clamp->v_low = clamp->v_high = 0;
     if (s->material->mapper == MAPPER_GOURAUD) {
@@ -122,7 +124,8 @@ void material_range(struct clamp_plan *clamp, const struct setup *s)
     }
 }
 
-int32 material_leaves_range(const struct setup *s)
+/* Returns non-zero if a pixel might leave these ranges, by errors of edges and of the stepped plane. */
+static int32 leaves_range(const struct setup *s)
 {
     const struct texturing *t = &s->texturing;
     int32 gouraud = s->material->mapper == MAPPER_GOURAUD;
@@ -144,7 +147,31 @@ int32 material_leaves_range(const struct setup *s)
         if (!gouraud)
             plane_range(t->v, t->dvdx, t->dvdy, t, s->vertices, s->count, &t_low, &t_high);
     }
-    material_range(&clamp, s);
+    find_range(&clamp, s);
     return s_low < clamp.u_low + inset || s_high > clamp.u_high - inset
         || (!gouraud && (t_low < inset || t_high > clamp.v_high - inset));
+}
+
+/* Returns a step, made two units slower if it falls: the start of a line may be moved one unit
+   below the far border, and u is above the exact value again a pixel on. */
+static fix16 slower(fix16 step)
+{
+    return step >= 0 ? step : step < -2 ? step + 2 : 0;
+}
+
+void clamp_lines(struct setup *s)
+{
+    struct clamp_plan clamp;
+    int32 leaves = leaves_range(s);
+
+    if (lower_to_no_clamp(s, leaves))
+        return;
+    find_range(&clamp, s);
+    clamp.lines = (struct scanline *)s->span.lines;
+    clamp.count = s->span.count;
+    clamp.dudx = leaves ? slower(s->span.dudx) : s->span.dudx;
+    clamp.dvdx = leaves ? slower(s->span.dvdx) : s->span.dvdx;
+    edge_clamp(&clamp);
+    s->span.dudx = clamp.dudx;
+    s->span.dvdx = clamp.dvdx;
 }

@@ -34,15 +34,11 @@ static inline const struct vertex *material_vertices(struct vertex *to, const st
     return material_made(to, from, count, material);
 }
 
-/* Sets the ranges that u and v of every pixel must stay in: MAPPER_GOURAUD, MAPPER_ARBITRARY. */
-void material_range(struct clamp_plan *clamp, const struct setup *s);
-
 /* Returns the least step, 16.16, with which errors of edges and of gradients may move u or v of a pixel
    by more than material_made allows in a polygon of that many lines; 0 if any step may. */
 uint32 material_steep(const struct material *material, int32 lines);
 
-/* Returns non-zero if a pixel might leave these ranges, by errors of edges and of the stepped
-   plane. */
-int32 material_leaves_range(const struct setup *s);
+/* MAPPER_GOURAUD, MAPPER_ARBITRARY: moves lines on which u or v of a pixel might leave the mapper's range. */
+void clamp_lines(struct setup *s);
 
 #endif

@@ -1,6 +1,5 @@
 #include "drawing/three.h"
 
-#include "drawing/clamp.h"
 #include "drawing/draw.h"
 #include "drawing/lower.h"
 #include "drawing/material.h"

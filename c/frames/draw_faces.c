@@ -8,8 +8,8 @@
 #include "triangle/polygon.h"
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
-static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices,
-                                        int32 count, const struct mesh_placed *placed)
+static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
+                                        const struct mesh_placed *placed, polygon_routine *draw)
 {
     const struct material *const material = placed->material;
     struct polygon polygon;
@@ -19,12 +19,10 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
     polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
     if (placed->flags & MESH_FOG)
         polygon.planar = mesh_fade_planar(vertices, count);
-    if (renderer->cover)
-        return renderer->cover->polygon(renderer, &polygon, material);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
-        return material->draw(renderer, &polygon, material);
-    return polygon_fan(material->draw, renderer, &polygon, material);
+        return draw(renderer, &polygon, material);
+    return polygon_fan(draw, renderer, &polygon, material);
 }
 
 /* Projects vertices from camera space to the screen, as mesh_transform does. */
@@ -146,16 +144,16 @@ const struct vertex *mesh_face_vertices(const struct scene *scene, const struct 
 enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
                                       const struct mesh_placed *placed)
 {
-    return draw_polygon(renderer, vertices, count, placed);
+    return draw_polygon(renderer, vertices, count, placed, placed->material->draw);
 }
 
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
-                                   const struct mesh_face *face)
+                                   const struct mesh_face *face, polygon_routine *draw)
 {
     int32 count;
     const struct vertex *vertices = vertices_of(scene, face, &count);
 
-    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed);
+    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed, draw);
 }
 
 /* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is
@@ -209,7 +207,7 @@ enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scen
             face = left;
             continue;
         }
-        result = mesh_draw_face(renderer, scene, face);
+        result = mesh_draw_face(renderer, scene, face, face->placed->material->draw);
         if (result != POLYGON_DRAWN && result != POLYGON_EMPTY)
             refused = result;
         face = face->next;

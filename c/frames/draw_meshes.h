@@ -33,9 +33,9 @@ void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, cons
 enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct scene *scene,
                                      const struct mesh_face *face);
 
-/* Draws a face: with renderer->cover what of it is visible. */
+/* Draws a face, its polygons with `draw`. */
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
-                                   const struct mesh_face *face);
+                                   const struct mesh_face *face, polygon_routine *draw);
 
 /* Draws the faces of a list, each pixel once, from the last to the first: the same picture as mesh_draw_faces. */
 enum polygon_result mesh_draw_once(struct renderer *renderer, const struct scene *scene,

@@ -132,7 +132,7 @@ static enum polygon_result draw_slot(struct renderer *renderer, struct near_tree
     face->face = slot->face;
     face->placed = placed;
     scene->coverage->shown = 0;
-    result = mesh_draw_face(renderer, scene, face);
+    result = mesh_draw_face(renderer, scene, face, coverage_draw);
     if (scene->coverage->shown || result > POLYGON_EMPTY) {
         face->next = tree->seen;
         tree->seen = face;
@@ -167,7 +167,7 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
         return NEAR_DRAWN;
     begin_walk(&tree, root);
     coverage_begin(coverage, renderer->frame);
-    renderer->cover = &coverage->cover;
+    renderer->coverage = coverage;
     while (coverage->open && !coverage->overflow && (node = mesh_near(&tree.walk)) != 0) {
         const struct near_slot *slot;
 
@@ -180,7 +180,6 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
                 *refused = result;
         }
     }
-    renderer->cover = 0;
     *seen = tree.seen;
     return coverage->overflow ? NEAR_OVERFLOW : NEAR_DRAWN;
 }

@@ -24,16 +24,15 @@ enum polygon_result mesh_draw_once(struct renderer *renderer, const struct scene
     struct mesh_face *const nearest = reversed(face);
 
     coverage_begin(coverage, renderer->frame);
-    renderer->cover = &coverage->cover;
+    renderer->coverage = coverage;
     for (face = nearest; face && (coverage->open || renderer->only_counts); face = face->next) {
-        const enum polygon_result result = mesh_draw_face(renderer, scene, face);
+        const enum polygon_result result = mesh_draw_face(renderer, scene, face, coverage_draw);
 
         if (result > POLYGON_EMPTY)
             refused = result;
         if (coverage->overflow && !renderer->only_counts)
             break;
     }
-    renderer->cover = 0;
     face = reversed(nearest);
     if (coverage->overflow && !renderer->only_counts)
         return mesh_draw_faces(renderer, scene, face);

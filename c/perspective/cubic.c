@@ -2,12 +2,6 @@
 
 #include "math/math.h"
 
-/* q's value and steps, 1.31, to the nearest. */
-static int32 nearest(const struct number64 *from)
-{
-    return (int32)((from->hi << 1 | from->lo >> 31) + (from->lo >> 30 & 1));
-}
-
 static int32 bit_length(uint32 of)
 {
     int32 bits = 0;
@@ -84,7 +78,7 @@ int32 cubic_find(struct cubic_span *span, const struct setup *s, const struct de
 
     if (!least || lost > CUBIC_OFF_Q)
         return 0;
-    span->dq = fix_magnitude(nearest(&planes->q.dx));
+    span->dq = fix_magnitude(cubic_nearest(&planes->q.dx));
     far_begin_plan(plan, depth);
     reach = find_k(&way, planes);
     if (!reach || !span->dq)
@@ -109,13 +103,10 @@ int32 cubic_find(struct cubic_span *span, const struct setup *s, const struct de
     return 1;
 }
 
-void cubic_draw(const struct setup *s, struct cubic_span *span, int32 has_lines)
+void cubic_draw(const struct setup *s, struct cubic_span *span, const struct far_line *lines)
 {
-    const struct screen_plane *q = &s->perspective->q;
-    const int32 dqdx = nearest(&q->dx);
-
-    span->lines = far_make_lines(s, (uint32)nearest(&q->at), dqdx, nearest(&q->dy), has_lines);
+    span->lines = lines;
     span->count = s->span.count;
     span->map = s->span.map;
-    (dqdx < 0 ? span_cubic_left : span_cubic_right)(span);
+    ((int32)s->perspective->q.dx.hi < 0 ? span_cubic_left : span_cubic_right)(span);
 }

@@ -39,7 +39,7 @@ static line_routine *const pieces[3] = {
     span_perspective_pieces, span_perspective_pieces_16, span_perspective_pieces_32};
 static line_routine *const curves[3] = {
     span_perspective_curves, span_perspective_curves_16, span_perspective_curves_32};
-static void (*const scanlines[2][3])(const struct span_plan *) = {     /* [chained] */
+static span_routine *const scanlines[2][3] = {      /* [chained] */
     {span_affine_scanline, span_affine_16_scanline, span_affine_32_scanline},
     {span_affine_level, span_affine_16_level, span_affine_32_level}};
 
@@ -118,15 +118,14 @@ static int32 made_by_reciprocals(const struct setup *s, struct scanline_step *st
     return level_reciprocal(plan, steps);
 }
 
-void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
+span_routine *perspective_make_level(const struct setup *s, struct scanline_step *steps, struct span_plan *lines)
 {
     struct perspective_plan *plan = s->perspective;
-    struct span_plan lines;
 
     if (s->counts)
         count_lines(s, s->level == LEVEL_LINES ? SPAN_AFFINE_SCANLINE : SPAN_AFFINE_UPRIGHT);
     if (s->renderer->only_counts)
-        return;
+        return 0;
     if (s->level == LEVEL_COLUMNS) {    /* as lines would be: for vertices whose depth is rounded */
         plan->u += ways[s->setting].raise;
         plan->v += ways[s->setting].raise;
@@ -134,20 +133,24 @@ void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
     plan->chained = changes(plan) && s->box.right - s->box.left <= ways[s->setting].chain;
     if (!made_by_reciprocals(s, steps))
         level_lines(plan, steps);
-    lines.lines = plan->lines;
-    lines.count = plan->count;
-    lines.row = s->span.row;
-    lines.pitch = s->span.pitch;
-    lines.map = s->span.map;
-    lines.steps = steps;
-    if (s->level == LEVEL_LINES && s->renderer->cover)
-        s->renderer->cover->level(s, &lines, plan->chained, scanlines[plan->chained][s->frame->pixel_bytes >> 1]);
-    else if (s->level == LEVEL_LINES)
-        scanlines[plan->chained][s->frame->pixel_bytes >> 1](&lines);
-    else if (plan->chained)
-        span_affine_level_upright(&lines);
-    else
-        span_affine_upright(&lines);
+    lines->lines = plan->lines;
+    lines->count = plan->count;
+    lines->row = s->span.row;
+    lines->pitch = s->span.pitch;
+    lines->map = s->span.map;
+    lines->steps = steps;
+    if (s->level == LEVEL_LINES)
+        return scanlines[plan->chained][s->frame->pixel_bytes >> 1];
+    return plan->chained ? span_affine_level_upright : span_affine_upright;
+}
+
+void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
+{
+    struct span_plan lines;
+    span_routine *const routine = perspective_make_level(s, steps, &lines);
+
+    if (routine)
+        routine(&lines);
 }
 
 /* Returns 1 if lines of so many pixels, on which q grows so, may be drawn as if their depth were constant: they

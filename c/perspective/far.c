@@ -82,8 +82,7 @@ int32 far_find(struct far_way *way, const struct setup *s, const struct depth *d
         && find_constants(way, s, depth, s->box.right - s->box.left + s->span.count);
 }
 
-const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy,
-                                      int32 has_lines)
+struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy, int32 has_lines)
 {
     const int32 leftwards = dqdx < 0;
     union {
@@ -116,8 +115,6 @@ const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqd
         to.edges.nears = s->edges.rights;
         edges_far(&to.edges);
     }
-    if (s->renderer->cover)
-        s->renderer->cover->far(s, to.place.lines, leftwards, perspective_has_pieces(s->setting));
     return to.place.lines;
 }
 
@@ -134,7 +131,7 @@ static uint32 find_ahead(const struct setup *s, uint32 dq, int32 from_16, int32 
 }
 
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
-              int32 has_lines)
+              const struct far_line *lines)
 {
     const struct perspective_plan *planes = s->perspective;
     const struct far_plan *plan = &way->plan;
@@ -143,11 +140,9 @@ void far_draw(const struct setup *s, const struct depth *depth, const struct far
     const int32 off = FAR_OFF + ((1 << way->shift) << plan->less)
                     + (way->coarse ? (down >> 1) << plan->less : FAR_OFF_WORD + (down >> 5));
     const int32 bits = s->setting == PERSPECTIVE_EVERY16 ? FAR_EVERY16 : FAR_EVERY8;
-    const uint32 q = planes->q.at.hi;
     struct far_span span;
 
-    span.lines = far_make_lines(s, way->even ? 2 * q + (1u << 31) : q, (int32)(planes->q.dx.hi << way->even),
-                                (int32)(planes->q.dy.hi << way->even), has_lines);
+    span.lines = lines;
     span.count = s->span.count;
     span.map = s->span.map;
     span.table = s->renderer->reciprocals;

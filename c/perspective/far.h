@@ -35,14 +35,23 @@ int32 far_constants(struct far_plan *plan, int32 bits);
 /* Finds K and C. Returns 0 if the polygon is not drawn with them. */
 int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth);
 
-/* Draws it. has_lines: its lines are in the scanline table; else edges are inside the frame. */
+/* Draws its lines. */
 void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
-              int32 has_lines);
+              const struct far_line *lines);
 
 /* Makes the span's table of lines in the scratch room. q: at the first pixel of the planes' first line, with its
-   steps, in the format of the span. */
-const struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy,
-                                      int32 has_lines);
+   steps, in the format of the span. has_lines: lines are in the scanline table; else edges are inside the frame. */
+struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy, int32 has_lines);
+
+/* Makes the lines of far_draw. */
+static inline struct far_line *far_lines(const struct setup *s, const struct far_way *way, int32 has_lines)
+{
+    const struct screen_plane *q = &s->perspective->q;
+    const uint32 at = q->at.hi;
+
+    return far_make_lines(s, way->even ? 2 * at + (1u << 31) : at, (int32)(q->dx.hi << way->even),
+                          (int32)(q->dy.hi << way->even), has_lines);
+}
 
 /* Returns the least q of a pixel; 0 if the polygon is too deep or too high, or q or the texels are too steep. */
 static inline int32 far_least(const struct setup *s, const struct depth *depth)

@@ -2,6 +2,7 @@
 #ifndef PERSPECTIVE_H
 #define PERSPECTIVE_H
 
+#include "polygon/kind.h"
 #include "polygon/setup.h"
 #include "span/perspective.h"
 
@@ -100,6 +101,10 @@ void perspective_find_level(struct setup *s);
 
 /* Draws the lines of the plan with s->setting and s->level. */
 void perspective_draw(struct setup *s);
+
+/* Makes the lines of the plan by s->level. steps: room for their number. Returns the routine that draws them; 0 if
+   they are only counted. */
+span_routine *perspective_make_level(const struct setup *s, struct scanline_step *steps, struct span_plan *lines);
 
 /* Draws the lines of the plan by s->level. steps: room for their number. */
 void perspective_draw_level(const struct setup *s, struct scanline_step *steps);

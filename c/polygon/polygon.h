@@ -149,7 +149,7 @@ static inline void polygon_set(struct polygon *polygon, const struct vertex *ver
     polygon->planar = planar;
 }
 
-struct cover;
+struct coverage;
 struct material;
 struct scratch;
 
@@ -165,7 +165,7 @@ struct renderer {
     const uint16 *reciprocals;  /* tables of perspective: every16, every8; 0: divide instead */
     const struct triangle_tables *triangles;    /* triangle_tables_make; 0: EDGES_SNAPPED set up
                                                    as exact */
-    const struct cover *cover;  /* 0, or what leaves out hidden pixels: c/coverage */
+    struct coverage *coverage;  /* coverage_draw: what is drawn already; others do not read it */
 };
 
 /* Draws or counts a polygon. */

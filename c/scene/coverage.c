@@ -30,16 +30,14 @@ int32 scene_make_coverage(struct scene *scene)
     const int32 height = header->height, room = height * (1 + COVERAGE_GAPS);
     struct coverage *c;
 
-    scene->coverage = 0;
     scene->is_once = 0;
-    if (!header->once || !header->instances)
+    if (!header->once)
         return 1;
     if (!mem_alloc(&scene->coverage, sizeof *scene->coverage, MEMORY_ANY))
         return 0;
     scene->is_once = 1;
     c = scene->coverage;
     c->room = room;
-    coverage_set(c);
     return mem_alloc(&c->rows, height * (int32)sizeof *c->rows, MEMORY_ANY)
         && mem_alloc(&c->gaps, room * (int32)sizeof *c->gaps, MEMORY_ANY)
         && mem_alloc(&c->parts, (room + height) * (int32)sizeof *c->parts, MEMORY_ANY)

@@ -376,7 +376,7 @@ int32 scene_load(struct scene *scene, const char *name, int32 kind)
     file_close(input.file);
     if (!is_read)
         return 0;
-    lacks = scene_make_rows(scene) ? scene_make(scene, kind) : SCENE_TEXTURES;
+    lacks = scene_make(scene, kind);
     if (lacks == SCENE_CROWDED)
         return refuse(name, "points, normals or faces of meshes between two objects");
     if (lacks != SCENE_MADE)

@@ -1,6 +1,7 @@
 /* Prepares a scene in memory for drawing, but its maps; nothing here checks it. */
 #include "scene/scene.h"
 
+#include "scene/maps.h"
 #include "scene/tables.h"
 #include "system/system.h"
 
@@ -32,25 +33,17 @@ static polygon_routine *routine_of(const struct scene *scene,
         return scene_unit_routine(material->primitive);
     if (material->mapper == MAPPER_GLIDE)
         return scene_pipe_routine(scene, material);
-    return material->levels ? polygon_draw_mipmapped : polygon_draw;
+    return polygon_draw;
 }
 
-/* Counts what levels draw for the materials that have them. */
-static void set_level_numbers(struct material *materials, uint32 count)
+static enum scene_memory make_materials(struct scene *scene)
 {
-    for (uint32 i = 0; i < count; i++)
-        for (uint32 level = materials[i].levels; level; level--)
-            materials[i + materials[i].level_at + level - 1].number = (uint16)i;
-}
-
-static int32 make_materials(struct scene *scene)
-{
-    uint32 count = scene->header->materials;
+    uint32 count = scene->header->materials, levels = 0, keyed = 0;
     const struct scene_material *from = scene->materials;
     struct material *to;
 
     if (!mem_alloc(&scene->drawn, (int32)(count * sizeof *to), MEMORY_ANY))
-        return 0;
+        return SCENE_MATERIALS;
     to = scene->drawn;
     for (uint32 i = 0; i < count; i++, from++, to++) {
         to->mapper = (uint8)from->mapper;
@@ -60,8 +53,9 @@ static int32 make_materials(struct scene *scene)
         to->clip = (uint8)from->clip;
         to->perspective = (uint8)from->perspective;
         to->whole = 0;
-        to->levels = (uint8)from->levels;
-        to->level_at = (uint16)(from->levels ? from->level - i : 0);
+        to->levels = 0;
+        levels |= from->levels;
+        keyed |= from->mapper == MAPPER_KEYED;
         to->number = (uint16)i;
         to->tolerance = from->tolerance;
         to->colour = from->colour;
@@ -71,8 +65,9 @@ static int32 make_materials(struct scene *scene)
         to->map = from->texture == NO_TEXTURE ? 0 : &scene->maps[from->texture];
         to->light = from->light == NO_TEXTURE ? 0 : &scene->maps[from->light];
     }
-    set_level_numbers(scene->drawn, count);
-    return 1;
+    if (levels)
+        scene_make_levels(scene);
+    return keyed && !scene_make_rows(scene) ? SCENE_TEXTURES : SCENE_MADE;
 }
 
 static uint32 larger(uint32 a, uint32 b)
@@ -179,6 +174,8 @@ static enum scene_memory make_work(struct scene *scene)
 
     if (!scene->header->instances)
         return SCENE_MADE;
+    if (!scene_make_coverage(scene))
+        return SCENE_COVERAGE;
     for (uint32 i = 0; i < scene->header->instances; i++, o++) {
         const struct scene_mesh *mesh = &scene->meshes[o->mesh];
 
@@ -217,11 +214,11 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
     if ((scene->header->units && !scene_make_units(scene, kind))
         || (scene->header->pipes && !scene_make_pipes(scene, kind)))
         return SCENE_UNITS;
-    if (!make_materials(scene)
-        || !mem_alloc(&scene->scratch, sizeof *scene->scratch, MEMORY_ANY))
+    made = make_materials(scene);
+    if (made != SCENE_MADE)
+        return made;
+    if (!mem_alloc(&scene->scratch, sizeof *scene->scratch, MEMORY_ANY))
         return SCENE_MATERIALS;
-    if (!scene_make_coverage(scene))
-        return SCENE_COVERAGE;
     made = scene_make_tables(scene);
     return made == SCENE_MADE ? make_work(scene) : made;
 }

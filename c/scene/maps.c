@@ -67,8 +67,6 @@ int32 scene_make_rows(struct scene *scene)
     for (uint32 i = 0; i < h->materials; i++)
         if (m[i].mapper == MAPPER_KEYED)
             height += scene->maps[m[i].texture].height;
-    if (!height)
-        return 1;
     if (!mem_alloc(&rows, height * (int32)sizeof *rows, MEMORY_ANY))
         return 0;
     for (uint32 i = 0; i < h->materials; i++) {
@@ -136,5 +134,5 @@ int32 scene_copy_maps(struct scene *scene, int32 kind)
             at += scene_map_bytes(t);
         }
     }
-    return scene_make_rows(scene);
+    return 1;
 }

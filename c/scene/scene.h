@@ -46,13 +46,13 @@ struct scene {
     struct scene_scratch *scratch;
     struct map *maps;           /* one a texture */
     struct scene_near *near;    /* of a scene with `once` that has trees, else 0 */
-    struct coverage *coverage;  /* of a scene with `once`, else 0 */
+    struct coverage *coverage;  /* of a scene with `once` and instances, else 0 */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* if a material needs them, else 0 */
     const struct triangle_tables *triangles;    /* the same */
     uint8 tried_reciprocals, tried_triangles;   /* 1: not made again where memory
                                    was short */
-    uint8 is_once;              /* 1: meshes are drawn with the coverage */
+    uint8 is_once;              /* 1: instances are drawn with the coverage */
     struct n64_unit *engines;   /* one a unit */
     uint32 *n64_reciprocals;    /* of all units; null until a polygon needs them */
     struct glide *glide;        /* one each of glide_units */
@@ -162,6 +162,9 @@ int32 scene_make_near(struct scene *scene);
 
 /* Returns the slots of a tree. */
 struct near_slot *scene_near_slots(const struct scene *scene, int32 tree);
+
+/* levels.c. Sets the materials whose maps have levels; what these draw is counted for them. */
+void scene_make_levels(struct scene *scene);
 
 /* Reserves memory for data that texture units make while they draw, if a scene has any. */
 void scene_reserve(const struct scene *scene);

@@ -104,8 +104,8 @@ int32 settings_set(struct scene *scene, const struct settings *settings)
         set_accuracy(&scene->drawn[i], &scene->materials[i], settings->accuracy);
     }
     restore_gradients(scene);
-    scene->is_once = scene->coverage && (settings->accuracy == SETTINGS_OWN
-                                         || accuracy[settings->accuracy].edges == EDGES_EXACT);
+    scene->is_once = scene->header->once && (settings->accuracy == SETTINGS_OWN
+                                             || accuracy[settings->accuracy].edges == EDGES_EXACT);
     set_units(scene, settings->perspective);
     return scene_make_tables(scene) == SCENE_MADE;
 }

@@ -36,7 +36,7 @@ ASM_ROOMS = (*contracts.KERNELS, "gen")
 LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw"),
          "perspective": ("reciprocals_make",), "mipmap": ("polygon_draw_mipmapped",),
          "texture": ("column_layout_make", "map_rows_make", "map_scale"), "screen": ("ham8_control",),
-         "mesh": ("mesh_draw", "mesh_points16", "coverage_set"),
+         "mesh": ("mesh_draw", "mesh_points16", "coverage_draw"),
          "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "triangles.c", "spans.s", "start.s", "amiga.ld")
