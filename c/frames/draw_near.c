@@ -74,6 +74,18 @@ static int32 is_hidden(const struct near_walk *walk, const struct mesh_box *box)
         && coverage_hides_box(tree->scene->coverage, tree->renderer->frame, &pixels);
 }
 
+/* Returns the slots of a tree: those of the trees before it come first. */
+static const struct near_slot *slots_of(const struct scene *scene, int32 root)
+{
+    const struct near_slot *slots = scene->near->slots;
+
+    for (const struct scene_node *node = scene->nodes; node != &scene->nodes[root]; node++) {
+        node += node->front + node->back;       /* the tree's last */
+        slots += node->slot + node->slots;
+    }
+    return slots;
+}
+
 static void begin_walk(struct near_tree *tree, int32 root)
 {
     const struct scene *const scene = tree->scene;
@@ -158,7 +170,7 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
     tree.faces = room->faces;
     tree.walk.steps = room->steps;
     tree.first = first;
-    tree.slots = scene_near_slots(scene, root);
+    tree.slots = slots_of(scene, root);
     tree.seen = 0;
     *seen = 0;
     if (!set_instances(&tree, number, end))

@@ -144,12 +144,3 @@ int32 scene_make_near(struct scene *scene)
     }
     return 1;
 }
-
-struct near_slot *scene_near_slots(const struct scene *scene, int32 tree)
-{
-    struct near_slot *slots = scene->near->slots;
-
-    for (uint32 root = 0; root != (uint32)tree; root += nodes_of(&scene->nodes[root]))
-        slots += slots_of(&scene->nodes[root]);
-    return slots;
-}

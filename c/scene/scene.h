@@ -160,9 +160,6 @@ int32 scene_make_coverage(struct scene *scene);
    memory is short. Trees must be checked. */
 int32 scene_make_near(struct scene *scene);
 
-/* Returns the slots of a tree. */
-struct near_slot *scene_near_slots(const struct scene *scene, int32 tree);
-
 /* levels.c. Sets the materials whose maps have levels; what these draw is counted for them. */
 void scene_make_levels(struct scene *scene);
 

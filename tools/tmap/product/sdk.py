@@ -28,7 +28,7 @@ from tmap.product import sdk_include
 C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "mipmap", "depths", "coverage",
            "span", "texture", "triangle", "glide", "glide/polygons", "n64", "n64/polygons")
 C_FILES = (Path("frames/draw_faces.c"), Path("frames/draw_meshes.c"), Path("frames/draw_meshes.h"),
-           Path("frames/draw_once.c"),
+           Path("frames/draw_near.c"), Path("frames/draw_once.c"),
            Path("frames/draw_depths.c"),
            Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")

@@ -16,7 +16,7 @@ from tmap.scene_file.textures import Texture, ordered
 
 PAGE, LIGHT = 1 << 16, 1 << 14
 CANARIES = 2 * 4096  # around render's frame
-SYSTEM = 8 << 10  # bytes at the end of the memory that are left to the system: 7 KB were seen to be in use
+SYSTEM = 18 << 10  # bytes at the end of the memory that are left to the system: 17 KB were seen to be in use
 LARGEST = 3  # textures that a refusal names
 #: Units of the maps that begin at certain multiples: bytes of a unit, units of a map, units more of a block.
 UNITS = {"pages": (PAGE, 1, 0), "margins": (PAGE, 2, 1), "light": (LIGHT, 1, 0)}
