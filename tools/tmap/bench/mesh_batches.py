@@ -300,7 +300,7 @@ def vertices_trial(arena: Arena, points, attributes, corners, flags: int, title:
         "points": arena.add(b"".join(longs((*p, 0, 0)) for p in points), name="points"),
         "attributes": arena.add(b"".join(longs((*each, 0)) for each in attributes), name="attributes"),
         "corners": table(arena, "scene_corner", [(0, 0, 0, 0), *corners])},
-        mesh=0, material=0, view=0, view16=0, places=0, flags=flags)
+        mesh=0, material=0, view=0, view16=0, places=0, flags=flags, fog=0)
     face = arena.struct("mesh_face", {"face": table(arena, "scene_face", [[0, 0, 0, 0, 1, len(corners)]]),
                                       "placed": placed}, order=0, next=0, a=0, b=0, c=0, d=0)
     borders = int(np.bitwise_or.reduce([points[corner[0]][5] for corner in corners]))
