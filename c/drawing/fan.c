@@ -231,7 +231,7 @@ uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
         found |= PLANAR_TEXELS;
     if (asked & PLANAR_DEPTHS && depths_lie(&look, corners, values))
         found |= PLANAR_DEPTHS;
-    if (asked & PLANAR_SHADES && shades_lie(&look, corners, values, found ? PLANAR_SHADE : 0))
+    if (asked & PLANAR_SHADES && shades_lie(&look, corners, values, asked & PLANAR_ROUGH ? PLANAR_SHADE : 0))
         found |= PLANAR_SHADES;
     if (asked & PLANAR_COLOURS && colours_lie(&look, corners, values))
         found |= PLANAR_COLOURS;
