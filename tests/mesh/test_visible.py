@@ -24,7 +24,7 @@ order = "{order}"
 
 @pytest.mark.parametrize("name, step", [("keep", 8), ("rooms", 9), ("movers", 8), ("grove", 12)])
 def test_scenes_show_the_nearest_faces(name: str, step: int) -> None:
-    """Those that ask for a right order; the trees of ``grove`` are right by depth."""
+    """Scenes with a right order, and ``grove``, whose plants stand apart, by depth."""
     scene = compile_scene(SCENES / f"{name}.toml")
     for number in range(step // 3, scene.frames, step):
         wrong = np.argwhere(visible.wrong(scene, number))

@@ -356,8 +356,7 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
     e = ideal_mesh.corner_error(reach, cut)
     off = [ideal_mesh.off_screen(camera.guard, v[5] * UNIT - e, e) for v in vertices]
     if settings.edges != "integer" and settings.clip == "scissor":
-        rounded = {"subpixel": (camera.height + 1) * UNIT / 2,
-                   "snapped": 1 / 32 + ideal_mesh.SHORT * bool(short)}.get(settings.edges, 0.0)
+        rounded = ideal_mesh.edge_error(settings.edges, camera.height, bool(short))
         check_pixels(face, vertices, polygons, [o + rounded for o in off], out)
     if not polygons:
         return out

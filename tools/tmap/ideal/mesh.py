@@ -78,6 +78,12 @@ def off_screen(guard: int, w: float, error: float) -> float:
     return math.inf if w <= error else 2.0 ** (guard + 1) * error / (w - error) + 2.0 ** -17
 
 
+def edge_error(edges: str, height: int, is_short: bool = True) -> float:
+    """Returns what else a drawn edge may be off, pixels: half a unit a line where it is stepped, what corners are
+    rounded by. ``is_short``: they may be of 16-bit operands."""
+    return {"integer": 1, "subpixel": (height + 1) * 2.0 ** -17, "snapped": 1 / 32 + SHORT * is_short}.get(edges, 0.0)
+
+
 def look_error(radius: float) -> float:
     """Returns the error of s and t of an environment, or of a shade, before it is clamped."""
     return math.sqrt(3) * (radius * 2.0 ** -15 + 2.0 ** -8 * (1 + math.sqrt(3) * 2.0 ** -15)) \

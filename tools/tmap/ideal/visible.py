@@ -9,7 +9,10 @@ transparent picture, covers it and the shown face is behind it, by more than the
   (tmap.ideal.mesh.off_screen, tmap.ideal.faces), times sqrt(2) for x and y together.
 * Planes. The shown face's place on the pixel's ray is behind the covering face's plane by more than OFF of
   trees (tmap.trees.polygons: corners on a dividing plane), and what rounding moves either plane by
-  (``rounding``); a plane's move is along the ray what it is across it, divided by the sine of the angle.
+  (``rounding``); a plane's move is along the ray what it is across it, divided by the sine of the angle. A
+  corner is off its face's plane by ON, 3 / 65536, and the moves of two views differ by sqrt(3) / 2 of 1 / 65536
+  at most. A normal's half units, 2^-31 on three axes, are at most 3 * 2^-31 of the largest coordinate, those of
+  a view's nine factors 3 sqrt(3) * 2^-31 of it: together less than 2^-27.
 * z. If one of both is tested, 1/w differs by more than their planes may be off (tmap.model.depths) and half a
   unit for each pixel of a line.
 """
@@ -18,21 +21,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tmap.base.linear import product
 from tmap.ideal import mesh as ideal_mesh
 from tmap.model import depths, model
 from tmap.model.mesh import Z, faces_of, steps_at
 from tmap.scene_file.meshes import ONE, UNIT_30
 from tmap.scene_file.scene_file import Scene
 from tmap.setup.texturing import Settings
-from tmap.trees.polygons import OFF
+from tmap.trees.polygons import OFF, ON
 
 NONE = -1
 
 
 @dataclass
 class Face:
-    """A face before the camera: ``corners`` in units, y down; its plane is normal * place = height, below 0: the
-    eye, in the origin, is behind it by that. ``off``: of its plane of q, 2.30; 0 if nothing is tested."""
+    """A face before the camera: ``corners`` in units, y down; its plane is normal * place = height. The eye is in the
+    origin, in front of the plane if ``height`` is below 0. ``off``: of its plane of q, 2.30; 0 if nothing is tested."""
 
     corners: np.ndarray
     normal: np.ndarray
@@ -83,13 +87,11 @@ class Frame:
         far = reach + float(abs(corners).max())
         cut = ideal_mesh.corner_error(reach, True)
         settings = Settings.of(material)
-        stepped = {"subpixel": (scene.height + 1) / ONE / 2, "snapped": 1 / 32 + ideal_mesh.SHORT,
-                   "integer": 1}.get(settings.edges, 0)
         nearest = max(float(corners[:, 2].min() * self.sizes[2]), scene.near_plane / ONE)
-        off = ideal_mesh.off_screen(scene.guard, nearest, cut) + stepped
+        off = ideal_mesh.off_screen(scene.guard, nearest, cut) + ideal_mesh.edge_error(settings.edges, scene.height)
         made = depths.found(scene, instance.material, vertices)
         return Face(corners, normal, float((normal * corners).sum(axis=1).mean()),
-                    rounding=far * 2.0 ** -29 + 3 * 2.0 ** -16, margin=off * np.sqrt(2), is_tested=instance.tree == Z,
+                    rounding=far * 2.0 ** -27 + (ON + 1) / ONE, margin=off * np.sqrt(2), is_tested=instance.tree == Z,
                     is_keyed=material.mapper == "keyed", off=made[1].off + scene.width // 2 + 1 if made else 0)
 
     def rays(self) -> np.ndarray:
@@ -149,19 +151,14 @@ class Frame:
     def covered(self, face: Face, ways: np.ndarray) -> np.ndarray:
         """Returns which of the pixels with these rays a face covers, by its margin at least."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            inside = face.height / product_of(ways, face.normal) > self.scene.near_plane / ONE + 2.0 ** -12
+            inside = face.height / product(ways, face.normal) > self.scene.near_plane / ONE + 2.0 ** -12
         middle = face.corners.mean(axis=0)
         for a, b in zip(face.corners, np.roll(face.corners, -1, axis=0)):
             side = np.cross(a, b)
             side *= np.sign((side * middle).sum())
             step = side[:2] / self.sizes[:2] / 2.0 ** self.scene.guard  # the product's growth a pixel
-            inside &= product_of(ways, side) > face.margin * np.sqrt((step * step).sum())
+            inside &= product(ways, side) > face.margin * np.sqrt((step * step).sum())
         return inside
-
-
-def product_of(ways: np.ndarray, row: np.ndarray) -> np.ndarray:
-    """Returns the scalar products of all ways with a vector."""
-    return ways[..., 0] * row[0] + ways[..., 1] * row[1] + ways[..., 2] * row[2]
 
 
 def wrong(scene: Scene, number: int) -> np.ndarray:
@@ -185,7 +182,7 @@ def wrong(scene: Scene, number: int) -> np.ndarray:
         here, under = ways[part], shown[part]
         covered = frame.covered(face, here) & (under != k)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            slope = product_of(here, face.normal)
+            slope = product(here, face.normal)
             is_behind = slope * far[part] - face.height < -(OFF / ONE + face.rounding + unsure[part] * abs(slope))
             q = (slope / face.height - 1 / far[part]) * (scene.near_plane >> 1) / ONE * 2.0 ** 30
             is_behind &= ~(face.is_tested | tested[under]) | (q > face.off + offs[under])
