@@ -2,6 +2,10 @@
 
 exec gives a request the first free piece that is large enough, of fast RAM before chip RAM. ``Memory`` does
 the same, with the walls that AROS, the emulated machines' system, puts around each block.
+
+AROS looks from the first piece on that it has noted for a power of two. It does not note what a block at a certain
+address leaves of a piece, so that later requests may miss that until one fails. Then the last piece is taken first:
+``Memory.misses``. What fits both ways fits.
 """
 
 from dataclasses import dataclass, field
@@ -31,6 +35,7 @@ class Memory:
 
     pieces: dict[str, list[tuple[int, int]]]
     taken: dict[str, int] = field(default_factory=dict)  # bytes by kind
+    misses: bool = False  # pieces before a kind's last one, where that is large enough
 
     @classmethod
     def of(cls, machine: str) -> "Memory":
@@ -52,10 +57,12 @@ class Memory:
         """Takes a block; returns False if no piece is large enough."""
         whole = -(-(size + head) // 8) * 8 + WALL_BEFORE + WALL_BEHIND
         for kind in kinds:
-            for number, (at, piece) in enumerate(self.pieces.get(kind, [])):
-                if piece >= whole:
-                    self.cut(kind, number, at, at + whole)
-                    return True
+            found = [number for number, (_, piece) in enumerate(self.pieces.get(kind, [])) if piece >= whole]
+            if found:
+                number = found[-1 if self.misses else 0]
+                at = self.pieces[kind][number][0]
+                self.cut(kind, number, at, at + whole)
+                return True
         return False
 
     def leave(self, size: int) -> None:
