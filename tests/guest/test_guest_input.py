@@ -69,7 +69,8 @@ def test_bad_input_is_refused(tmp_path):
     for first in range(0, len(commands), BATCH):
         some, place = dict(commands[first:first + BATCH]), tmp_path / str(first)
         named = {word for command in some for word in command.split()}
-        check(emulator.run_batch(list(some), {name: files[name] for name in named & set(files)}, "a1200", place), some)
+        check(emulator.run_batch(list(some), {name: files[name] for name in named & set(files)},
+                                 "a1200", place, timed=False), some)
         assert not list((place / "volume").glob("frame_*"))
 
 
@@ -89,7 +90,7 @@ def test_strange_scenes_draw_inside_the_frame(tmp_path):
             "render noise DIGEST :no/where": ":no/where: cannot be created",
             "render large": f"render: not enough memory for the frame: {2**20 + 8192} bytes; the"}
     (tmp_path / "volume" / "frame_001.chunky").mkdir(parents=True)
-    results = emulator.run_batch(good + list(said), files, "a1200", tmp_path)
+    results = emulator.run_batch(good + list(said), files, "a1200", tmp_path, timed=False)
     for command, result in zip(good, results):
         left_out = "render: not all could be drawn: a vertex is out of range\n" in result.output
         assert result.code == 5 * left_out, f"{command}: {result.output}"

@@ -61,7 +61,7 @@ class Polygons:
         the command to draw it again."""
         each = self.case(self.seed, number, pixels)
         made = self.scene([each], self.seed, pixels)
-        expected, found = model.render(made, 0), run.render(made, MACHINE, "addx", off).frames[0]
+        expected, found = model.render(made, 0), run.render(made, MACHINE, "addx", off, timed=False).frames[0]
         height, width = expected.shape
         count = int((found != expected).sum())
         first = first_wrong(expected, found) if count else "drawn once more it is right"

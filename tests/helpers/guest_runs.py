@@ -54,7 +54,7 @@ def draw(asked: list[Asked], machine: str = "a1200-fast", timed: bool = False) -
                 + " COUNT" * each.counted for k, each in enumerate(asked)]
     with emulator.workspace() as folder:
         done = emulator.run_batch(commands, files, machine, folder,
-                                  patience=emulator.PATIENT_SECONDS)
+                                  patience=emulator.PATIENT_SECONDS, timed=timed)
         for command, result in zip(commands, done):
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
             if fault or result.code:

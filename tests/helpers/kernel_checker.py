@@ -153,7 +153,7 @@ def run(trials: list[Trial], machine: str = MACHINE) -> list[kernels.Result | st
         if not part:
             return
         try:
-            called = kernels.call_batch([case_of(trials[index]) for index in part], machine, None)
+            called = kernels.call_batch([case_of(trials[index]) for index in part], machine, None, timed=False)
         except kernels.Changed as changed:
             attempt(part, lambda trial: trial.case)
             if not any(map(wrong, part)):

@@ -21,14 +21,15 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
          apart: bool = False, timed: bool = True) -> list[np.ndarray]:
     """Returns the digests of each scene's frames, drawn in one boot. Each scene comes with its form
     and any further arguments of ``render``. ``patience``, ``apart``: as in run_batch; ``timed``:
-    False if no ticks are asked for, which saves the wait for the beam before each frame."""
+    False if no ticks are asked for, which saves the wait for the beam before each frame and emulator.UNTIMED's
+    time."""
     shape = layout.load().struct("frame_digest").dtype
     files = {f"{k}.scene": write(each) for k, (each, _) in enumerate(scenes)}
     commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest" + " UNTIMED" * (not timed)
                 for k, (_, form) in enumerate(scenes)]
     with emulator.workspace() as directory:
         done = emulator.run_batch(commands, files, machine, directory, on_output,
-                                 patience=patience, apart=apart)
+                                 patience=patience, apart=apart, timed=timed)
         for result in done:
             fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
             if fault or result.code:
@@ -40,7 +41,7 @@ def frame_of(this: Scene, form: str, machine: str, number: int = 0) -> np.ndarra
     """Returns a frame of a scene as the guest draws it; ``form``: as in draw."""
     with emulator.workspace() as directory:
         done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
-                            machine, directory)
+                            machine, directory, timed=False)
         found = np.fromfile(done.directory / f"frame_{number:03}.chunky", this.pixel.dtype.newbyteorder(">"))
     return found.reshape(this.height, this.width)
 

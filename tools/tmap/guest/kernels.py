@@ -240,12 +240,12 @@ def far_after(case: Case, data: memoryview) -> tuple[bytes, int]:
     return bytes(image), at
 
 
-def call_batch(cases: list[Case], machine: str, progress) -> list[Result]:
-    """Runs the cases in one boot; returns their results. Raises Changed if a call wrote far memory
+def call_batch(cases: list[Case], machine: str, progress, timed: bool = True) -> list[Result]:
+    """Runs the cases in one boot; returns their results; ``timed``: as in emulator.run_batch. Raises Changed if a call wrote far memory
     outside its case's ``writes``."""
     with emulator.workspace() as directory:
         done = emulator.run("bench", "kernels.plan kernels.results", {"kernels.plan": plan(cases)},
-                            machine, directory, progress)
+                            machine, directory, progress, timed=timed)
         if done.code:
             raise UserError(f"bench: {emulator.last_words(done.output)}")
         data = (done.directory / "kernels.results").read_bytes()

@@ -68,14 +68,17 @@ def load_sections(scene: Scene) -> list[elf_object.Section]:
 
 
 def run_whole(sections: list[elf_object.Section], wrapper: dict[str, str], name: str, machine: str,
-              folder: Path, patience: float | None = None) -> tuple[Layout, emulator.Result]:
+              folder: Path, patience: float | None = None,
+              timed: bool = True) -> tuple[Layout, emulator.Result]:
     """Links the whole program of a scene, some of its routines replaced, and runs it once.
 
-    ``wrapper``: calls of the first symbol go to the second; ``name``: the program's."""
+    ``wrapper``: calls of the first symbol go to the second; ``name``: the program's; ``patience``, ``timed``: as in
+    emulator.run_batch."""
     layout = Layout(Program(sections, ALIASES | wrapper, None), {})
     folder.mkdir()
     layout.write(folder / name)
-    done = emulator.run(name, "", {}, machine, folder / "run", programs=folder, patience=patience)
+    done = emulator.run(name, "", {}, machine, folder / "run", programs=folder, patience=patience,
+                        timed=timed)
     if done.code:
         raise UserError(f"the scene's program: return code {done.code}; "
                         + emulator.last_words(done.output))
@@ -93,7 +96,7 @@ def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Secti
 def measure(sections: list[elf_object.Section], folder: Path) -> dict:
     """Runs the whole program once on the emulator; returns the executed offsets of each section,
     and timed as in Part."""
-    layout, done = run_whole(sections, TRACER, "trace", "a1200-fast", folder, TRACE_PATIENCE)
+    layout, done = run_whole(sections, TRACER, "trace", "a1200-fast", folder, TRACE_PATIENCE, timed=False)
     flags = np.frombuffer((done.directory / FLAGS).read_bytes(), np.uint8)
     if layout.code_end() > 2 * len(flags):
         raise UserError("the scene's program: more code than can be traced")

@@ -117,15 +117,16 @@ class Rendered:
     executed: list[dict]
 
 
-def render(scene: Scene, machine: str, form: str, off: str | None = None) -> Rendered:
-    """Renders all frames, without the rules ``off``. Shows a bar if stderr is a terminal."""
+def render(scene: Scene, machine: str, form: str, off: str | None = None, timed: bool = True) -> Rendered:
+    """Renders all frames, without the rules ``off``; ``timed``: as in emulator.run_batch. Shows a bar if stderr is a
+    terminal."""
     with emulator.workspace() as directory, bars() as bar:
         task = bar.add_task(f"rendering on {machine}", total=scene.frames)
         done = emulator.run(
             "render", f"{SCENE_NAME} FORM {form} COUNT" + (f" OFF {off}" if off else ""),
             {SCENE_NAME: write(scene)}, machine, directory,
             lambda output: bar.update(task, completed=output.count("\n")),
-            patience=emulator.PATIENT_SECONDS if len(scene.units) + len(scene.pipes) else None)
+            patience=emulator.PATIENT_SECONDS if len(scene.units) + len(scene.pipes) else None, timed=timed)
         if done.code:
             raise UserError(f"render: return code {done.code}; " + emulator.last_words(done.output))
         figures, executed = parse_output(done.output, scene.frames, len(scene.materials))

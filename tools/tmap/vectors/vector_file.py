@@ -46,7 +46,7 @@ def ask_all(several: list[Operations], machine: str = "a1200-fast",
     commands = [f"vectors {n}.questions {n}.answers" for n in range(len(several))]
     files = {f"{n}.questions": operations.file() for n, operations in enumerate(several)}
     with emulator.workspace() as directory:
-        results = emulator.run_batch(commands, files, machine, directory, on_output)
+        results = emulator.run_batch(commands, files, machine, directory, on_output, timed=False)
         for done in results:
             fault = emulator.explain_fault(emulator.PROGRAMS / "vectors", done.output)
             if fault or done.code:
