@@ -41,7 +41,7 @@ def level(count: int, wide: int = 700, high: int = 500) -> Scene:
 def test_most_textures(machine: str) -> None:
     scene = level(MOST[machine])
     assert memory.fits(scene, machine) and not memory.fits(level(MOST[machine] + 1), machine)
-    assert np.array_equal(run.render(scene, machine, "addx").frames[0], model.render(scene, 0))
+    assert np.array_equal(run.render(scene, machine, "addx", timed=False).frames[0], model.render(scene, 0))
 
 
 @pytest.mark.parametrize("machine", SHARED)
@@ -52,5 +52,5 @@ def test_shared_pages(machine: str) -> None:
     scene = pages.share(own)
     assert memory.shared(scene) == {"maps": count, "pages": shared}
     assert memory.fits(scene, machine) and not memory.fits(own, machine)
-    frame = run.render(scene, machine, "addx").frames[0]
+    frame = run.render(scene, machine, "addx", timed=False).frames[0]
     assert np.array_equal(frame, model.render(scene, 0)) and np.array_equal(frame, model.render(own, 0))

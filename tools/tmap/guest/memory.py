@@ -3,9 +3,9 @@
 exec gives a request the first free piece that is large enough, of fast RAM before chip RAM. ``Memory`` does
 the same, with the walls that AROS, the emulated machines' system, puts around each block.
 
-AROS looks from the first piece on that it has noted for a power of two. It does not note what a block at a certain
-address leaves of a piece, so that later requests may miss that until one fails. Then the last piece is taken first:
-``Memory.misses``. What fits both ways fits.
+AROS begins to look at a piece that it has noted for the request's size, a power of two or more. It notes a piece when
+a request leaves that, and forgets all pieces when a block at a certain address is taken, or when a request finds none.
+So small requests behind a large one may miss pieces in front of it.
 """
 
 from dataclasses import dataclass, field
@@ -13,6 +13,8 @@ from dataclasses import dataclass, field
 #: Bytes around each block: the head that a program keeps its blocks by, src68k/amiga/memory.s, and AROS's walls.
 HEAD = 8
 WALL_BEFORE, WALL_BEHIND = 72, 32
+#: Powers of two of bytes, for which AROS notes pieces.
+POWERS = range(5, 15)
 #: What c/scene/maps_read.c keeps free at the ends of a piece.
 PIECE_ENDS = 128
 #: Pieces from this size on are the same before every program. Smaller ones, which the system's start and the shell's
@@ -35,7 +37,7 @@ class Memory:
 
     pieces: dict[str, list[tuple[int, int]]]
     taken: dict[str, int] = field(default_factory=dict)  # bytes by kind
-    misses: bool = False  # pieces before a kind's last one, where that is large enough
+    noted: dict[str, dict[int, int]] = field(default_factory=dict)  # by kind: a size's power of two to an address
 
     @classmethod
     def of(cls, machine: str) -> "Memory":
@@ -53,15 +55,35 @@ class Memory:
         self.pieces[kind][number:number + 1] = [piece for piece in rest if piece[1] > 0]
         self.taken[kind] = self.taken.get(kind, 0) + end - first
 
+    def find(self, kind: str, size: int) -> int | None:
+        """Returns the number of the piece that a request of ``size`` bytes gets; None if there is none."""
+        pieces, noted = self.pieces.get(kind, []), self.noted.setdefault(kind, {})
+        power = min(size.bit_length() - 1, POWERS[-1])
+        first = noted[max(known)] if (known := [each for each in noted if each <= power]) else 0
+        for number, (at, piece) in enumerate(pieces):
+            if at >= first and piece >= size:
+                return number
+        if not noted:
+            return None
+        noted.clear()
+        return self.find(kind, size)
+
+    def note(self, kind: str, taken: list[int], left: tuple[int, int] | None) -> None:
+        """Forgets the pieces that began at ``taken``; notes what is left of one, first address and bytes."""
+        noted = {power: first for power, first in self.noted[kind].items() if first not in taken}
+        at, size = left or (0, 0)
+        self.noted[kind] = noted | {power: min(at, noted.get(power, at)) for power in POWERS if 1 << power <= size}
+
     def take(self, size: int, kinds: tuple[str, ...] = ("fast", "chip"), head: int = HEAD) -> bool:
         """Takes a block; returns False if no piece is large enough."""
         whole = -(-(size + head) // 8) * 8 + WALL_BEFORE + WALL_BEHIND
         for kind in kinds:
-            found = [number for number, (_, piece) in enumerate(self.pieces.get(kind, [])) if piece >= whole]
-            if found:
-                number = found[-1 if self.misses else 0]
-                at = self.pieces[kind][number][0]
+            number = self.find(kind, whole)
+            if number is not None:
+                (at, piece), *behind = self.pieces[kind][number:number + 2]
                 self.cut(kind, number, at, at + whole)
+                self.note(kind, [at, *(first for first, _ in behind)],
+                          (at + whole, piece - whole) if piece > whole else None)
                 return True
         return False
 
@@ -83,5 +105,6 @@ class Memory:
                 best = units, number, first
         units, number, first = min(best[0], count), *best[1:]
         if units:
+            self.noted.pop(kind, None)
             self.cut(kind, number, first - HEAD - WALL_BEFORE, first + units * unit + WALL_BEHIND)
         return units

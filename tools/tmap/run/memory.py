@@ -152,15 +152,11 @@ def take_maps(memory: Memory, textures: list[Texture]) -> bool:
 
 
 def fits(scene: Scene, machine: str) -> bool:
-    """Returns True if render can load and draw a scene on a machine, whether exec misses pieces or not."""
+    """Returns True if render can load and draw a scene on a machine."""
+    memory = loaded(machine)
     before, after = requests(scene)
-    for misses in (False, True):
-        memory = loaded(machine)
-        memory.misses = misses
-        if not (all([memory.take(size) for size in before]) and take_maps(memory, scene.textures)
-                and all([memory.take(size) for size in after])):
-            return False
-    return True
+    return all([memory.take(size) for size in before]) and take_maps(memory, scene.textures) \
+        and all([memory.take(size) for size in after])
 
 
 def for_textures(scene: Scene, machine: str) -> dict[str, int]:
