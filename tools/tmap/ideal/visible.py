@@ -112,16 +112,16 @@ class Frame:
                 continue
             for face in faces:
                 number = self.numbers[face[0], tuple(face[1])]
-                if what == "fill":
-                    tested.fill(*face)
+                if what.startswith("fill"):
+                    tested.fill(*face, what == "fill_first")
                     continue
                 made = depths.found(scene, *face)
-                opaque = self.opaque(*face) if self.faces[number].is_keyed else None
+                opaque = self.opaque(*face[:2]) if self.faces[number].is_keyed else None
                 if what == "test":
                     lines = [(y, left, right, q) for y, left, right, q in tested.lines(*face)]
                 else:
-                    lines = [(y, line.left, line.right, None) for y, line in enumerate(made[0].lines, made[0].top)
-                             if line.left < line.right] if made else []
+                    lines = [(y, line.left, line.right, None) for polygon in (made[0] if made else []) for y, line in enumerate(polygon.lines, polygon.top)
+                             if line.left < line.right]
                 for y, left, right, q in lines:
                     seen = np.ones(right - left, bool) if q is None else q >= tested.z[y, left:right]
                     if opaque is not None:
