@@ -9,103 +9,6 @@
 /* From here on, in 2^16 units a pixel, a plane of q is too steep: the face is narrower than a pixel. */
 #define TOO_STEEP 65536
 
-void depths_begin(struct depths *depths)
-{
-    depths->count = 0;
-    depths->far = 0;
-}
-
-/* Sets the part of the frame and the depths of a polygon; returns 0 if none of the frame is in it. */
-static int32 set_part(struct depth_part *part, const struct frame *frame, const struct vertex *v, int32 count)
-{
-    fix16 x_low = v->x, x_high = x_low, y_low = v->y, y_high = y_low;
-    struct rectangle *box = &part->box;
-
-    part->near = part->far = v->w;
-    for (count--, v++; count > 0; count--, v++) {
-        if (v->x < x_low)
-            x_low = v->x;
-        else if (v->x > x_high)
-            x_high = v->x;
-        if (v->y < y_low)
-            y_low = v->y;
-        else if (v->y > y_high)
-            y_high = v->y;
-        if (v->w < part->near)
-            part->near = v->w;
-        else if (v->w > part->far)
-            part->far = v->w;
-    }
-    box->left = outline_most((x_low >> 16) - 1, 0);
-    box->right = outline_least((x_high >> 16) + 2, frame->width);
-    box->top = outline_most((y_low >> 16) - 1, 0);
-    box->bottom = outline_least((y_high >> 16) + 2, frame->height);
-    return box->left < box->right && box->top < box->bottom;
-}
-
-static inline int32 meet(const struct rectangle *a, const struct rectangle *b)
-{
-    return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
-}
-
-static void join(struct depth_part *to, const struct depth_part *part)
-{
-    to->box.left = outline_least(to->box.left, part->box.left);
-    to->box.top = outline_least(to->box.top, part->box.top);
-    to->box.right = outline_most(to->box.right, part->box.right);
-    to->box.bottom = outline_most(to->box.bottom, part->box.bottom);
-    to->near = outline_least(to->near, part->near);
-    to->far = outline_most(to->far, part->far);
-}
-
-void depths_include(struct depths *depths, const struct vertex *vertices, int32 count)
-{
-    struct depth_part part, *to = depths->parts;
-    int32 left = depths->count;
-
-    if (!set_part(&part, &depths->aside, vertices, count))
-        return;
-    depths->far = outline_most(depths->far, part.far);
-    for (; left > 0 && !meet(&to->box, &part.box); left--)
-        to++;
-    if (!left && depths->count < DEPTH_PARTS)
-        depths->parts[depths->count++] = part;
-    else
-        join(left ? to : to - 1, &part);
-}
-
-static int32 pitch_of(const struct depths *depths)
-{
-    return depths->aside.width * (int32)sizeof *depths->z;
-}
-
-void depths_clear(const struct depths *depths)
-{
-    const struct frame *frame = &depths->aside;
-    const struct depth_part *part = depths->parts;
-    struct scanline *line = depths->bounds;
-    struct span_plan plan;
-
-    if (!depths->count)
-        return;
-    for (int32 i = frame->height; i > 0; i--, line++) {
-        line->left = (uint16)(EDGE_BIAS + frame->width);
-        line->last = EDGE_BIAS - 1;
-    }
-    for (int32 left = depths->count; left > 0; left--, part++)
-        for (int32 i = part->box.top; i < part->box.bottom; i++) {
-            line = &depths->bounds[i];
-            line->left = (uint16)outline_least(line->left, EDGE_BIAS + part->box.left);
-            line->last = (int16)outline_most(line->last, EDGE_BIAS + part->box.right - 1);
-        }
-    plan.lines = depths->bounds;
-    plan.count = frame->height;
-    plan.row = (uint8 *)depths->z - EDGE_BIAS * (int32)sizeof *depths->z;
-    plan.pitch = pitch_of(depths);
-    plan.colour = (uint32)DEPTH_FAR;
-    span_fill_32(&plan);
-}
-
 static void shift_left_16(struct number64 *to, const struct number64 *from)
 {
     to->hi = from->hi << 16 | from->lo >> 16;
@@ -217,7 +120,7 @@ static int32 begin(struct depth_face *face, struct renderer *renderer, const str
     face->material = *material;
     face->material.mapper = MAPPER_FLAT;
     face->material.map = 0;
-    face->plan.pitch = pitch_of(depths);
+    face->plan.pitch = depths_pitch(depths);
     return find_outline(face, polygon);
 }
 
@@ -248,7 +151,7 @@ static void set_lines(struct depth_face *face, int32 top, int32 bottom)
    what sets z and what is copied of it are always the same pixels, and a pixel that hides another face's has set z. */
 static int32 is_odd_fan(struct depth_face *face, const struct polygon *polygon, const struct material *material)
 {
-    return polygon->count > 3
+    return polygon_may_be_fan(face->renderer, polygon, material)
         && !(EDGES_ARE_EXACT(material->edges) && depth_convex(face->setup.vertices, polygon->count))
         && polygon_is_fan(face->renderer, polygon, material);
 }
@@ -275,7 +178,7 @@ static void do_lines(struct depth_face *face, const struct polygon *polygon, con
     }
 }
 
-/* A polygon's part of the frame, and the parts that it is filled in. */
+/* The parts that a polygon is filled in. */
 struct filled {
     const struct depth_part *parts[DEPTH_PARTS];
     int32 count;
@@ -300,6 +203,17 @@ static void fill_lines(struct depth_face *face, const void *with)
     }
 }
 
+/* Leaves parts out whose faces are all before a plane. */
+static void leave_out(struct filled *filled, const struct depths *depths, const struct depth_plan *plan)
+{
+    int32 kept = 0;
+
+    for (int32 i = 0; i < filled->count; i++)
+        if (!depths_are_before(depths, filled->parts[i], plan))
+            filled->parts[kept++] = filled->parts[i];
+    filled->count = kept;
+}
+
 void depths_fill(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
                  const struct material *material, int32 is_ordered)
 {
@@ -310,10 +224,10 @@ void depths_fill(struct renderer *renderer, const struct depths *depths, const s
     int32 is_before = 1;
 
     filled.count = 0;
-    if (!set_part(&own, &depths->aside, polygon->vertices, polygon->count))
+    if (!depth_part_set(&own, &depths->aside, polygon->vertices, polygon->count))
         return;
     for (int32 left = depths->count; left > 0; left--, part++) {
-        if (!meet(&own.box, &part->box))
+        if (!depth_parts_meet(&own.box, &part->box))
             continue;
         if (part->near <= own.far)
             is_before = 0;
@@ -322,12 +236,16 @@ void depths_fill(struct renderer *renderer, const struct depths *depths, const s
     }
     if (!filled.count || !begin(&face, renderer, depths, polygon, material))
         return;
-    if (is_before)
+    if (is_before) {
         set_everywhere(&face.plan, DEPTH_NEAREST);
-    else
+    } else {
         set_plane(&face.plan, &face.setup, depths->near_plane);
+        if (is_ordered)
+            leave_out(&filled, depths, &face.plan);
+    }
     face.origin = face.plan.at;
-    do_lines(&face, polygon, material, fill_lines, &filled);
+    if (filled.count)
+        do_lines(&face, polygon, material, fill_lines, &filled);
 }
 
 static void blank_lines(struct depth_face *face, const void *with)

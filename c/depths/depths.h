@@ -18,6 +18,7 @@ enum depths_constants {
     DEPTH_FAR = -0x7fffffff - 1,        /* q where nothing has been drawn that may hide a tested face */
     DEPTH_NEAREST = 1 << 30,            /* q of a face that is before all tested ones near it */
     DEPTH_PARTS = 8,
+    DEPTH_CORNERS = 64,
     /* Units of q: corners are off by a half each, 1.5 where a plane goes on beyond them; depths.c rounds five
        numbers down and depth_fill one. */
     DEPTH_OFF_LEAST = 10
@@ -27,6 +28,14 @@ enum depths_constants {
 struct depth_part {
     struct rectangle box;       /* pixels: all of theirs, and one beside them */
     fix16 near, far;            /* least and greatest w of their corners */
+    int32 lacks;                /* 1: not all of these corners are kept, or one is far from the frame */
+};
+
+/* A corner of a tested face. */
+struct depth_corner {
+    int32 x, y;                 /* its place, rounded down to pixels */
+    int32 q;
+    const struct depth_part *part;
 };
 
 /* Memory for frames of one size. */
@@ -38,6 +47,8 @@ struct depths {
     fix16 far;                  /* the greatest w of all parts */
     int32 count;                /* parts, 0 to DEPTH_PARTS; each pixel of a tested face is in one that has it */
     struct depth_part parts[DEPTH_PARTS];
+    int32 corners_count;
+    struct depth_corner corners[DEPTH_CORNERS];
 };
 
 /* Everything depth_fill and depth_copy need. */
@@ -69,9 +80,26 @@ void depths_include(struct depths *depths, const struct vertex *vertices, int32 
 /* Sets z inside the parts to DEPTH_FAR. */
 void depths_clear(const struct depths *depths);
 
+/* Sets a polygon's part of the frame and its depths; returns 0 if none of the frame is in it. */
+int32 depth_part_set(struct depth_part *part, const struct frame *frame, const struct vertex *vertices, int32 count);
+
+static inline int32 depth_parts_meet(const struct rectangle *a, const struct rectangle *b)
+{
+    return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
+}
+
+/* Returns 1 if all tested faces in a part are before the plane of q of a plan, whose `at` is at pixel -EDGE_BIAS of the
+   frame's first line. */
+int32 depths_are_before(const struct depths *depths, const struct depth_part *part, const struct depth_plan *plan);
+
+static inline int32 depths_pitch(const struct depths *depths)
+{
+    return depths->aside.width * (int32)sizeof *depths->z;
+}
+
 /* Sets z to q of a polygon that has been drawn over all before, in the parts whose faces it may hide. is_ordered: only
-   faces of the same tree, in its order, were drawn before, or none. A polygon behind all faces of a part may then be left
-   out there: at its pixels only what is behind it has set z, so that the part's faces are seen. */
+   faces of the same tree, in its order, were drawn before, or none. A polygon behind all faces of a part, or whose plane
+   is, is then left out there: at its pixels only what is behind it has set z, so that the part's faces are seen. */
 void depths_fill(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
                  const struct material *material, int32 is_ordered);
 

@@ -240,9 +240,16 @@ uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
     return found;
 }
 
+int32 polygon_may_be_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material)
+{
+    return polygon->count > 3
+        && ((material->edges == EDGES_SNAPPED && renderer->triangles) || material->gradients == GRADIENTS_POLYGON
+            || (planes_asked(material) & ~polygon->planar) != 0);
+}
+
 int32 polygon_is_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material)
 {
-    if (polygon->count <= 3)
+    if (!polygon_may_be_fan(renderer, polygon, material))
         return 0;
     if (material->edges == EDGES_SNAPPED && renderer->triangles && triangle_takes(renderer->frame, polygon, material))
         return 1;

@@ -37,10 +37,7 @@ depths_next macro
         bne     \1
         endm
 
-COPIES  equ     8
-
-; Copies the pixels of a face's lines. \1: the macro that copies pixel number \1, from 1 to COPIES: z is at 4 * \1(a0),
-; the pixel aside at \1(a1), the frame's at \1(a6), q in d1. It has as many bytes with each number.
+; What copies begin with, for each line: a0 z, a1 pixels aside, a6 those of the frame, d1 q, d3 pixels less one.
 depths_copy macro
         depths_begin
         move.l  depth_plan_from(a5),-(sp)
@@ -52,31 +49,15 @@ depths_copy macro
         sub.l   d0,d3
         bmi     .next
         depths_q
-        moveq   #COPIES-1,d2            ; the first time without so many
-        and.l   d3,d2
-        eori.w  #COPIES-1,d2
-        lsr.l   #3,d3
-        sub.l   d2,d0
-        lea     -4(a4,d0.l*4),a0
-        subq.l  #1,d0
+        lea     (a4,d0.l*4),a0
         movea.l 4(sp),a1
         adda.l  d0,a1
         movea.l (sp),a6
         adda.l  d0,a6
-        muls.w  #.second-.first,d2
-        jmp     .first(pc,d2.l)
-.first  \1      1
-.second \1      2
-        \1      3
-        \1      4
-        \1      5
-        \1      6
-        \1      7
-        \1      8
-        lea     4*COPIES(a0),a0
-        addq.l  #COPIES,a1
-        addq.l  #COPIES,a6
-        dbf     d3,.first
+        endm
+
+; What they end with.
+depths_copied macro
 .next   move.l  depth_plan_from_pitch(a5),d0
         add.l   d0,4(sp)
         move.l  depth_plan_to_pitch(a5),d0

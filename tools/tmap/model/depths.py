@@ -4,7 +4,7 @@ q is (near / 2) / w, 2.30. A face is given by its material and whole corners on 
 (x, y, s, t, shade, w), 16.16.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import product
 
 import numpy as np
@@ -99,6 +99,8 @@ class Part:
     bottom: int
     near: int
     far: int
+    lacks: bool = False  # not all corners are kept, or one is far from the frame
+    corners: list[tuple[int, int, int]] = field(default_factory=list)  # whole pixels, and q
 
     @classmethod
     def of(cls, scene, vertices) -> "Part | None":
@@ -118,6 +120,17 @@ class Part:
         for name, choose in (("left", min), ("top", min), ("right", max), ("bottom", max), ("near", min), ("far", max)):
             setattr(self, name, choose(getattr(self, name), getattr(other, name)))
 
+    def is_before(self, plane: "Plane", width: int, height: int) -> bool:
+        """Returns true if all faces in the part are before a plane of q: depths_are_before."""
+        dx, dy = plane.dx >> 16, plane.dy >> 16
+        steep = (abs(dx) >> 5) * width + (abs(dy) >> 5) * height
+        if not plane.dx and not plane.dy or self.lacks or max(abs(dx), abs(dy)) >> 20 or steep >> 24:
+            return False
+        bias = layout.load().constants["EDGE_BIAS"]
+        at = (plane.at - (plane.i + bias) * plane.dx - plane.j * plane.dy >> 16) + bias * dx \
+            + bias + 2 * (width + height) + 2 + (dx + 1) * (dx >= 0) + (dy + 1) * (dy >= 0)
+        return all(signed(at + dx * x + dy * y) < q for x, y, q in self.corners)
+
 
 class Depths:
     """A z buffer in parts of the frame, around the faces that are tested."""
@@ -127,6 +140,7 @@ class Depths:
         self.nearest = constants["DEPTH_NEAREST"]
         self.z = np.full((scene.height, scene.width), DEPTH_FAR, np.int64)
         self.parts: list[Part] = []
+        room = constants["DEPTH_CORNERS"]
         for _, vertices, _ in faces:
             part = Part.of(scene, vertices)
             if not part:
@@ -135,7 +149,16 @@ class Depths:
             if not met and len(self.parts) < constants["DEPTH_PARTS"]:
                 self.parts.append(part)
             else:
-                (met or self.parts[-1:])[0].join(part)
+                part, other = (met or self.parts[-1:])[0], part
+                part.join(other)
+            if len(vertices) > room:
+                part.lacks = True
+                continue
+            room -= len(vertices)
+            for v in vertices:
+                x, y = v[0] >> 16, v[1] >> 16
+                part.corners.append((x, y, mul_div(scene.near_plane >> 1, Q_ONE, v[5])))
+                part.lacks |= not (-scene.width <= x < 2 * scene.width and -scene.height <= y < 2 * scene.height)
 
     def lines(self, which: int, vertices, vouched: int = planarity.IN_SPACE):
         """Yields line, first pixel, the pixel behind the last and their q of a face."""
@@ -158,6 +181,8 @@ class Depths:
         if made is None:
             return
         is_before = all(part.near > own.far for part in met)
+        if is_ordered and not is_before:
+            parts = [part for part in parts if not part.is_before(made[1], self.scene.width, self.scene.height)]
         for polygon, part in product(made[0], parts):
             for y, line in enumerate(polygon.lines, polygon.top):
                 left, right = max(line.left, part.left), min(line.right, part.right)
