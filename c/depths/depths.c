@@ -1,5 +1,6 @@
 #include "depths/depths.h"
 
+#include "drawing/fan.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
 #include "perspective/perspective.h"
@@ -7,67 +8,6 @@
 
 /* From here on, in 2^16 units a pixel, a plane of q is too steep: the face is narrower than a pixel. */
 #define TOO_STEEP 65536
-
-void depths_begin(struct depths *depths)
-{
-    const struct frame *frame = &depths->aside;
-    struct scanline *line = depths->bounds;
-
-    for (int32 i = frame->height; i > 0; i--, line++) {
-        line->left = (uint16)(EDGE_BIAS + frame->width);
-        line->last = EDGE_BIAS - 1;
-    }
-    depths->box.left = frame->width;
-    depths->box.top = frame->height;
-    depths->box.right = depths->box.bottom = 0;
-}
-
-void depths_include(struct depths *depths, const struct vertex *vertices, int32 count)
-{
-    const struct frame *frame = &depths->aside;
-    fix16 x_low = vertices->x, x_high = x_low, y_low = vertices->y, y_high = y_low;
-    int32 left, right, top, bottom;
-
-    for (; count > 0; count--, vertices++) {
-        x_low = outline_least(x_low, vertices->x);
-        x_high = outline_most(x_high, vertices->x);
-        y_low = outline_least(y_low, vertices->y);
-        y_high = outline_most(y_high, vertices->y);
-    }
-    left = outline_most((x_low >> 16) - 1, 0);
-    right = outline_least((x_high >> 16) + 2, frame->width);
-    top = outline_most((y_low >> 16) - 1, 0);
-    bottom = outline_least((y_high >> 16) + 2, frame->height);
-    if (left >= right || top >= bottom)
-        return;
-    depths->box.left = outline_least(depths->box.left, left);
-    depths->box.top = outline_least(depths->box.top, top);
-    depths->box.right = outline_most(depths->box.right, right);
-    depths->box.bottom = outline_most(depths->box.bottom, bottom);
-    for (; top < bottom; top++) {
-        struct scanline *line = &depths->bounds[top];
-
-        line->left = (uint16)outline_least(line->left, EDGE_BIAS + left);
-        line->last = (int16)outline_most(line->last, EDGE_BIAS + right - 1);
-    }
-}
-
-static int32 pitch_of(const struct depths *depths)
-{
-    return depths->aside.width * (int32)sizeof *depths->z;
-}
-
-void depths_clear(const struct depths *depths)
-{
-    struct span_plan plan;
-
-    plan.lines = depths->bounds;
-    plan.count = depths->aside.height;
-    plan.row = (uint8 *)depths->z - EDGE_BIAS * (int32)sizeof *depths->z;
-    plan.pitch = pitch_of(depths);
-    plan.colour = (uint32)DEPTH_FAR;
-    span_fill_32(&plan);
-}
 
 static void shift_left_16(struct number64 *to, const struct number64 *from)
 {
@@ -82,7 +22,35 @@ static int32 error_part(int32 steep, int32 pixels)
     return (steep * pixels >> 15) + (pixels >> 14);
 }
 
-/* Sets the plane of q, with w of the setup's vertices. */
+/* Adds so many steps, below 2^16, to a number. */
+static void add_steps(struct number64 *to, const struct number64 *step, uint32 count)
+{
+    const uint32 low = (step->lo & 0xffff) * count, high = (step->lo >> 16) * count + (low >> 16);
+    const uint32 sum = to->lo + (high << 16 | (low & 0xffff));
+
+    to->hi += step->hi * count + (high >> 16) + (sum < to->lo);
+    to->lo = sum;
+}
+
+static void set_everywhere(struct depth_plan *plan, int32 q)
+{
+    plan->at.hi = (uint32)q;
+    plan->at.lo = plan->dx.hi = plan->dx.lo = plan->dy.hi = plan->dy.lo = 0;
+    plan->step = 0;
+}
+
+/* Moves a plane's origin so many pixels to the left and up. */
+static void move_origin(struct depth_plan *plan, int32 x, int32 y)
+{
+    struct number64 back = {0, 0};
+
+    add_steps(&back, &plan->dx, (uint32)x);
+    add_steps(&back, &plan->dy, (uint32)y);
+    plan->at.hi -= back.hi + (plan->at.lo < back.lo);
+    plan->at.lo -= back.lo;
+}
+
+/* Sets the plane of q, with w of the setup's vertices, its origin at pixel -EDGE_BIAS of the frame's first line. */
 static void set_plane(struct depth_plan *plan, const struct setup *s, fix16 near_plane)
 {
     const struct sides *sides = &s->sides;
@@ -111,100 +79,223 @@ static void set_plane(struct depth_plan *plan, const struct setup *s, fix16 near
     steep_y = perspective_steepness(&q.dy);
     if (steep_x >= TOO_STEEP || steep_y >= TOO_STEEP
         || DEPTH_OFF_LEAST + error_part(steep_x, right) + error_part(steep_y, down) > range) {
-        plan->at.hi = (uint32)(corners.first.q + low + (range >> 1));
-        plan->at.lo = plan->dx.hi = plan->dx.lo = plan->dy.hi = plan->dy.lo = 0;
+        set_everywhere(plan, corners.first.q + low + (range >> 1));
     } else {
         shift_left_16(&plan->at, &q.at);
         shift_left_16(&plan->dx, &q.dx);
         shift_left_16(&plan->dy, &q.dy);
+        plan->step = (int32)(plan->dx.hi + (plan->dx.lo >> 31));
+        move_origin(plan, EDGE_BIAS + box->left, box->top);
     }
-    plan->step = (int32)(plan->dx.hi + (plan->dx.lo >> 31));
 }
 
-/* Finds the lines and the plane of a polygon; returns 0 if it has no pixels. */
-static int32 find(struct depth_plan *plan, struct setup *s, struct renderer *renderer,
-                  const struct depths *depths, const struct vertex *vertices, int32 count,
-                  const struct material *material)
-{
-    struct polygon polygon;
-    struct material plain = *material;
+/* A face that is filled or copied: its whole outline, then that of what it was drawn as. */
+struct depth_face {
+    struct setup setup;
+    struct material material;           /* of its outline alone */
+    struct depth_plan plan;             /* the plane; origin: its q at pixel -EDGE_BIAS of the frame's first line */
+    struct number64 origin;
+    const struct depths *depths;
+    struct renderer *renderer;
+};
 
-    plain.mapper = MAPPER_FLAT;
-    plain.map = 0;
-    polygon_set(&polygon, vertices, count, PLANAR_ALL);
-    setup_begin(s, renderer, &polygon, &plain);
-    s->form = renderer->form;
+/* Finds the outline of a polygon; returns 0 if it has no pixels. */
+static int32 find_outline(struct depth_face *face, const struct polygon *polygon)
+{
+    struct setup *s = &face->setup;
+
+    setup_begin(s, face->renderer, polygon, &face->material);
+    s->form = face->renderer->form;
     s->kind = SPAN_FILL;
-    s->vertices = material_vertices(s->scratch->vertices, vertices, count, &plain);
-    if (outline_find(s, OUTLINE_ALONE) != POLYGON_DRAWN)
-        return 0;
-    outline_lines(s, EDGES_ARE_EXACT(plain.edges) ? edge_flat_exact : edge_flat, scissor_flat);
-    set_plane(plan, s, depths->near_plane);
-    plan->lines = s->edges.lines;
-    plan->count = s->box.bottom - s->box.top;
-    plan->bounds = &depths->bounds[s->box.top];
-    plan->pitch = pitch_of(depths);
-    plan->row = (uint8 *)depths->z + s->box.top * plan->pitch - EDGE_BIAS * (int32)sizeof *depths->z;
-    plan->left = EDGE_BIAS + s->box.left;
-    return 1;
+    s->vertices = material_vertices(s->scratch->vertices, polygon->vertices, polygon->count, &face->material);
+    return outline_find(s, OUTLINE_ALONE) == POLYGON_DRAWN;
 }
 
-/* Returns non-zero if a polygon is beside the box of all bounds. */
-static int32 is_beside(const struct rectangle *box, const struct vertex *v, int32 count)
+/* Begins a face; returns 0 if it has no pixels. */
+static int32 begin(struct depth_face *face, struct renderer *renderer, const struct depths *depths,
+                   const struct polygon *polygon, const struct material *material)
 {
-    const fix16 left = (box->left - 1) << 16, right = (box->right + 1) << 16;
-    const fix16 top = (box->top - 1) << 16, bottom = (box->bottom + 1) << 16;
-    int32 outside = 15;
-
-    for (; count > 0 && outside; count--, v++)
-        outside &= (v->x < left) | (v->x > right) << 1 | (v->y < top) << 2 | (v->y > bottom) << 3;
-    return outside;
+    face->depths = depths;
+    face->renderer = renderer;
+    face->material = *material;
+    face->material.mapper = MAPPER_FLAT;
+    face->material.map = 0;
+    face->plan.pitch = depths_pitch(depths);
+    return find_outline(face, polygon);
 }
 
-void depths_fill(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
-                 int32 count, const struct material *material)
+/* Makes the lines of the outline that was found. */
+static void make_lines(struct depth_face *face)
 {
-    struct depth_plan plan;
-    struct setup s;
-
-    if (!is_beside(&depths->box, vertices, count)
-        && find(&plan, &s, renderer, depths, vertices, count, material))
-        depth_fill(&plan);
+    outline_lines(&face->setup, EDGES_ARE_EXACT(face->material.edges) ? edge_flat_exact : edge_flat, scissor_flat);
 }
 
-void depths_blank(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
-                  int32 count, const struct material *material)
+/* Sets the lines of a plan to those from top on. */
+static void set_lines(struct depth_face *face, int32 top, int32 bottom)
 {
-    const struct frame *frame = &depths->aside;
-    struct depth_plan found;
-    struct span_plan plan;
-    struct setup s;
+    struct depth_plan *plan = &face->plan;
 
-    if (!find(&found, &s, renderer, depths, vertices, count, material))
+    plan->lines = &face->setup.edges.lines[top - face->setup.box.top];
+    plan->count = bottom - top;
+    plan->row = (uint8 *)face->depths->z + top * plan->pitch - EDGE_BIAS * (int32)sizeof *face->depths->z;
+    plan->at = face->origin;
+    add_steps(&plan->at, &plan->dy, (uint32)top);
+}
+
+/* Returns 1 if a face was drawn as a fan whose triangles may have other pixels than its outline, which was found.
+
+   They have the same if edges are exact and the face turns to one side only: then the triangles of the fan do not overlap,
+   fill the face, and a pixel on an edge that two of them share belongs to one of them. Rounding may turn a corner inwards,
+   though, by a sixteenth of a pixel or 1/65536: a triangle beside that corner is then seen from the back or lies outside,
+   so that pixels in the sliver between differ. So a fan is filled, and copied, by its triangles: what is drawn of a face,
+   what sets z and what is copied of it are always the same pixels, and a pixel that hides another face's has set z. */
+static int32 is_odd_fan(struct depth_face *face, const struct polygon *polygon, const struct material *material)
+{
+    return polygon_may_be_fan(face->renderer, polygon, material)
+        && !(EDGES_ARE_EXACT(material->edges) && depth_convex(face->setup.vertices, polygon->count))
+        && polygon_is_fan(face->renderer, polygon, material);
+}
+
+/* Calls `each` with a face's lines: those of its outline, or of the triangles that it was drawn as. */
+static void do_lines(struct depth_face *face, const struct polygon *polygon, const struct material *material,
+                     void (*each)(struct depth_face *face, const void *with), const void *with)
+{
+    struct vertex corners[3];
+    struct polygon triangle;
+
+    if (!is_odd_fan(face, polygon, material)) {
+        make_lines(face);
+        each(face, with);
         return;
-    plan.lines = found.lines;
-    plan.count = found.count;
-    plan.row = frame->pixels + s.box.top * frame->pitch - EDGE_BIAS;
+    }
+    polygon_set(&triangle, corners, 3, PLANAR_ALL);
+    for (int32 i = 2; i < polygon->count; i++) {
+        planar_triangle(corners, polygon->vertices, i);
+        if (find_outline(face, &triangle)) {
+            make_lines(face);
+            each(face, with);
+        }
+    }
+}
+
+/* The parts that a polygon is filled in. */
+struct filled {
+    const struct depth_part *parts[DEPTH_PARTS];
+    int32 count;
+};
+
+static void fill_lines(struct depth_face *face, const void *with)
+{
+    const struct filled *filled = with;
+    struct depth_plan *plan = &face->plan;
+
+    for (int32 i = 0; i < filled->count; i++) {
+        const struct rectangle *box = &filled->parts[i]->box;
+        const int32 top = outline_most(face->setup.box.top, box->top);
+        const int32 bottom = outline_least(face->setup.box.bottom, box->bottom);
+
+        if (top >= bottom)
+            continue;
+        set_lines(face, top, bottom);
+        plan->left = EDGE_BIAS + box->left;
+        plan->last = EDGE_BIAS + box->right - 1;
+        depth_fill(plan);
+    }
+}
+
+/* Leaves parts out whose faces are all before a plane. */
+static void leave_out(struct filled *filled, const struct depths *depths, const struct depth_plan *plan)
+{
+    int32 kept = 0;
+
+    for (int32 i = 0; i < filled->count; i++)
+        if (!depths_are_before(depths, filled->parts[i], plan))
+            filled->parts[kept++] = filled->parts[i];
+    filled->count = kept;
+}
+
+void depths_fill(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
+                 const struct material *material, int32 is_ordered)
+{
+    const struct depth_part *part = depths->parts;
+    struct depth_part own;
+    struct filled filled;
+    struct depth_face face;
+    int32 is_before = 1;
+
+    filled.count = 0;
+    if (!depth_part_set(&own, &depths->aside, polygon->vertices, polygon->count))
+        return;
+    for (int32 left = depths->count; left > 0; left--, part++) {
+        if (!depth_parts_meet(&own.box, &part->box))
+            continue;
+        if (part->near <= own.far)
+            is_before = 0;
+        if (!is_ordered || part->far >= own.near)
+            filled.parts[filled.count++] = part;
+    }
+    if (!filled.count || !begin(&face, renderer, depths, polygon, material))
+        return;
+    if (is_before) {
+        set_everywhere(&face.plan, DEPTH_NEAREST);
+    } else {
+        set_plane(&face.plan, &face.setup, depths->near_plane);
+        if (is_ordered)
+            leave_out(&filled, depths, &face.plan);
+    }
+    face.origin = face.plan.at;
+    if (filled.count)
+        do_lines(&face, polygon, material, fill_lines, &filled);
+}
+
+static void blank_lines(struct depth_face *face, const void *with)
+{
+    const struct frame *frame = with;
+    struct span_plan plan;
+
+    plan.lines = face->setup.edges.lines;
+    plan.count = face->setup.box.bottom - face->setup.box.top;
+    plan.row = frame->pixels + face->setup.box.top * frame->pitch - EDGE_BIAS;
     plan.pitch = frame->pitch;
     plan.colour = 0;
     span_fill(&plan);
 }
 
-void depths_copy(struct renderer *renderer, const struct depths *depths, const struct vertex *vertices,
-                 int32 count, const struct material *material)
+void depths_blank(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
+                  const struct material *material)
 {
-    const struct frame *frame = renderer->frame;
-    struct depth_plan plan;
-    struct setup s;
+    struct depth_face face;
 
-    if (!find(&plan, &s, renderer, depths, vertices, count, material))
-        return;
-    plan.from_pitch = depths->aside.pitch;
-    plan.to_pitch = frame->pitch;
-    plan.from = depths->aside.pixels + s.box.top * plan.from_pitch - EDGE_BIAS;
-    plan.to = frame->pixels + s.box.top * plan.to_pitch - EDGE_BIAS;
+    if (begin(&face, renderer, depths, polygon, material))
+        do_lines(&face, polygon, material, blank_lines, &depths->aside);
+}
+
+static void copy_lines(struct depth_face *face, const void *with)
+{
+    const struct material *material = with;
+    const struct frame *frame = face->renderer->frame, *aside = &face->depths->aside;
+    const struct rectangle *box = &face->setup.box;
+    struct depth_plan *plan = &face->plan;
+
+    set_lines(face, box->top, box->bottom);
+    plan->from_pitch = aside->pitch;
+    plan->to_pitch = frame->pitch;
+    plan->from = aside->pixels + box->top * plan->from_pitch - EDGE_BIAS;
+    plan->to = frame->pixels + box->top * plan->to_pitch - EDGE_BIAS;
     if (material->mapper == MAPPER_KEYED)
-        depth_copy_keyed(&plan);
+        depth_copy_keyed(plan);
     else
-        depth_copy(&plan);
+        depth_copy(plan);
+}
+
+void depths_copy(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
+                 const struct material *material)
+{
+    struct depth_face face;
+
+    if (!begin(&face, renderer, depths, polygon, material))
+        return;
+    set_plane(&face.plan, &face.setup, depths->near_plane);
+    face.origin = face.plan.at;
+    do_lines(&face, polygon, material, copy_lines, material);
 }

@@ -29,9 +29,11 @@
    vertices as given. */
 #include "drawing/fan.h"
 
+#include "drawing/draw.h"
 #include "math/math.h"
 #include "polygon/planes.h"
 #include "polygon/texturing.h"
+#include "triangle/polygon.h"
 
 #define ROUNDED 16
 #define QUICK_PLACE 7               /* 4 X, and 4 S */
@@ -236,6 +238,25 @@ uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
     if (asked & PLANAR_COLOURS && colours_lie(&look, corners, values))
         found |= PLANAR_COLOURS;
     return found;
+}
+
+int32 polygon_may_be_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material)
+{
+    return polygon->count > 3
+        && ((material->edges == EDGES_SNAPPED && renderer->triangles) || material->gradients == GRADIENTS_POLYGON
+            || (planes_asked(material) & ~polygon->planar) != 0);
+}
+
+int32 polygon_is_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material)
+{
+    if (!polygon_may_be_fan(renderer, polygon, material))
+        return 0;
+    if (material->edges == EDGES_SNAPPED && renderer->triangles && triangle_takes(renderer->frame, polygon, material))
+        return 1;
+    if (material->mapper == MAPPER_FLAT)
+        return 0;
+    return material->gradients == GRADIENTS_POLYGON
+        || !polygon_is_planar(renderer, polygon, polygon->vertices, planes_asked(material));
 }
 
 enum polygon_result polygon_fan(polygon_routine *draw, struct renderer *renderer,

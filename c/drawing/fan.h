@@ -38,6 +38,12 @@ static inline void planar_triangle(struct vertex *to, const struct vertex *verti
     to[2] = vertices[i];
 }
 
+/* Returns 0 if polygon_is_fan would, for less. */
+int32 polygon_may_be_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material);
+
+/* Returns 1 if a polygon of a mesh is drawn as a fan of triangles, by polygon_fan or by routines for triangles. */
+int32 polygon_is_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material);
+
 /* Draws the polygon as a fan of triangles, each with `draw`. */
 enum polygon_result polygon_fan(polygon_routine *draw, struct renderer *renderer,
                                 const struct polygon *polygon, const struct material *material);

@@ -3,26 +3,38 @@
 
 void mesh_depths_begin(const struct scene *scene, const struct mesh_face *face)
 {
-    depths_begin(scene->depths);
-    for (; face; face = face->next) {
-        int32 count;
-        const struct vertex *vertices = mesh_face_vertices(scene, face, &count);
+    struct polygon polygon;
 
-        if (count >= 3)
-            depths_include(scene->depths, vertices, count);
-    }
+    depths_begin(scene->depths);
+    for (; face; face = face->next)
+        if (mesh_face_polygon(&polygon, scene, face))
+            depths_include(scene->depths, polygon.vertices, polygon.count);
     depths_clear(scene->depths);
 }
 
-void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face)
+/* Returns 1 if all corners of a face are farther than w; those of its part inside the frame's borders are, too. */
+static int32 is_beyond(const struct mesh_face *face, fix16 w)
 {
-    for (; face; face = face->next) {
-        int32 count;
-        const struct vertex *vertices = mesh_face_vertices(scene, face, &count);
+    const struct mesh_placed *placed = face->placed;
+    const struct scene_corner *corner = &placed->corners[face->face->corner];
 
-        if (count >= 3)
-            depths_fill(renderer, scene->depths, vertices, count, face->placed->material);
-    }
+    if (placed->view16)         /* has only points that are off the screen */
+        return 0;
+    for (int32 left = (int32)face->face->corners; left > 0; left--, corner++)
+        if (placed->points[corner->point].w <= w)
+            return 0;
+    return 1;
+}
+
+void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face,
+                      int32 is_ordered)
+{
+    const struct depths *const depths = scene->depths;
+    struct polygon polygon;
+
+    for (; face && depths->count; face = face->next)
+        if (!(is_ordered && is_beyond(face, depths->far)) && mesh_face_polygon(&polygon, scene, face))
+            depths_fill(renderer, depths, &polygon, face->placed->material, is_ordered);
 }
 
 enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct scene *scene,
@@ -33,19 +45,18 @@ enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct sce
 
     for (; face; face = face->next) {
         const struct material *const material = face->placed->material;
-        int32 count;
-        const struct vertex *vertices = mesh_face_vertices(scene, face, &count);
+        struct polygon polygon;
         enum polygon_result result;
 
-        if (count < 3)
+        if (!mesh_face_polygon(&polygon, scene, face))
             continue;
         if (material->mapper == MAPPER_KEYED)
-            depths_blank(renderer, scene->depths, vertices, count, material);
+            depths_blank(renderer, scene->depths, &polygon, material);
         renderer->frame = &scene->depths->aside;
-        result = mesh_draw_polygon(renderer, vertices, count, face->placed);
+        result = mesh_draw_polygon(renderer, &polygon, face->placed);
         renderer->frame = frame;
         if (result == POLYGON_DRAWN)
-            depths_copy(renderer, scene->depths, vertices, count, material);
+            depths_copy(renderer, scene->depths, &polygon, material);
         else if (result != POLYGON_EMPTY)
             refused = result;
     }

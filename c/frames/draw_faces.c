@@ -7,6 +7,16 @@
 #include "polygon/setup.h"
 #include "triangle/polygon.h"
 
+/* A face is a plane in space, but on the screen its affine texels need not be on a plane; nor depths, which fog
+   follows. */
+static inline void set_polygon(struct polygon *polygon, const struct vertex *vertices, int32 count,
+                               const struct mesh_placed *placed)
+{
+    polygon_set(polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
+    if (placed->flags & MESH_FOG)
+        polygon->planar = mesh_fade_planar(vertices, count);
+}
+
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
 static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
                                         const struct mesh_placed *placed, polygon_routine *draw)
@@ -14,11 +24,7 @@ static enum polygon_result draw_polygon(struct renderer *renderer, const struct 
     const struct material *const material = placed->material;
     struct polygon polygon;
 
-    /* A face is a plane in space, but on the screen its affine texels need not be on a plane; nor depths, which
-       fog follows. */
-    polygon_set(&polygon, vertices, count, PLANAR_ALL - PLANAR_TEXELS);
-    if (placed->flags & MESH_FOG)
-        polygon.planar = mesh_fade_planar(vertices, count);
+    set_polygon(&polygon, vertices, count, placed);
     if (count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
         return draw(renderer, &polygon, material);
@@ -136,15 +142,21 @@ static inline const struct vertex *vertices_of(const struct scene *scene, const 
     return vertices;
 }
 
-const struct vertex *mesh_face_vertices(const struct scene *scene, const struct mesh_face *face, int32 *count)
+int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)
 {
-    return vertices_of(scene, face, count);
+    int32 count;
+    const struct vertex *vertices = vertices_of(scene, face, &count);
+
+    if (count < 3)
+        return 0;
+    set_polygon(polygon, vertices, count, face->placed);
+    return 1;
 }
 
-enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
+enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct polygon *polygon,
                                       const struct mesh_placed *placed)
 {
-    return draw_polygon(renderer, vertices, count, placed, placed->material->draw);
+    return draw_polygon(renderer, polygon->vertices, polygon->count, placed, placed->material->draw);
 }
 
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,

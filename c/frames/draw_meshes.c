@@ -288,6 +288,7 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
     enum polygon_result refused = POLYGON_DRAWN, result;
     struct mesh_work room = scene->work;
     const struct mesh_face *tested = 0;
+    int32 groups = 0;
 
     if (scene->instances[first].tree == TREE_Z && !renderer->only_counts) {
         tested = place_all(renderer, scene, number, &first, end, &room);
@@ -295,11 +296,12 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
             mesh_depths_begin(scene, tested);
     }
     while (first < end) {
+        const int32 is_first_tree = !groups++ && scene->instances[first].tree >= 0;
         struct mesh_face *face;
 
         result = draw_group(renderer, scene, number, &first, end, &room, &face);
         if (tested)
-            mesh_depths_fill(renderer, scene, face);
+            mesh_depths_fill(renderer, scene, face, is_first_tree);
         if (result != POLYGON_DRAWN)
             refused = result;
     }

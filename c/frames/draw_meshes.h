@@ -15,19 +15,20 @@ enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *sce
 enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scene *scene,
                                     const struct mesh_face *face);
 
-/* Returns a face's corners on the screen, in scratch memory until the next call, and their number, below 3
-   if nothing is left. */
-const struct vertex *mesh_face_vertices(const struct scene *scene, const struct mesh_face *face, int32 *count);
+/* Sets *polygon to a face on the screen, in scratch memory until the next call; returns 0 if nothing is left. */
+int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face);
 
-/* Draws these corners. */
-enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
+/* Draws it. */
+enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct polygon *polygon,
                                       const struct mesh_placed *placed);
 
 /* draw_depths.c. Makes the z buffer empty where faces of a list are. */
 void mesh_depths_begin(const struct scene *scene, const struct mesh_face *face);
 
-/* Puts faces of a list that have been drawn in this order into it. */
-void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face);
+/* Puts faces of a list that have been drawn in this order into it. is_ordered: they are those of a tree, and nothing was
+   put into it before. */
+void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face,
+                      int32 is_ordered);
 
 /* Draws the faces of a list where they are nearer, as mesh_draw_faces. */
 enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct scene *scene,

@@ -41,3 +41,34 @@ enum span_kind triangle_kind(const struct frame *frame, const struct material *m
         return SPAN_KINDS;
     return material->mapper == MAPPER_LIT ? SPAN_LIT : SPAN_LIT_GOURAUD;
 }
+
+/* Returns 1 if a texel's coordinate of a vertex is out of range. */
+static int32 is_beyond(fix16 value, fix16 scale)
+{
+    return (uint32)(scale ? mul_round(value, scale) : value) + ((uint32)SNAPPED_TEXELS << 16)
+        >= (uint32)SNAPPED_TEXELS << 17;
+}
+
+int32 triangle_takes(const struct frame *frame, const struct polygon *polygon, const struct material *material)
+{
+    const struct vertex *v = polygon->vertices;
+    const int32 has_texels = triangle_values(material->mapper) >= VALUES_TEXELS;
+    const fix16 scale = triangle_scale(material);
+    struct triangle_range range;
+    int32 low = 0x7fffffff, high = 0;
+
+    if (polygon->count > TRIANGLE_CORNERS_MAX || material->mapper == MAPPER_ARBITRARY
+        || triangle_kind(frame, material) == SPAN_KINDS)
+        return 0;
+    triangle_range_set(&range, frame);
+    for (int32 i = polygon->count; i > 0; i--, v++) {
+        const int32 x = (v->x + SNAPPED_HALF) >> (16 - SNAPPED_BITS), y = (v->y + SNAPPED_HALF) >> (16 - SNAPPED_BITS);
+
+        if ((uint32)x > range.right || (uint32)y > range.bottom
+            || (has_texels && (is_beyond(v->s, scale) || is_beyond(v->t, scale))))
+            return 0;
+        low = y < low ? y : low;
+        high = y > high ? y : high;
+    }
+    return high - low < SNAPPED_LINES * SNAPPED_ONE;
+}

@@ -15,6 +15,9 @@ typedef const struct triangle *triangle_drawer(struct triangle_plan *plan);
    their lines; SPAN_KINDS if they have no routine. */
 enum span_kind triangle_kind(const struct frame *frame, const struct material *material);
 
+/* Returns 1 if routines for triangles, which tables are there for, draw a polygon of more than three corners. */
+int32 triangle_takes(const struct frame *frame, const struct polygon *polygon, const struct material *material);
+
 /* Returns the kind for batches of a material's triangles; SPAN_KINDS also if pixels are counted. */
 static inline enum span_kind triangle_batch_kind(const struct renderer *renderer,
                                                  const struct material *material)

@@ -2,41 +2,20 @@
 
         include "routine.i"
 
-; a5 the plan, a2 the line, a3 its bounds, a4 its z, d4:d5 q at `left`, d6 the step, d7 lines to draw.
+; a5 the plan, a2 the line, a4 its z, d4:d5 q at pixel -EDGE_BIAS, d6 the step, d7 lines to draw.
 depths_begin macro
         save_all
         movea.l a0,a5
         movea.l depth_plan_lines(a5),a2
-        movea.l depth_plan_bounds(a5),a3
         movea.l depth_plan_row(a5),a4
         movem.l depth_plan_at(a5),d4-d5
         move.l  depth_plan_step(a5),d6
         move.l  depth_plan_count(a5),d7
         endm
 
-; d0 = the line's first pixel, d3 = its pixels less one; on to \1 if there are none. Uses d1.
-depths_pixels macro
-        moveq   #0,d0
-        move.w  scanline_left(a2),d0
-        cmp.w   scanline_left(a3),d0
-        bcc.s   .left\@
-        move.w  scanline_left(a3),d0
-.left\@ move.w  scanline_last(a2),d3
-        ext.l   d3
-        move.w  scanline_last(a3),d1
-        ext.l   d1
-        cmp.l   d1,d3
-        ble.s   .last\@
-        move.l  d1,d3
-.last\@ sub.l   d0,d3
-        bmi     \1
-        endm
-
-; a0 = the z of pixel d0, d1 = its q. Uses d0/d2/a1.
+; d1 = q of pixel d0, + EDGE_BIAS. Uses d2/a0.
 depths_q macro
-        lea     (a4,d0.l*4),a0
-        sub.l   depth_plan_left(a5),d0
-        movea.l d3,a1
+        movea.l d3,a0
         move.l  depth_plan_dx+number64_lo(a5),d2
         mulu.l  d0,d1:d2
         move.l  depth_plan_dx(a5),d3
@@ -44,13 +23,12 @@ depths_q macro
         add.l   d5,d2
         addx.l  d4,d1
         add.l   d3,d1
-        move.l  a1,d3
+        move.l  a0,d3
         endm
 
-; On to the next line, at \1, or past the end.
+; On to the next line, at \1, or past the end. Uses d0.
 depths_next macro
         lea     scanline_sizeof(a2),a2
-        lea     scanline_sizeof(a3),a3
         adda.l  depth_plan_pitch(a5),a4
         add.l   depth_plan_dy+number64_lo(a5),d5
         move.l  depth_plan_dy(a5),d0
@@ -64,14 +42,18 @@ depths_copy macro
         depths_begin
         move.l  depth_plan_from(a5),-(sp)
         move.l  depth_plan_to(a5),-(sp)
-.line   depths_pixels .next
+.line   moveq   #0,d0
+        move.w  scanline_left(a2),d0
+        move.w  scanline_last(a2),d3
+        ext.l   d3
+        sub.l   d0,d3
+        bmi     .next
+        depths_q
+        lea     (a4,d0.l*4),a0
         movea.l 4(sp),a1
         adda.l  d0,a1
         movea.l (sp),a6
         adda.l  d0,a6
-        move.l  a1,-(sp)
-        depths_q
-        movea.l (sp)+,a1
         endm
 
 ; What they end with.

@@ -1,11 +1,13 @@
-"""Trials of what finds visible pixels. src68k/depths: lines inside the bounds, cut by them, beside them and empty; steep
-planes, whose q wraps. coverage_scan: gaps of any number, lines before, in, over and behind them."""
+"""Trials of what finds visible pixels. src68k/depths: lines in the columns, cut by them, beside them and empty; steep
+planes, whose q wraps; polygons that turn to one side or to both. coverage_scan: gaps of any number, lines before, in, over and behind them."""
 
 import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial
+from tmap.build import layout
+from tmap.guest.kernels import Case
 from tmap.bench.visible import Slope, depth_trial, scan_trial
 
 WIDTH = 48
@@ -21,9 +23,9 @@ def depth_trials() -> list[Trial]:
     rng, made = np.random.default_rng(83), []
     for k in range(72):
         height = int(rng.integers(1, 12))
-        lines, bounds = ([ends(rng) for _ in range(height)] for _ in range(2))
+        lines, columns = [ends(rng) for _ in range(height)], ends(rng)
         steep = int(rng.choice((10, 40, 52, 62)))
-        slope = Slope(min(line[0] for line in lines), int(rng.integers(-1 << 60, 1 << 61)),
+        slope = Slope(int(rng.integers(-1 << 60, 1 << 61)),
                       *(int(rng.integers(-1 << steep, 1 << steep)) for _ in range(2)))
         z = rng.integers(-1 << 31, 1 << 31, (height, WIDTH))
         for y, line in enumerate(lines):  # as near as possible to q, above and below
@@ -31,7 +33,32 @@ def depth_trials() -> list[Trial]:
                 if rng.integers(2):
                     z[y, x] = min(max(q + int(rng.integers(-1, 2)), -1 << 31), (1 << 31) - 1)
         kernel = ("depth_fill", "depth_copy", "depth_copy_keyed")[k % 3]
-        made.append(depth_trial(kernel, lines, bounds, slope, z, Memory(), f"{height} lines, number {k}"))
+        made.append(depth_trial(kernel, lines, columns, slope, z, Memory(), f"{height} lines, number {k}"))
+    return made
+
+
+def turns(vertices) -> int:
+    """Returns 0 if a polygon turns to both sides, else 1."""
+    ways = [(bx - ax, by - ay) for (ax, ay), (bx, by) in zip(vertices, vertices[1:] + vertices[:1])]
+    crossed = [a[0] * b[1] - a[1] * b[0] for a, b in zip(ways, ways[1:] + ways[:1])]
+    return int(min(crossed) >= 0 or max(crossed) <= 0)
+
+
+def convex_trials() -> list[Trial]:
+    """Polygons around a middle, some with a corner near the line between its neighbours; single units decide."""
+    rng, made = np.random.default_rng(19), []
+    for number in range(48):
+        angles = np.sort(rng.random(int(rng.integers(3, 9)))) * 2 * np.pi
+        size = int(rng.choice((1 << 4, 1 << 18, 1 << 29)))
+        corners = [(int(size * np.cos(a)), int(size * np.sin(a))) for a in angles][::int(rng.choice((1, -1)))]
+        if rng.random() < 0.7:
+            a, b = corners[0], corners[-1]
+            corners.append(tuple((p + q) // 2 + int(rng.integers(-1, 2)) for p, q in zip(a, b)))
+        arena = Memory()
+        vertices = arena.add(b"".join(value.to_bytes(4, "big", signed=True) for x, y in corners
+                                      for value in (x, y, 0, 0, 0, 0)), name="vertices", shape=layout.load().struct("vertex"))
+        made.append(Trial(Case("depth_convex", arena, pointers={"a0": vertices}, registers={"d0": len(corners)}),
+                          f"{len(corners)} corners, number {number}", outputs={"d0": turns(corners)}))
     return made
 
 
@@ -62,4 +89,4 @@ def scan_trials() -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    return depth_trials() + scan_trials()
+    return depth_trials() + convex_trials() + scan_trials()

@@ -20,9 +20,8 @@ Gaps = list[tuple[int, int]]  # first and last x of each, from the left
 
 @dataclass
 class Slope:
-    """q of a face, 32.32: at pixel ``left`` of the first line, and its growth a pixel and a line."""
+    """q of a face, 32.32: at pixel -EDGE_BIAS of the first line, and its growth a pixel and a line."""
 
-    left: int
     at: int
     dx: int
     dy: int
@@ -34,32 +33,33 @@ class Slope:
 
     def line(self, first: int, count: int, y: int) -> list[int]:
         """q of the pixels of a line."""
-        start = self.at + (first - self.left) * self.dx + y * self.dy >> 32
+        start = self.at + (first + BIAS) * self.dx + y * self.dy >> 32
         return [signed(start + k * self.step) for k in range(count)]
 
     def fields(self) -> dict:
         """The plan's fields."""
         whole = {name: list((getattr(self, name) % (1 << 64)).to_bytes(8, "big")) for name in ("at", "dx", "dy")}
-        return whole | {"left": BIAS + self.left, "step": signed(self.step)}
+        return whole | {"step": signed(self.step)}
 
 
-def depth_trial(kernel: str, lines: Lines, bounds: Lines, slope: Slope, z: np.ndarray, arena: Arena,
+def depth_trial(kernel: str, lines: Lines, columns: tuple[int, int], slope: Slope, z: np.ndarray, arena: Arena,
                 title: str = "") -> Trial:
-    """One table. ``z``: q of the frame's pixels before, as many lines. Pixels aside have numbers, a third of them 0
+    """One table. ``columns``: the first and the last that are filled; ``z``: q of the frame's pixels before, as many lines. Pixels aside have numbers, a third of them 0
     where 0 is transparent; the frame's are 0."""
     shape, (height, width) = layout.load().struct("scanline"), z.shape
     aside = (np.arange(z.size) % 255 + 1).astype(np.uint8).reshape(z.shape)
     if kernel == "depth_copy_keyed":
         aside[:, 2::3] = 0
-    places = {name: arena.add(table_of([{"left": BIAS + a, "last": BIAS + b} for a, b in each]), name=name,
-                              shape=shape) for name, each in (("lines", lines), ("bounds", bounds))}
+    table = arena.add(table_of([{"left": BIAS + a, "last": BIAS + b} for a, b in lines]), name="lines", shape=shape)
     at = arena.add(z.astype(">i4").tobytes(), name="z")
     to, source = arena.add(bytes(z.size), name="frame"), arena.add(aside.tobytes(), name="aside")
-    plan = arena.struct("depth_plan", places | {"row": at - 4 * BIAS, "from": source - BIAS, "to": to - BIAS},
-                        count=height, pitch=4 * width, from_pitch=width, to_pitch=width, **slope.fields())
+    plan = arena.struct("depth_plan", {"lines": table, "row": at - 4 * BIAS, "from": source - BIAS, "to": to - BIAS},
+                        count=height, pitch=4 * width, from_pitch=width, to_pitch=width, left=BIAS + columns[0], last=BIAS + columns[1],
+                        **slope.fields())
     writes = []
-    for y, (line, bound) in enumerate(zip(lines, bounds)):
-        left, last = max(line[0], bound[0]), min(line[1], bound[1])
+    for y, (left, last) in enumerate(lines):
+        if kernel == "depth_fill":
+            left, last = max(left, columns[0]), min(last, columns[1])
         for x, q in enumerate(slope.line(left, last - left + 1, y), left):
             if kernel == "depth_fill" or q >= z[y, x] and aside[y, x]:
                 place = y * width + x
@@ -70,11 +70,10 @@ def depth_trial(kernel: str, lines: Lines, bounds: Lines, slope: Slope, z: np.nd
 
 
 def depth_case(kernel: str, before: int):
-    """LINES lines of LENGTH pixels, all inside the bounds; ``before``: z of all of them."""
-    slope = Slope(0, 1 << 60, 1000 << 32 | 5, 300 << 32 | 7)
+    """LINES lines of LENGTH pixels, all in the columns; ``before``: z of all of them."""
+    slope = Slope(1 << 60, 1000 << 32 | 5, 300 << 32 | 7)
     z = np.full((LINES, LENGTH), before)
-    return depth_trial(kernel, [(0, LENGTH - 1)] * LINES, [(0, LENGTH - 1)] * LINES, slope, z,
-                       Arena()).row(LINES * LENGTH)
+    return depth_trial(kernel, [(0, LENGTH - 1)] * LINES, (0, LENGTH - 1), slope, z, Arena()).row(LINES * LENGTH)
 
 
 CASES = {"depth_fill": lambda: depth_case("depth_fill", 0), "depth_copy": lambda: depth_case("depth_copy", 0),

@@ -13,8 +13,9 @@ transparent picture, covers it and the shown face is behind it, by more than the
   corner is off its face's plane by ON, 3 / 65536, and the moves of two views differ by sqrt(3) / 2 of 1 / 65536
   at most. A normal's half units, 2^-31 on three axes, are at most 3 * 2^-31 of the largest coordinate, those of
   a view's nine factors 3 sqrt(3) * 2^-31 of it: together less than 2^-27.
-* z. If one of both is tested, 1/w differs by more than their planes may be off (tmap.model.depths) and half a
-  unit for each pixel of a line.
+* z. If one of both is tested, 1/w differs by more than their planes may be off: by what tmap.model.depths derives, half
+  a unit for each pixel of a line, and the gradients times the pixels that corners may be off, as edges. A plane goes
+  through three corners, whose weights add up to 3 at most in size (c/drawing/fan.c).
 """
 
 from dataclasses import dataclass
@@ -90,9 +91,11 @@ class Frame:
         nearest = max(float(corners[:, 2].min() * self.sizes[2]), scene.near_plane / ONE)
         off = ideal_mesh.off_screen(scene.guard, nearest, cut) + ideal_mesh.edge_error(settings.edges, scene.height)
         made = depths.found(scene, instance.material, vertices)
+        steep = (abs(made[1].dx) + abs(made[1].dy)) / ONE if made else 0.0
         return Face(corners, normal, float((normal * corners).sum(axis=1).mean()),
                     rounding=far * 2.0 ** -27 + (ON + 1) / ONE, margin=off * np.sqrt(2), is_tested=instance.tree == Z,
-                    is_keyed=material.mapper == "keyed", off=made[1].off + scene.width // 2 + 1 if made else 0)
+                    is_keyed=material.mapper == "keyed",
+                    off=made[1].off + scene.width // 2 + 1 + int(3 * steep * off) if made else 0)
 
     def rays(self) -> np.ndarray:
         """Returns the way to each pixel, (height, width, 3); one unit of w along each."""
@@ -112,16 +115,16 @@ class Frame:
                 continue
             for face in faces:
                 number = self.numbers[face[0], tuple(face[1])]
-                if what == "fill":
-                    tested.fill(*face)
+                if what.startswith("fill"):
+                    tested.fill(*face, what == "fill_first")
                     continue
                 made = depths.found(scene, *face)
-                opaque = self.opaque(*face) if self.faces[number].is_keyed else None
+                opaque = self.opaque(*face[:2]) if self.faces[number].is_keyed else None
                 if what == "test":
                     lines = [(y, left, right, q) for y, left, right, q in tested.lines(*face)]
                 else:
-                    lines = [(y, line.left, line.right, None) for y, line in enumerate(made[0].lines, made[0].top)
-                             if line.left < line.right] if made else []
+                    lines = [(y, line.left, line.right, None) for polygon in (made[0] if made else []) for y, line in enumerate(polygon.lines, polygon.top)
+                             if line.left < line.right]
                 for y, left, right, q in lines:
                     seen = np.ones(right - left, bool) if q is None else q >= tested.z[y, left:right]
                     if opaque is not None:

@@ -4,12 +4,14 @@ q is (near / 2) / w, 2.30. A face is given by its material and whole corners on 
 (x, y, s, t, shade, w), 16.16.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from itertools import product
 
 import numpy as np
 
 from tmap.base.fixed import M32, mul_div, signed
 from tmap.build import layout
+from tmap.setup import planarity
 from tmap.setup.perspective import Q_ONE, steepness
 from tmap.setup.polygon import FAR, Outline, Polygon, adapt, outline_of
 from tmap.setup.texturing import Settings, gradients
@@ -59,53 +61,137 @@ def plane_of(vertices, outline: Outline, near: int) -> Plane:
     return Plane(left, top, (three[0][2] << 16) + (gx * x >> 16) + (gy * y >> 16), gx, gy, off)
 
 
-def found(scene, which: int, vertices) -> tuple[Polygon, Plane] | None:
-    """Returns the lines of a face and its plane; None if it has no pixels."""
-    settings = replace(Settings.of(scene.materials[which]), mapper="flat", perspective="none")
-    vertices = [(*v[:2], 0, 0, v[4]) for v in adapt(vertices, settings, 256)]
-    if any(not -FAR <= c < FAR for v in vertices for c in v[:2]):
+def found(scene, which: int, vertices, vouched: int = planarity.IN_SPACE) -> tuple[list[Polygon], Plane] | None:
+    """Returns the lines of a face, of the outlines of the polygons that draw it, and its plane; None if it has no
+    pixels. ``vouched``: the kinds of its values that are planar without a test."""
+    material = scene.materials[which]
+    settings = replace(Settings.of(material), mapper="flat", perspective="none")
+
+    def outline(corners) -> Outline | None:
+        corners = [(*v[:2], 0, 0, v[4]) for v in adapt(corners, settings, 256)]
+        if any(not -FAR <= c < FAR for v in corners for c in v[:2]):
+            return None
+        return outline_of(corners, scene.width, scene.height, settings)
+
+    whole = outline(vertices)
+    if whole is None:
         return None
-    outline = outline_of(vertices, scene.width, scene.height, settings)
-    if outline is None:
-        return None
-    return outline.polygon(scene.width, settings.has_exact_edges, False), \
-        plane_of(vertices, outline, scene.near_plane)
+    outlines = [outline(piece) for piece in pieces_of(scene, material, vertices, vouched)]
+    return [each.polygon(scene.width, settings.has_exact_edges, False) for each in outlines if each], \
+        plane_of([(*v[:2], 0, 0, v[4]) for v in adapt(vertices, settings, 256)], whole, scene.near_plane)
+
+
+def pieces_of(scene, material, vertices, vouched: int) -> list:
+    """Returns a face, or the triangles that it is drawn as."""
+    if material.gradients == "polygon" and material.mapper != "flat":
+        return planarity.fan(vertices)
+    longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
+    return planarity.parts(vertices, material, scene.frame_shape, longer, vouched)
+
+
+@dataclass
+class Part:
+    """A part of the frame with tested faces: columns and lines, and their least and greatest w."""
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+    near: int
+    far: int
+    lacks: bool = False  # not all corners are kept, or one is far from the frame
+    corners: list[tuple[int, int, int]] = field(default_factory=list)  # whole pixels, and q
+
+    @classmethod
+    def of(cls, scene, vertices) -> "Part | None":
+        """Returns that of a face; None if none of the frame is in it."""
+        left, top = (max((min(v[k] for v in vertices) >> 16) - 1, 0) for k in (0, 1))
+        right, bottom = (min((max(v[k] for v in vertices) >> 16) + 2, size)
+                         for k, size in enumerate((scene.width, scene.height)))
+        depths = [v[5] for v in vertices]
+        return cls(left, top, right, bottom, min(depths), max(depths)) if left < right and top < bottom else None
+
+    def meets(self, other: "Part") -> bool:
+        """Returns true if both have a pixel in common."""
+        return self.left < other.right and other.left < self.right and self.top < other.bottom and other.top < self.bottom
+
+    def join(self, other: "Part") -> None:
+        """Takes another one in."""
+        for name, choose in (("left", min), ("top", min), ("right", max), ("bottom", max), ("near", min), ("far", max)):
+            setattr(self, name, choose(getattr(self, name), getattr(other, name)))
+
+    def is_before(self, plane: "Plane", width: int, height: int) -> bool:
+        """Returns true if all faces in the part are before a plane of q: depths_are_before."""
+        dx, dy = plane.dx >> 16, plane.dy >> 16
+        steep = (abs(dx) >> 5) * width + (abs(dy) >> 5) * height
+        if not plane.dx and not plane.dy or self.lacks or max(abs(dx), abs(dy)) >> 20 or steep >> 24:
+            return False
+        bias = layout.load().constants["EDGE_BIAS"]
+        at = (plane.at - (plane.i + bias) * plane.dx - plane.j * plane.dy >> 16) + bias * dx \
+            + bias + 2 * (width + height) + 2 + (dx + 1) * (dx >= 0) + (dy + 1) * (dy >= 0)
+        return all(signed(at + dx * x + dy * y) < q for x, y, q in self.corners)
 
 
 class Depths:
-    """A z buffer inside the boxes of the faces that are tested."""
+    """A z buffer in parts of the frame, around the faces that are tested."""
 
     def __init__(self, scene, faces) -> None:
-        self.scene = scene
+        self.scene, constants = scene, layout.load().constants
+        self.nearest = constants["DEPTH_NEAREST"]
         self.z = np.full((scene.height, scene.width), DEPTH_FAR, np.int64)
-        self.bounds = [(scene.width, 0)] * scene.height
-        for _, vertices in faces:
-            left, top = (max((min(v[k] for v in vertices) >> 16) - 1, 0) for k in (0, 1))
-            right, bottom = (min((max(v[k] for v in vertices) >> 16) + 2, size)
-                             for k, size in enumerate((scene.width, scene.height)))
-            for y in range(top, bottom if left < right else top):
-                a, b = self.bounds[y]
-                self.bounds[y] = min(a, left), max(b, right)
+        self.parts: list[Part] = []
+        room = constants["DEPTH_CORNERS"]
+        for _, vertices, _ in faces:
+            part = Part.of(scene, vertices)
+            if not part:
+                continue
+            met = [each for each in self.parts if each.meets(part)]
+            if not met and len(self.parts) < constants["DEPTH_PARTS"]:
+                self.parts.append(part)
+            else:
+                part, other = (met or self.parts[-1:])[0], part
+                part.join(other)
+            if len(vertices) > room:
+                part.lacks = True
+                continue
+            room -= len(vertices)
+            for v in vertices:
+                x, y = v[0] >> 16, v[1] >> 16
+                part.corners.append((x, y, mul_div(scene.near_plane >> 1, Q_ONE, v[5])))
+                part.lacks |= not (-scene.width <= x < 2 * scene.width and -scene.height <= y < 2 * scene.height)
 
-    def lines(self, which: int, vertices):
-        """Yields line, first pixel, the pixel behind the last and their q of a face inside the bounds."""
-        made = found(self.scene, which, vertices)
+    def lines(self, which: int, vertices, vouched: int = planarity.IN_SPACE):
+        """Yields line, first pixel, the pixel behind the last and their q of a face."""
+        made = found(self.scene, which, vertices, vouched)
         if made is None:
             return
-        polygon, plane = made
-        for y, line in enumerate(polygon.lines, polygon.top):
-            left, right = max(line.left, self.bounds[y][0]), min(line.right, self.bounds[y][1])
-            if left < right:
-                yield y, left, right, plane.line(left, right - left, y)
+        polygons, plane = made
+        for polygon in polygons:
+            for y, line in enumerate(polygon.lines, polygon.top):
+                if line.left < line.right:
+                    yield y, line.left, line.right, plane.line(line.left, line.right - line.left, y)
 
-    def fill(self, which: int, vertices) -> None:
-        """Puts a face into it that has been drawn over all before."""
-        for y, left, right, q in self.lines(which, vertices):
-            self.z[y, left:right] = q
+    def fill(self, which: int, vertices, vouched: int, is_ordered: bool) -> None:
+        """Puts a face into it that has been drawn over all before, in the parts whose faces it may hide.
+        ``is_ordered``: only faces of its tree were put in before."""
+        own = Part.of(self.scene, vertices)
+        met = [part for part in self.parts if own and part.meets(own)]
+        parts = [part for part in met if not is_ordered or part.far >= own.near]
+        made = found(self.scene, which, vertices, vouched) if parts else None
+        if made is None:
+            return
+        is_before = all(part.near > own.far for part in met)
+        if is_ordered and not is_before:
+            parts = [part for part in parts if not part.is_before(made[1], self.scene.width, self.scene.height)]
+        for polygon, part in product(made[0], parts):
+            for y, line in enumerate(polygon.lines, polygon.top):
+                left, right = max(line.left, part.left), min(line.right, part.right)
+                if part.top <= y < part.bottom and left < right:
+                    self.z[y, left:right] = self.nearest if is_before else made[1].line(left, right - left, y)
 
-    def copy(self, frame: np.ndarray, aside: np.ndarray, which: int, vertices) -> None:
+    def copy(self, frame: np.ndarray, aside: np.ndarray, which: int, vertices, vouched: int) -> None:
         """Copies the pixels of a face drawn aside, where keyed ones are over 0, that are seen, and puts them into it."""
-        for y, left, right, q in self.lines(which, vertices):
+        for y, left, right, q in self.lines(which, vertices, vouched):
             seen = q >= self.z[y, left:right]
             if self.scene.materials[which].mapper == "keyed":
                 seen &= aside[y, left:right] != 0

@@ -20,8 +20,9 @@ Drawn = tuple[int, list[tuple]]
 #: The same, with the kinds of values that are marked as planar.
 Placed = tuple[int, list[tuple], int]
 #: A step of a frame: "draw" polygons; "begin" a z buffer (tmap.model.depths) for faces, "fill" it with faces that are
-#: drawn, "test" a face, which its polygons draw aside. Faces are whole.
-Step = tuple[str, list[Drawn], list[Placed]]
+#: drawn, "fill_first" if they are a tree's and the first ones, "test" a face, which its polygons draw aside. The first
+#: list has whole faces.
+Step = tuple[str, list[Placed], list[Placed]]
 Z = -2  # TREE_Z
 #: Kinds of values that are planar of faces in fog: depths, which it follows, are on no plane over the screen.
 FOGGY = planarity.IN_SPACE - planarity.SHADES + planarity.ROUGH
@@ -215,23 +216,18 @@ def parts_of(scene, face: Placed) -> list[Placed]:
     return [(material, part, vouched) for part in polygons_of(scene.materials[material], vertices)]
 
 
-def whole(faces: list[Placed]) -> list[Drawn]:
-    """Returns the same faces without the kinds of values that are planar."""
-    return [face[:2] for face in faces]
-
-
 def group_steps(scene, groups, number: int) -> Iterator[Step]:
     """Yields the steps of instances at one place in the scene's order, a group for each tree."""
     tested = ordered(scene, groups[0], number) if groups[0][0].tree == Z else []
     if tested:
-        yield "begin", whole(tested), []
-    for group in groups[groups[0][0].tree == Z:]:
+        yield "begin", tested, []
+    for place, group in enumerate(groups[groups[0][0].tree == Z:]):
         faces = ordered(scene, group, number)
-        yield "draw", whole(faces), [part for face in faces for part in parts_of(scene, face)]
+        yield "draw", faces, [part for face in faces for part in parts_of(scene, face)]
         if tested:
-            yield "fill", whole(faces), []
+            yield "fill_first" if not place and group[0].tree >= 0 else "fill", faces, []
     for face in tested:
-        yield "test", whole([face]), parts_of(scene, face)
+        yield "test", [face], parts_of(scene, face)
 
 
 def steps_at(scene, number: int) -> Iterator[Step]:

@@ -108,8 +108,8 @@ def render(scene, number: int) -> np.ndarray:
         aside[:] = 0
         draw_placed(scene, number, aside if what == "test" else frame, placed, states)
         for face in faces if depths else []:
-            if what == "fill":
-                depths.fill(*face)
+            if what.startswith("fill"):
+                depths.fill(*face, what == "fill_first")
             elif what == "test":
                 depths.copy(frame, aside, *face)
     return frame

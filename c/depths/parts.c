@@ -1,0 +1,145 @@
+/* Where tested faces are on the screen, and how near. */
+#include "depths/depths.h"
+
+#include "drawing/outline.h"
+#include "math/math.h"
+
+void depths_begin(struct depths *depths)
+{
+    depths->count = 0;
+    depths->far = 0;
+    depths->corners_count = 0;
+}
+
+int32 depth_part_set(struct depth_part *part, const struct frame *frame, const struct vertex *v, int32 count)
+{
+    fix16 x_low = v->x, x_high = x_low, y_low = v->y, y_high = y_low;
+    struct rectangle *box = &part->box;
+
+    part->near = part->far = v->w;
+    part->lacks = 0;
+    for (count--, v++; count > 0; count--, v++) {
+        if (v->x < x_low)
+            x_low = v->x;
+        else if (v->x > x_high)
+            x_high = v->x;
+        if (v->y < y_low)
+            y_low = v->y;
+        else if (v->y > y_high)
+            y_high = v->y;
+        if (v->w < part->near)
+            part->near = v->w;
+        else if (v->w > part->far)
+            part->far = v->w;
+    }
+    box->left = outline_most((x_low >> 16) - 1, 0);
+    box->right = outline_least((x_high >> 16) + 2, frame->width);
+    box->top = outline_most((y_low >> 16) - 1, 0);
+    box->bottom = outline_least((y_high >> 16) + 2, frame->height);
+    return box->left < box->right && box->top < box->bottom;
+}
+
+static void join(struct depth_part *to, const struct depth_part *part)
+{
+    to->box.left = outline_least(to->box.left, part->box.left);
+    to->box.top = outline_least(to->box.top, part->box.top);
+    to->box.right = outline_most(to->box.right, part->box.right);
+    to->box.bottom = outline_most(to->box.bottom, part->box.bottom);
+    to->near = outline_least(to->near, part->near);
+    to->far = outline_most(to->far, part->far);
+}
+
+/* Keeps a polygon's corners. */
+static void keep_corners(struct depths *depths, struct depth_part *part, const struct vertex *v, int32 count)
+{
+    struct depth_corner *to = &depths->corners[depths->corners_count];
+    const int32 width = depths->aside.width, height = depths->aside.height;
+
+    if (count > DEPTH_CORNERS - depths->corners_count) {
+        part->lacks = 1;
+        return;
+    }
+    depths->corners_count += count;
+    for (; count > 0; count--, v++, to++) {
+        to->x = v->x >> 16;
+        to->y = v->y >> 16;
+        to->q = mul_div(depths->near_plane >> 1, 1 << 30, v->w);
+        to->part = part;
+        if (to->x < -width || to->x >= 2 * width || to->y < -height || to->y >= 2 * height)
+            part->lacks = 1;
+    }
+}
+
+void depths_include(struct depths *depths, const struct vertex *vertices, int32 count)
+{
+    struct depth_part part, *to = depths->parts;
+    int32 left = depths->count;
+
+    if (!depth_part_set(&part, &depths->aside, vertices, count))
+        return;
+    depths->far = outline_most(depths->far, part.far);
+    for (; left > 0 && !depth_parts_meet(&to->box, &part.box); left--)
+        to++;
+    if (!left && depths->count < DEPTH_PARTS) {
+        to = &depths->parts[depths->count++];
+        *to = part;
+    } else {
+        to -= !left;
+        join(to, &part);
+    }
+    keep_corners(depths, to, vertices, count);
+}
+
+/* q of a plane is 0 to 2^29 at a pixel of its face, and a corner is up to two frames away from it: with gradients that pass
+   the test q fits 32 bits there. The gradients' fractions, below a unit, are left out: what they may add is added, and the
+   growth to the far side of the corner's pixel. */
+int32 depths_are_before(const struct depths *depths, const struct depth_part *part, const struct depth_plan *plan)
+{
+    const struct depth_corner *corner = depths->corners;
+    const int32 dx = (int32)plan->dx.hi, dy = (int32)plan->dy.hi;
+    const int32 width = depths->aside.width, height = depths->aside.height;
+    const uint32 steep = (fix_magnitude(dx) >> 5) * (uint32)width + (fix_magnitude(dy) >> 5) * (uint32)height;
+    uint32 at = plan->at.hi + EDGE_BIAS * (uint32)dx;
+
+    if (!(plan->dx.hi | plan->dx.lo | plan->dy.hi | plan->dy.lo))
+        return 0;               /* no plane, but the middle of its corners' q */
+    if (part->lacks || ((fix_magnitude(dx) | fix_magnitude(dy)) >> 20) || steep >= 1 << 24)
+        return 0;
+    at += (uint32)(EDGE_BIAS + 2 * (width + height) + 2);
+    if (dx >= 0)
+        at += (uint32)dx + 1;
+    if (dy >= 0)
+        at += (uint32)dy + 1;
+    for (int32 left = depths->corners_count; left > 0; left--, corner++)
+        if (corner->part == part
+            && (int32)(at + (uint32)dx * (uint32)corner->x + (uint32)dy * (uint32)corner->y) >= corner->q)
+            return 0;
+    return 1;
+}
+
+void depths_clear(const struct depths *depths)
+{
+    const struct frame *frame = &depths->aside;
+    const struct depth_part *part = depths->parts;
+    struct scanline *line = depths->bounds;
+    struct span_plan plan;
+
+    if (!depths->count)
+        return;
+    for (int32 i = frame->height; i > 0; i--, line++) {
+        line->left = (uint16)(EDGE_BIAS + frame->width);
+        line->last = EDGE_BIAS - 1;
+    }
+    for (int32 left = depths->count; left > 0; left--, part++)
+        for (int32 i = part->box.top; i < part->box.bottom; i++) {
+            line = &depths->bounds[i];
+            line->left = (uint16)outline_least(line->left, EDGE_BIAS + part->box.left);
+            line->last = (int16)outline_most(line->last, EDGE_BIAS + part->box.right - 1);
+        }
+    plan.lines = depths->bounds;
+    plan.count = frame->height;
+    plan.row = (uint8 *)depths->z - EDGE_BIAS * (int32)sizeof *depths->z;
+    plan.pitch = depths_pitch(depths);
+    plan.colour = (uint32)DEPTH_FAR;
+    span_fill_32(&plan);
+}
