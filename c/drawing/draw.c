@@ -200,7 +200,7 @@ static int32 draw_perspective(struct setup *s, const struct cover *cover)
         if (!perspective_of_texturing(&plan, &s->texturing, &s->box))
             return 0;
         depth.has_texels = 1;
-    } else if (!perspective_depth(&plan, &depth, s->vertices, s->count, &s->sides, &s->box)
+    } else if (!perspective_depth(&depth, s)
                || (s->material->tolerance && !perspective_texels(&plan, &depth))) {
         return count_unsure(s);
     }
