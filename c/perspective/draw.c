@@ -161,31 +161,38 @@ static int32 is_level(const struct setup *s, const struct number64 *grows, int32
         && perspective_is_level(s->perspective, grows, width, off);
 }
 
-/* Returns 1 if lines of `width` pixels, on which q grows by `grows` a pixel, may be straight from their first
-   pixels to their last, and sets the plan's tilt. least: q of the longest, whose chord is off by at most half a
-   pixel's texels: width^2 / (4 L), L = q / |dq/dx|. */
-static inline int32 is_straight(const struct setup *s, const struct number64 *grows, int32 width, int32 least)
-{
-    const int32 steep = perspective_steepness(grows) + 1;
+/* What lines of so many pixels, on which q grows by `grows` a pixel, may be. */
+enum shape { SHAPE_BENT, SHAPE_STRAIGHT, SHAPE_LEVEL };
 
-    /* what a tolerance allows is less than what a setting allows */
-    if (steep >= STEEP_2_22 || ways[s->setting].bend
-        || s->setting != (enum perspective)s->material->perspective
-        || steep > least / ((width * width >> 1) + 1))
-        return 0;
-    s->perspective->tilt = (int32)(grows->hi << 8 | grows->lo >> 24);
-    return 1;
+/* Returns non-zero if the setting has straight pieces; what a tolerance allows is less than what a setting allows. */
+static inline int32 may_be_straight(const struct setup *s)
+{
+    return !ways[s->setting].bend && s->setting == (enum perspective)s->material->perspective;
 }
 
-/* The same without a tilt: depth hardly changes, so that a half or a quarter of a texel is all they are off. */
-static int32 is_even(const struct setup *s, const struct number64 *grows, int32 width)
+/* Returns the shape of lines of `width` pixels at most. off: as is_level's. SHAPE_STRAIGHT, from their first pixels
+   to their last, if the chord of a line on which q is `least` or more is off by at most half a pixel's texels:
+   width^2 / (4 L), L = q / |dq/dx|. SHAPE_LEVEL without that: depth hardly changes, so that a half or a quarter of
+   a texel is all they are off. */
+static int32 shape_of(const struct setup *s, const struct number64 *grows, int32 width, int32 off, int32 least)
 {
     const struct perspective_plan *plan = s->perspective;
     const int32 steep = perspective_steepness(grows) + 1;
 
-    return steep <= plan->q_low >> PERSPECTIVE_EVEN_STEEP && !ways[s->setting].bend
-        && s->setting == (enum perspective)s->material->perspective && EDGES_ARE_EXACT(s->material->edges)
-        && steep <= (plan->q_low >> ways[s->setting].even) / (((perspective_reach(plan) >> 16) + 1) * width);
+    if (is_level(s, grows, width, off))
+        return SHAPE_LEVEL;
+    if (steep >= STEEP_2_22 || !may_be_straight(s))
+        return SHAPE_BENT;
+    if (steep <= plan->q_low >> PERSPECTIVE_EVEN_STEEP && EDGES_ARE_EXACT(s->material->edges)
+        && steep <= (plan->q_low >> ways[s->setting].even) / (((perspective_reach(plan) >> 16) + 1) * width))
+        return SHAPE_LEVEL;
+    return steep > least / ((width * width >> 1) + 1) ? SHAPE_BENT : SHAPE_STRAIGHT;
+}
+
+/* Sets the tilt of straight lines. */
+static void set_tilt(struct perspective_plan *plan, const struct number64 *grows)
+{
+    plan->tilt = (int32)(grows->hi << 8 | grows->lo >> 24);
 }
 
 /* Returns 1 if columns are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three
@@ -202,16 +209,15 @@ static int32 columns_are_cheaper(const struct setup *s, int32 width, int32 heigh
 static inline int32 has_columns(struct setup *s, int32 width, int32 height)
 {
     struct perspective_plan *plan = s->perspective;
-    const int32 level = is_level(s, &plan->q.dy, height, 0) || is_even(s, &plan->q.dy, height);
+    const int32 shape = shape_of(s, &plan->q.dy, height, 0, PERSPECTIVE_ONE);
 
-    if (!level && !is_straight(s, &plan->q.dy, height, PERSPECTIVE_ONE))
+    if (!shape || !columns_are_cheaper(s, width, height))
         return 0;
-    if (!columns_are_cheaper(s, width, height)) {
-        plan->tilt = 0;
-        return 0;
+    if (shape == SHAPE_STRAIGHT) {
+        set_tilt(plan, &plan->q.dy);
+        /* a wall is highest where it is nearest: each column is tested */
+        plan->steep = perspective_steepness(&plan->q.dy) + 1;
     }
-    /* a wall is highest where it is nearest: each column is tested */
-    plan->steep = level ? 0 : perspective_steepness(&plan->q.dy) + 1;
     return 1;
 }
 
@@ -219,15 +225,19 @@ void perspective_find_level(struct setup *s)
 {
     struct perspective_plan *plan = s->perspective;
     const int32 width = s->box.right - s->box.left, height = s->box.bottom - s->box.top;
+    int32 shape;
 
     plan->tilt = plan->steep = 0;
     if (s->level)
         return;
-    if (is_level(s, &plan->q.dx, width, ways[s->setting].off) || is_even(s, &plan->q.dx, width)
-        || is_straight(s, &plan->q.dx, width, plan->q_low))
+    shape = shape_of(s, &plan->q.dx, width, ways[s->setting].off, plan->q_low);
+    if (shape) {
         s->level = LEVEL_LINES;
-    else if (is_narrow(s) && EDGES_ARE_EXACT(s->material->edges) && has_columns(s, width, height))
+        if (shape == SHAPE_STRAIGHT)
+            set_tilt(plan, &plan->q.dx);
+    } else if (is_narrow(s) && EDGES_ARE_EXACT(s->material->edges) && has_columns(s, width, height)) {
         s->level = LEVEL_COLUMNS;
+    }
 }
 
 void perspective_draw(struct setup *s)

@@ -17,11 +17,12 @@ static far_routine *const spans[2][3][2] = {    /* [even][coarse][q grows to the
 #define LENGTHS(every) \
     {1 << ((every) - 8), 1 << ((every) - 6), 1 << ((every) - 4), 1 << ((every) - 2)}
 
-static const struct far_lengths every16 = LENGTHS(FAR_EVERY16);
-static const struct far_lengths every8 = LENGTHS(FAR_EVERY8);
-/* Where a tolerance has chosen every8, it allows no more than 8 pixels. */
-static const struct far_lengths at_most_8 = {
-    0, 1 << (FAR_EVERY8 - 6), 1 << (FAR_EVERY8 - 4), 1 << (FAR_EVERY8 - 2)};
+/* The last is for every8 where a tolerance has chosen it: it allows no more than 8 pixels. */
+const struct far_lengths far_lengths[3] = {
+    LENGTHS(FAR_EVERY16),
+    LENGTHS(FAR_EVERY8),
+    {0, 1 << (FAR_EVERY8 - 6), 1 << (FAR_EVERY8 - 4), 1 << (FAR_EVERY8 - 2)}
+};
 
 /* Returns the index of q, less FAR_ORIGIN, from which on q / step is 2^bits / 8 or more, so that pieces of
    16 pixels may be drawn if bits is FAR_EVERY16 - 21, and so on. */
@@ -30,56 +31,6 @@ static int16 first_index(uint32 step, int32 bits)
     const uint32 index = (step + (1u << bits) - 1) >> bits;
 
     return (int16)(index < 65536 ? (int32)index - FAR_ORIGIN : FAR_NEVER);
-}
-
-/* Returns the bits by which q, at least `least`, has to be shifted left; -1 if its steps are too great for that. */
-static int32 find_shift(int32 least, int32 steep)
-{
-    int32 shift = 0;
-
-    while (!(least >> (29 - shift)))
-        shift += 2;
-    return steep > FAR_MOST >> shift ? -1 : shift;
-}
-
-/* Returns the lengths of pieces. */
-static const struct far_lengths *lengths_of(const struct setup *s)
-{
-    return s->setting == PERSPECTIVE_EVERY16 ? &every16
-         : s->material->perspective == PERSPECTIVE_EVERY8 ? &every8 : &at_most_8;
-}
-
-/* Finds K and C. pixels: the box's, across and down. Returns 0 if they do not fit. */
-static int32 find_constants(struct far_way *way, const struct setup *s, const struct depth *depth,
-                            int32 pixels)
-{
-    const struct perspective_plan *planes = s->perspective;
-    const uint32 dq = fix_magnitude((int32)planes->q.dx.hi);
-    struct far_plan *plan = &way->plan;
-    int32 reach;
-
-    way->part = FAR_OFF_PART + (((pixels + depth->off + FAR_OFF_CORNERS) << way->shift) >> 11);
-    far_begin_plan(plan, depth);
-    reach = far_find_reach(way, planes, FAR_REACH << FAR_COARSE);
-    way->coarse = plan->less ? 2 : reach > FAR_REACH;
-    if (plan->less && (!reach || reach > FAR_REACH << 2 * FAR_COARSE || dq < (uint32)way->part << 14))
-        return 0;
-    return far_find_c(plan, s, way->coarse ? FAR_BITS_COARSE : FAR_BITS);
-}
-
-int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth)
-{
-    const struct perspective_plan *planes = s->perspective;
-    const uint32 dq = fix_magnitude((int32)planes->q.dx.hi);
-    const int32 least = far_least(s, depth);
-
-    if (!least)
-        return 0;
-    way->lengths = lengths_of(s);
-    way->even = least >= 1 << FAR_EVEN && 2 * dq <= way->lengths->most_4;
-    way->shift = way->even ? 1 : find_shift(least, perspective_steepness(&planes->q.dx) + 1);
-    return way->shift >= 0
-        && find_constants(way, s, depth, s->box.right - s->box.left + s->span.count);
 }
 
 struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int32 dqdy, int32 has_lines)

@@ -28,11 +28,12 @@ struct far_way {
     const struct far_lengths *lengths;
 };
 
+/* Lengths of pieces. */
+extern const struct far_lengths far_lengths[3];
+
 /* src68k/polygon: contracts there. */
 int32 far_asymptotes(struct far_plan *plan);
 int32 far_constants(struct far_plan *plan, int32 bits);
-
-/* Finds K and C. Returns 0 if the polygon is not drawn with them. */
 int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth);
 
 /* Draws its lines. */

@@ -32,45 +32,12 @@ static void shift_left(struct number64 *to, const struct number64 *from, int32 b
     to->lo = from->lo << bits;
 }
 
-static void shift_left_16(struct number64 *to, const struct number64 *from)
-{
-    to->hi = from->hi << 16 | from->lo >> 16;
-    to->lo = from->lo << 16;
-}
-
 /* Converts a plane in 48.16 to value * 2^scale; scale: 16 to 31. */
 static void scale_plane(struct screen_plane *to, const struct screen_plane *from, int32 scale)
 {
     shift_left(&to->at, &from->at, scale - 16);
     shift_left(&to->dx, &from->dx, scale - 16);
     shift_left(&to->dy, &from->dy, scale - 16);
-}
-
-/* The same to value * 2^32. */
-static void scale_to_32(struct screen_plane *to, const struct screen_plane *from)
-{
-    shift_left_16(&to->at, &from->at);
-    shift_left_16(&to->dx, &from->dx);
-    shift_left_16(&to->dy, &from->dy);
-}
-
-/* Finds the least and the greatest q that the plane has at a vertex of a polygon that is not a triangle. */
-static void find_q(struct perspective_plan *plan, const struct screen_plane *q, const struct vertex *v,
-                   int32 count, const struct rectangle *box)
-{
-    int32 at = (int32)(q->at.hi << 16 | q->at.lo >> 16), least = 0x7fffffff, most = 0;
-
-    for (; count > 0; count--, v++) {
-        int32 here = at + mul_wide(&q->dx, v->x - (box->left << 16))
-                   + mul_wide(&q->dy, v->y - (box->top << 16));
-
-        if (here < least)
-            least = here;
-        if (here > most)
-            most = here;
-    }
-    plan->q_low = least;
-    plan->q_high = most;
 }
 
 /* Returns the units that a plane may be off after so many pixels and lines, and 2 more. */
@@ -92,55 +59,6 @@ static void raise(struct screen_plane *plane, int32 units)
 
     plane->at.lo += low;
     plane->at.hi += ((uint32)units >> 16) + (plane->at.lo < low);
-}
-
-/* Returns the least q of a corner. */
-static int32 least_of(const struct plane_corners *corners)
-{
-    int32 least = corners->a.q < corners->b.q ? corners->a.q : corners->b.q;
-
-    return least < 0 ? corners->first.q + least : corners->first.q;
-}
-
-int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
-                        const struct vertex *vertices, int32 count, const struct sides *sides,
-                        const struct rectangle *box)
-{
-    struct plane_corners *corners = &depth->corners;
-    struct corner_source source;
-    struct screen_plane q;
-    int32 least;
-
-    ranges_find(&source, plan, vertices, count);    /* bases a unit up: quotients are truncated */
-    source.first = sides->top;
-    source.a = sides->middle_right ? sides->middle : sides->bottom;
-    source.b = sides->middle_right ? sides->bottom : sides->middle;
-    depth->scale = source.scale;
-    corners_find(corners, &source);
-    corners->x = (box->left << 16) - corners->first.x;
-    corners->y = (box->top << 16) - corners->first.y;
-    corners->area = sides->area;
-    depth_plane_find(&q, corners);
-    depth->is_triangle = count == 3;
-    depth->has_texels = 0;
-    if (count == 3) {
-        least = least_of(corners);
-        plan->q_high = PERSPECTIVE_ONE;
-    } else {
-        find_q(plan, &q, vertices, count, box);
-        least = plan->q_low;
-    }
-    depth->right = (int32)(fix_magnitude(corners->x) >> 16) + box->right - box->left + 1;
-    depth->down = (int32)(fix_magnitude(corners->y) >> 16) + box->bottom - box->top + 1;
-    depth->off = plane_error(&q, depth->right, depth->down);
-    if (!is_sure(depth->off, least))
-        return 0;
-    depth->least = least;
-    depth->gentle = is_gentle(&q.dx) && is_gentle(&q.dy);
-    plan->q_low = count == 3 ? least - depth->off : least;
-    scale_to_32(&plan->q, &q);
-    plan->left = box->left;
-    return 1;
 }
 
 int32 perspective_texels(struct perspective_plan *plan, struct depth *depth)

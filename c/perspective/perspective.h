@@ -63,10 +63,8 @@ static inline int32 perspective_has_pieces(enum perspective setting)
 
 /* Fills in the plane of q, the bases and ranges of a plan, for the box's pixels, and what other planes are
    found from. Returns 0 if q is too inexact, as q of a vertex is below 4 times its error: draw the polygon
-   affine. w must not be constant; the vertices are those of material_vertices. */
-int32 perspective_depth(struct perspective_plan *plan, struct depth *depth,
-                        const struct vertex *vertices, int32 count, const struct sides *sides,
-                        const struct rectangle *box);
+   affine. w must not be constant. */
+int32 perspective_depth(struct depth *depth, const struct setup *s);
 
 /* Fills in the planes of s and t, once. Returns 0 if they are as inexact. */
 int32 perspective_texels(struct perspective_plan *plan, struct depth *depth);

@@ -53,6 +53,11 @@ times_q macro
 ; cost:    about 900 cycles
         routine corners_find,a0,a1
         movem.l d2/d4-d7/a2,-(sp)
+        pea     corners_kept(pc)
+        xdef    corners_inside,_corners_inside
+; As corners_find; keeps d3/a0-a1/a3-a6.
+_corners_inside
+corners_inside
         moveq   #31,d5
         sub.l   corner_source_scale(a1),d5
         move.l  corner_source_nearest(a1),d7
@@ -63,5 +68,7 @@ times_q macro
         corner  first
         corner  a
         corner  b
+        rts
+corners_kept
         movem.l (sp)+,d2/d4-d7/a2
         rts

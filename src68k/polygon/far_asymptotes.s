@@ -58,6 +58,11 @@ asymptote macro
 ; cost:    about 600 cycles
         routine far_asymptotes,a0
         save_all
+        pea     asymptotes_kept(pc)
+        xdef    asymptotes_inside,_asymptotes_inside
+; As far_asymptotes; keeps a0/a4-a6.
+_asymptotes_inside
+asymptotes_inside
         movea.l far_plan_corners(a0),a2
         lea     plane_corners_b(a2),a3
         lea     plane_corners_a(a2),a2
@@ -83,6 +88,8 @@ asymptote macro
         asymptote u,s
         asymptote v,t
         moveq   #1,d0
-        return_all
+        rts
 .not    moveq   #0,d0
+        rts
+asymptotes_kept
         return_all

@@ -50,6 +50,11 @@ constants macro
 ; cost:    about 700 cycles
         routine far_constants,a0,d0
         save_all
+        pea     constants_kept(pc)
+        xdef    constants_inside,_constants_inside
+; As far_constants; keeps a0/a4-a6.
+_constants_inside
+constants_inside
         movea.l d0,a3
         movea.l far_plan_corners(a0),a2
         movea.l far_plan_bottom(a0),a1
@@ -60,6 +65,8 @@ constants macro
         constants u
         constants v
         moveq   #1,d0
-        return_all
+        rts
 .not    moveq   #0,d0
+        rts
+constants_kept
         return_all

@@ -63,8 +63,15 @@ divided macro
 ; cost:    about 900 cycles
         routine depth_plane_find,a0,a1
         save_all
+        pea     plane_kept(pc)
+        xdef    depth_plane_inside,_depth_plane_inside
+; As depth_plane_find; keeps a0-a1/a4/a6, and a1 is a5 then.
+_depth_plane_inside
+depth_plane_inside
         divided
         plane   q,0
+        rts
+plane_kept
         return_all
 
 ; texel_planes_find - the planes of s and t through three corners

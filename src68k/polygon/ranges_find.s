@@ -45,6 +45,11 @@ based   macro
 ; cost:    about 300 cycles for 3 vertices
         routine ranges_find,a0,a1,d0,d1
         movem.l d2-d7/a2,-(sp)
+        pea     ranges_kept(pc)
+        xdef    ranges_inside,_ranges_inside
+; As ranges_find; keeps a0-a1/a3-a6.
+_ranges_inside
+ranges_inside
         movea.l d0,a2
         move.l  vertex_w(a2),d2
         move.l  vertex_s(a2),d3
@@ -73,5 +78,7 @@ based   macro
         bge.s   .scale
         move.l  d0,d1
 .scale  move.l  d1,corner_source_scale(a0)
+        rts
+ranges_kept
         movem.l (sp)+,d2-d7/a2
         rts

@@ -6,6 +6,8 @@ from tmap.setup import cubic, far, tolerance
 from tmap.setup.perspective import CURVES, EXACT, PIECES, Perspective, steepness
 from tmap.setup.texturing import Settings
 
+TILT_LEAST = 48  # pixels of the widest polygon whose straight lines with a tilt are short
+
 
 def model_of(constants) -> ModuleType:
     """Returns the module that models lines drawn with such constants."""
@@ -18,6 +20,15 @@ def constants(deep: Perspective, box, setting: str, settings: Settings):
         every = "tolerance" if setting == "every8" != settings.perspective else setting
         return far.find(deep, every, box, settings.has_exact_edges)
     return cubic.find(deep, setting, box, settings.has_exact_edges)
+
+
+def takes_short(deep: Perspective, width: int, found) -> bool:
+    """Returns true, and takes their tilt away, if a polygon's straight lines with a tilt are so short that they cost
+    less from their far ends, by the constants ``found``."""
+    if not deep.tilt or width > TILT_LEAST or found is None:
+        return False
+    deep.tilt = 0
+    return True
 
 
 def exact_setting(deep: Perspective, setting: str, settings: Settings) -> str:

@@ -295,13 +295,13 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     polygon.exact = afar.exact_setting(deep, setting, settings)
     deep.chained = is_chained(deep, width, setting)
     polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
+    polygon.constants = afar.constants(deep, outline.box, setting, settings) if narrow else None
+    is_short = afar.takes_short(deep, width, polygon.constants)
+    polygon.is_level = polygon.is_level and not is_short
     if polygon.is_level and settings.has_exact_edges:
         level_reciprocal.settle(deep, outline.box[3] - outline.box[1], width, setting)
-    turned = None
-    if narrow and not polygon.is_level and settings.has_exact_edges:
-        turned = turned_of(polygon, vertices, outline.box, size, settings)
-    if narrow:
-        polygon.constants = afar.constants(deep, outline.box, setting, settings)
+    turned = None if polygon.is_level or is_short or not (narrow and settings.has_exact_edges) else \
+        turned_of(polygon, vertices, outline.box, size, settings)
     from_afar = isinstance(polygon.constants, (far.Constants, cubic.Constants)) and not polygon.is_level and not turned
     if not deep.is_sure and not from_afar:
         polygon.perspective, polygon.setting, polygon.constants = None, "none", None
