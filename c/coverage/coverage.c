@@ -32,42 +32,48 @@ static inline int32 row_hides(const struct gap *gap, int32 left, int32 last)
     return gap->left > last;
 }
 
-int32 coverage_hides_box(const struct coverage *c, const struct frame *frame, const struct rectangle *box)
+/* Returns 1 if all pixels of the frame in a box are covered. */
+static inline int32 box_hides(const struct coverage *c, const struct frame *frame, int32 x, int32 y, int32 right,
+                              int32 bottom)
 {
-    const int32 left = box->left + EDGE_BIAS, last = box->right + EDGE_BIAS;
-    const int32 top = outline_most(box->top, 0), bottom = outline_least(box->bottom, frame->height - 1);
-    const int32 middle = (top + bottom) >> 1;
+    const int32 left = x + EDGE_BIAS, last = right + EDGE_BIAS;
+    const int32 top = outline_most(y, 0), low = outline_least(bottom, frame->height - 1);
+    const int32 middle = (top + low) >> 1;
+    struct gap *const *row = &c->rows[middle];
 
-    if (box->right < 0 || box->left >= frame->width)
+    if (right < 0 || x >= frame->width || top > low)
         return 1;
-    for (int32 i = middle; i <= bottom; i++)
-        if (!row_hides(c->rows[i], left, last))
+    for (int32 i = low - middle; i >= 0; i--)
+        if (!row_hides(*row++, left, last))
             return 0;
-    for (int32 i = middle - 1; i >= top; i--)
-        if (!row_hides(c->rows[i], left, last))
+    row = &c->rows[middle];
+    for (int32 i = middle - top; i > 0; i--)
+        if (!row_hides(*--row, left, last))
             return 0;
     return 1;
+}
+
+int32 coverage_hides_box(const struct coverage *c, const struct frame *frame, const struct rectangle *box)
+{
+    return box_hides(c, frame, box->left, box->top, box->right, box->bottom);
 }
 
 int32 coverage_hides(const struct coverage *c, const struct frame *frame,
                      const struct vertex *v, int32 count)
 {
     fix16 x_low = v->x, x_high = v->x, y_low = v->y, y_high = v->y;
-    struct rectangle box;
 
     for (count--, v++; count > 0; count--, v++) {
-        if (v->x < x_low)
-            x_low = v->x;
-        else if (v->x > x_high)
-            x_high = v->x;
-        if (v->y < y_low)
-            y_low = v->y;
-        else if (v->y > y_high)
-            y_high = v->y;
+        const fix16 x = v->x, y = v->y;
+
+        if (x < x_low)
+            x_low = x;
+        else if (x > x_high)
+            x_high = x;
+        if (y < y_low)
+            y_low = y;
+        else if (y > y_high)
+            y_high = y;
     }
-    box.left = x_low >> 16;
-    box.right = (x_high >> 16) + 1;
-    box.top = y_low >> 16;
-    box.bottom = (y_high >> 16) + 1;
-    return coverage_hides_box(c, frame, &box);
+    return box_hides(c, frame, x_low >> 16, y_low >> 16, (x_high >> 16) + 1, (y_high >> 16) + 1);
 }

@@ -65,29 +65,28 @@ static void cut(struct scanline *line, const struct visible_part *part, const st
 static void cut_table(struct coverage *c, struct scanline *lines, struct move *move,
                       const struct scanline_step *steps)
 {
-    const struct visible_part *part = c->parts;
+    const struct visible_part *part = c->parts, *const end = c->parts_end;
 
     c->second.count = c->further.count = 0;
-    while (part < c->parts_end) {
-        const uint16 row = part->row;
+    while (part < end) {
+        const struct visible_part *const first = part++;
+        const uint16 row = first->row;
         struct scanline *const line = &lines[row];
-        const struct scanline whole = *line;
 
         if (steps) {
             move->du = steps[row].dudx;
             move->dv = steps[row].dvdx;
         }
-        cut(line, part++, move);
-        for (struct cut_lines *to = &c->second; part < c->parts_end && part->row == row;
-             part++, to = &c->further) {
+        for (struct cut_lines *to = &c->second; part < end && part->row == row; part++, to = &c->further) {
             struct scanline *const more = &to->lines[to->count];
 
-            *more = whole;
+            *more = *line;
             cut(more, part, move);
             if (steps)
                 to->steps[to->count] = steps[row];
             to->rows[to->count++] = row;
         }
+        cut(line, first, move);
     }
 }
 

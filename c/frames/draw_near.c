@@ -18,18 +18,21 @@ struct near_tree {
     struct mesh_face *seen;
 };
 
+enum { PLACE_VALUES = 15 };     /* of a view: factors, moves, eye */
+
 /* Returns 1 if two views have the same factors, moves and eye, which come first. */
 static int32 same_place(const struct scene_view *a, const struct scene_view *b)
 {
     const int32 *one = &a->xx, *other = &b->xx;
 
-    for (int32 left = (int32)(&a->eye_z - &a->xx) + 1; left > 0; left--)
-        if (*one++ != *other++)
+    for (int32 left = PLACE_VALUES / 5; left > 0; left--, one += 5, other += 5)
+        if (one[0] != other[0] || one[1] != other[1] || one[2] != other[2] || one[3] != other[3]
+            || one[4] != other[4])
             return 0;
     return 1;
 }
 
-/* Sets the instances that are in the frame; returns 0 if their views differ. */
+/* Sets mesh, view and points of the instances that are in the frame; returns 0 if their views differ. */
 static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
 {
     const struct scene *const scene = tree->scene;
@@ -46,16 +49,8 @@ static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
         if (age >= instance->views)
             continue;
         placed->mesh = &scene->meshes[instance->mesh];
-        placed->corners = &scene->corners[placed->mesh->corner];
-        placed->material = &scene->drawn[instance->material];
         placed->view = &scene->views[instance->view + age];
-        placed->view16 = 0;
         placed->points = 0;
-        placed->places = 0;
-        placed->attributes = 0;
-        placed->flags = instance->flags;
-        if (instance->flags & MESH_FOG)
-            mesh_set_fog(&placed->fog, instance);
         if (tree->walk.view && !same_place(tree->walk.view, placed->view))
             return 0;
         tree->walk.view = placed->view;
@@ -107,13 +102,28 @@ static void begin_walk(struct near_tree *tree, int32 root)
     tree->face.points = 0;
 }
 
-/* Lets mesh_near_face take an instance's points. */
-static void choose(struct near_tree *tree, struct mesh_placed *placed)
+/* Sets the rest of an instance whose first face is to be drawn. */
+static void begin_instance(struct near_tree *tree, struct mesh_placed *placed, const struct scene_instance *instance)
 {
-    if (!placed->points) {
-        placed->points = tree->points;
-        tree->points += placed->mesh->points;
-    }
+    const struct scene *const scene = tree->scene;
+
+    placed->corners = &scene->corners[placed->mesh->corner];
+    placed->material = &scene->drawn[instance->material];
+    placed->view16 = 0;
+    placed->places = 0;
+    placed->attributes = 0;
+    placed->flags = instance->flags;
+    if (instance->flags & MESH_FOG)
+        mesh_set_fog(&placed->fog, instance);
+    placed->points = tree->points;
+    tree->points += placed->mesh->points;
+}
+
+/* Lets mesh_near_face take an instance's points. */
+static void choose(struct near_tree *tree, struct mesh_placed *placed, const struct near_slot *slot)
+{
+    if (!placed->points)
+        begin_instance(tree, placed, &tree->scene->instances[slot->instance]);
     tree->face.points = placed->points;
     tree->face.corners = placed->corners;
     tree->face.from = &tree->scene->points[placed->mesh->point];
@@ -131,7 +141,7 @@ static enum polygon_result draw_slot(struct renderer *renderer, struct near_tree
     if (instance >= tree->count || !placed->mesh)
         return POLYGON_EMPTY;
     if (tree->face.points != placed->points || !placed->points)
-        choose(tree, placed);
+        choose(tree, placed, slot);
     tree->face.face = slot->face;
     if (mesh_near_face(&tree->face) == NEAR_HIDDEN)
         return POLYGON_EMPTY;
