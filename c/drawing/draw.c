@@ -224,7 +224,8 @@ static int32 draw_perspective(struct setup *s, const struct cover *cover)
         s->level = LEVEL_NOTHING;       /* they bend too much */
     if (s->level == LEVEL_COLUMNS && !light_kind(s))
         return 1;
-    from_afar = may_be_afar(s) && find_afar(&afar, s, &depth);
+    /* if K lacks bits, straight lines are more accurate */
+    from_afar = may_be_afar(s) && find_afar(&afar, s, &depth) && !(s->level && afar.way.plan.less);
     if (from_afar)
         s->level = LEVEL_NOTHING;
     else if (!perspective_texels(&plan, &depth))

@@ -37,7 +37,7 @@ farthest macro
 ; writes:  the way; if it is not drawn so, a part of it
 ; formats: far_asymptotes' and far_constants'
 ; error:   theirs
-; cost:    about 1,700 cycles
+; cost:    about 2,000 cycles
 
         routine far_find,a0,a1,d0
         save_all

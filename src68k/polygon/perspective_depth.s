@@ -71,7 +71,7 @@ to_32   macro
 ;          more the least that the plane has at a vertex
 ; error:   that of depth_plane_find over the pixels from the first corner: |g| / 2^31 + 3 / 2^16 units each, rounded
 ;          up, is what `off` has
-; cost:    about 2,500 cycles for 3 vertices
+; cost:    about 3,000 cycles for 3 vertices
 
 ; The planes of s and t are not needed by polygons that are drawn from the far ends of their lines.
 

@@ -1,4 +1,4 @@
-"""Trials of perspective from the far ends of lines: tables of lines with any planes that stay inside the table,
+"""Trials of perspective from the far ends of lines: depths of polygons, tables of lines with planes inside the table,
 the lines themselves, K and C of triangles."""
 
 from collections.abc import Iterator
@@ -7,20 +7,25 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.edge import SPARE, SPLITS, side
+from tests.kernels.trials.outline import at_of, embed
+from tests.kernels.trials.polygon import sides_numbers, sides_pointers, wanted_sides
 from tests.kernels.trials.span import FRAME, picture_ground
+from tmap.base.fixed import M32, ONE
 from tmap.bench import far as bench
-from tmap.bench.trial import Trial, anything, fields
+from tmap.bench.perspective import plan_of
+from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Case
 from tmap.setup import far as model
 from tmap.setup.edges import measure
-from tmap.setup.perspective import perspective
+from tmap.setup.perspective import Perspective, perspective
 
 WIDTH, HEIGHT = 320, 200
 PITCH = 1152
 #: Pixels of a table's lines, as many as a frame has room for.
 COUNTS = [*range(1, 20), 0, -3, *range(30, 35), 47, 48, 49, 64, 65, 100, 256, 257, 320,
           1024][:FRAME // PITCH - 1]
+NAMES = ("x", "y", "q", "s", "t")  # of a corner
 DEPTHS = (1.01, 1.5, 2, 3, 4, 6, 30, 1000)
 ACROSS = max(COUNTS) + 4
 LINES = [(k % 4, count) for k, count in enumerate(COUNTS)]
@@ -129,6 +134,151 @@ def constants_trials(deep, less: int) -> Iterator[Trial]:
         yield Trial(Case(kernel, memory, registers, {"a0": plan}), f"{deep}", {"d0": int(bool(found))}, writes=writes)
 
 
+def polygons(rng, count: int) -> Iterator[list[tuple[int, ...]]]:
+    """Polygons in and around the frame, many of them slivers, whose w may be any."""
+    for k in range(count):
+        corners = int(rng.choice((3, 3, 3, 4, 5, 8)))
+        size = float(rng.choice((1, 10, 100, 400)))
+        angles = np.sort(rng.uniform(0, 2 * np.pi, corners))[::int(rng.choice((-1, 1)))]
+        wide = float(rng.choice((0.02, 1, 1)))
+        points = rng.uniform((0, 0), (WIDTH, HEIGHT)) + size * np.transpose((np.cos(angles), wide * np.sin(angles)))
+        ratio, reach = float(rng.choice((*DEPTHS, 65536))), int(rng.choice((4, 128, 4000))) << 16
+        yield [(*(round(c * ONE) for c in point), *(int(c) for c in rng.integers(-reach, reach, 2)),
+                int(1 + (16384 if k % 3 else 40) * ratio ** float(rng.random()))) for point in points]
+
+
+def depth_made(deep: Perspective, box, count: int, depth: int, plan: int) -> list[Write]:
+    """What is written where the polygon is drawn with perspective."""
+    number = lambda n: (n & (1 << 64) - 1).to_bytes(8, "big")  # noqa: E731
+    limits = {f"{c}_{end}": n for end, ends in (("low", deep.low), ("high", deep.high)) for c, n in zip("uv", ends)}
+    writes = fields(plan, "perspective_plan", limits | dict(zip("uv", deep.base)) | {
+        "left": box[0], "q_low": deep.least, "q_high": deep.most})
+    writes += [Write(plan + at_of("perspective_plan", "q") + at_of("screen_plane", name), number(getattr(deep.q, name)))
+               for name in ("at", "dx", "dy")]
+    x = (box[0] << 16) - deep.corners.three[0][0]
+    return writes + fields(depth, "depth", {
+        "scale": deep.scale, "is_triangle": count == 3, "has_texels": 0, "gentle": deep.corners.gentle,
+        "right": (abs(x) >> 16) + box[2] - box[0] + 1, "down": deep.corners.down, "off": deep.corners.off,
+        "least": deep.least + deep.corners.off * (count == 3)})
+
+
+def corners_made(deep: Perspective, box, wanted, at: int) -> list[Write]:
+    """The corners, as two vectors from the first."""
+    *_, area, right = wanted
+    first, bottom, middle = deep.corners.three
+    shape, writes = layout.load().struct("plane_corner"), []
+    a, b = ([n - o for n, o in zip(corner, first)] for corner in ((middle, bottom) if right else (bottom, middle)))
+    for name, row in (("first", first), ("a", a), ("b", b)):
+        writes.append(Write(at + at_of("plane_corners", name), shape.pack(**dict(zip(NAMES, row)))))
+    writes.append(Write(at + at_of("plane_corners", "area"), area.to_bytes(8, "big")))
+    return writes + fields(at, "plane_corners", {
+        "x": (box[0] << 16) - first[0] & M32, "y": (box[1] << 16) - first[1] & M32})
+
+
+def setup_of(memory: Memory, vertices, box, plan: int, more: dict[str, int]) -> int:
+    """struct setup of a polygon with perspective. ``more``: places of other structs, by its pointers' names."""
+    shape, wanted = layout.load().struct("vertex"), wanted_sides(vertices)
+    at = memory.add(b"".join(shape.pack(**dict(zip("xystw", v)), shade=0) for v in vertices), name="vertices",
+                    shape=shape)
+    setup = memory.room("setup")
+    for name, value in {"vertices": at, "perspective": plan, **more}.items():
+        place = setup + at_of("setup", name)
+        memory.data[place:place + 4] = value.to_bytes(4, "big")
+        memory.pointers.append(place)
+    place_number(memory, setup, "count", len(vertices))
+    embed(memory, setup, "setup", "sides", "sides", sides_pointers(at, vertices, wanted),
+          **sides_numbers(vertices, wanted), spare=[0] * 3, area=list(wanted[4].to_bytes(8, "big")))
+    embed(memory, setup, "setup", "box", "rectangle", {}, **dict(zip(("left", "top", "right", "bottom"), box)))
+    return setup
+
+
+def place_number(memory: Memory, setup: int, name: str, value: int) -> None:
+    """Sets a long of a setup."""
+    place = setup + at_of("setup", name)
+    memory.data[place:place + 4] = value.to_bytes(4, "big")
+
+
+def depth_trial(vertices, sides) -> Trial:
+    """A polygon's depth."""
+    memory = Memory()
+    plan, depth = memory.room("perspective_plan"), memory.room("depth")
+    setup = setup_of(memory, vertices, sides.box, plan, {})
+    deep = perspective(vertices, sides.corners, sides.box)
+    case = Case("perspective_depth", memory, pointers={"a0": depth, "a1": setup})
+    if deep:
+        writes = (depth_made(deep, sides.box, len(vertices), depth, plan)
+                  + corners_made(deep, sides.box, wanted_sides(vertices), depth + at_of("depth", "corners")))
+    else:
+        writes = [anything(place, layout.load().struct(name).size)
+                  for place, name in ((plan, "perspective_plan"), (depth, "depth"))]
+    return Trial(case, f"{vertices}", {"d0": int(deep is not None)}, writes=writes)
+
+
+def find_trial(vertices, sides, exact: bool, every: str) -> Trial | None:
+    """Whether the polygon's lines are drawn from their far ends, and how; None without perspective."""
+    deep = perspective(vertices, sides.corners, sides.box)
+    if not deep:
+        return None
+    memory, constants = Memory(), layout.load().constants
+    plan = plan_of(memory, deep, "every16", 1, dict(lines=0, to=0))
+    first, bottom, middle = deep.corners.three
+    shape, right = layout.load().struct("plane_corner"), wanted_sides(vertices)[-1]
+    rows = [[n - o for n, o in zip(row, first)] for row in ((middle, bottom) if right else (bottom, middle))]
+    packed = {name: list(shape.pack(**dict(zip(NAMES, row)))) for name, row in zip(("first", "a", "b"), (first, *rows))}
+    corners = layout.load().struct("plane_corners").pack(area=[0] * 8, x=0, y=deep.corners.y, **packed)
+    depth = memory.struct("depth", {}, corners=list(corners), scale=deep.scale, is_triangle=0, has_texels=0, right=0,
+                          down=deep.corners.down, off=deep.corners.off, least=0, gentle=int(deep.corners.gentle))
+    material = memory.add(bytearray(layout.load().struct("material").size), name="material",
+                          shape=layout.load().struct("material"))
+    setting = "every16" if every == "every16" else "every8"
+    asked = "pixel" if every == "tolerance" else setting
+    for name, value in (("edges", constants["EDGES_EXACT" if exact else "EDGES_SUBPIXEL"]),
+                        ("perspective", constants[f"PERSPECTIVE_{asked.upper()}"])):
+        memory.data[material + at_of("material", name)] = value
+    setup = setup_of(memory, vertices, sides.box, plan, {"material": material})
+    place_number(memory, setup, "setting", constants[f"PERSPECTIVE_{setting.upper()}"])
+    count = setup + at_of("setup", "span") + at_of("span_plan", "count")
+    memory.data[count:count + 4] = (sides.box[3] - sides.box[1]).to_bytes(4, "big")
+    way = memory.room("far_way")
+    case = Case("far_find", memory, pointers={"a0": way, "a1": setup, "d0": depth})
+    found = model.find(deep, every, sides.box, exact)
+    if not found:
+        writes = [anything(way, layout.load().struct("far_way").size)]
+    else:
+        writes = find_made(deep, found, sides.box, exact, every, way, depth, right)
+    return Trial(case, f"{every}, exact {exact}, {vertices}", {"d0": int(found is not None)}, writes=writes)
+
+
+def find_made(deep: Perspective, found, box, exact: bool, every: str, way: int, depth: int, right: bool) -> list[Write]:
+    """What far_find writes where it finds that."""
+    pixels = box[3] - box[1] + box[2] - box[0]
+    least = model.least_of(deep, pixels, exact)
+    shift, even = model.shift_of(deep, abs(found.dqdx), every, least)
+    ks = model.asymptotes(deep, found.less)
+    (cu, cv), (dcu, dcv), (rest_u, rest_v) = model.starts(
+        deep, ks, model.BITS_COARSE if found.coarse else model.BITS, found.less)
+    texels = dict(zip(("top_u", "top_v", "bottom_u", "bottom_v"),
+                      (n << model.K_BITS >> found.less for n in sum(deep.corners.texels[:2], ()))))
+    bottom = depth + at_of("depth", "corners") + at_of("plane_corners", "b" if right else "a")
+    writes = fields(way, "far_plan", dict(
+        scale=deep.scale, less=found.less, ku=ks[0], kv=ks[1], cu=cu, cv=cv, dcu=dcu, dcv=dcv, rest_u=rest_u,
+        rest_v=rest_v, **texels), {"corners": depth, "bottom": bottom})
+    writes += fields(way, "far_way", dict(zip(("to_u", "to_v"), model.to_farthest(deep, ks, found.less))) | {
+        "shift": shift, "even": even, "coarse": found.coarse // model.COARSE,
+        "part": model.OFF_PART + (pixels + deep.corners.off + model.OFF_CORNERS << shift >> 11)})
+    return [*writes, anything(way + at_of("far_way", "lengths"), 4)]
+
+
+def depth_trials(rng) -> Iterator[Trial]:
+    """Depths of polygons, and how they are drawn."""
+    found = [(vertices, sides) for vertices in polygons(rng, 260)
+             if (sides := measure(vertices, WIDTH, HEIGHT)) and len({v[4] for v in vertices}) > 1]
+    for k, each in enumerate(found):
+        yield depth_trial(*each)
+        if far := find_trial(*each, bool(k % 4), tuple(model.LENGTHS)[k % len(model.LENGTHS)]):
+            yield far
+
+
 def trials() -> list[Trial]:
     rng = np.random.default_rng(24)
     ways = [(every, leftwards) for every in model.LENGTHS for leftwards in (False, True)]
@@ -138,4 +288,5 @@ def trials() -> list[Trial]:
             *(edges_trial(splits, exact, rng) for splits in SPLITS for exact in (False, True) for _ in range(3)),
             *(lines_trial(leftwards, rng) for leftwards in (False, True) for _ in range(8)),
             *(trial for deep in triangles(rng, 60) if deep.scale < model.K_SCALE
-              for less in (0, model.COARSE) for trial in constants_trials(deep, less))]
+              for less in (0, model.COARSE) for trial in constants_trials(deep, less)),
+            *depth_trials(rng)]

@@ -25,7 +25,7 @@ def constants(deep: Perspective, box, setting: str, settings: Settings):
 def takes_short(deep: Perspective, width: int, found) -> bool:
     """Returns true, and takes their tilt away, if a polygon's straight lines with a tilt are so short that they cost
     less from their far ends, by the constants ``found``."""
-    if not deep.tilt or width > TILT_LEAST or found is None:
+    if not deep.tilt or width > TILT_LEAST or found is None or found.less:  # straight ones are more accurate then
         return False
     deep.tilt = 0
     return True
