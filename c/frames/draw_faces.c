@@ -42,11 +42,11 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
     }
 }
 
-/* Cuts a polygon in the camera's space that crosses a border; sets *count to the number of corners, below 3 if nothing is
-   left. */
-static struct vertex *clipped(const struct scene *scene, struct vertex *vertices, int32 *count)
+/* Cuts a polygon in the camera's space that has points outside of borders; sets *count to the number of corners, below 3
+   if nothing is left. */
+static struct vertex *clipped(const struct scene *scene, struct vertex *vertices, int32 *count, uint32 outside)
 {
-    vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane);
+    vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane, outside);
     if (*count >= 3)
         project(vertices, *count, scene->header);
     return vertices;
@@ -58,6 +58,7 @@ static struct vertex *cut_face(const struct scene *scene, const struct mesh_face
 {
     const struct mesh_placed *placed = face->placed;
     const struct scene_corner *corner = &placed->corners[face->face->corner];
+    uint32 outside = 0;
 
     for (int32 i = 0; i < *count; i++, corner++) {
         const struct mesh_point *p = &placed->points[corner->point];
@@ -67,8 +68,9 @@ static struct vertex *cut_face(const struct scene *scene, const struct mesh_face
         vertices[i].x = p->x;
         vertices[i].y = p->y;
         vertices[i].w = p->w;
+        outside |= p->outside;
     }
-    return clipped(scene, vertices, count);
+    return clipped(scene, vertices, count, outside);
 }
 
 /* Sets a vertex's x, y and w; returns the borders that it is outside of. */
@@ -114,32 +116,50 @@ static void set_values(struct vertex *v, const struct mesh_placed *placed,
         v->shade = attributes->shade;
 }
 
-/* Returns a face's corners on the screen, made in scratch memory, and their number, below 3 if nothing is left. */
-static inline const struct vertex *vertices_of(const struct scene *scene, const struct mesh_face *face,
-                                               int32 *number)
+/* Returns a face's corners on the screen from points that were transformed with 32-bit operands, and their number, below
+   3 if nothing is left. */
+static const struct vertex *wide_vertices(const struct scene *scene, const struct mesh_face *face, int32 *number)
+{
+    struct vertex *vertices = scene->scratch->face;
+    const uint32 outside = mesh_vertices(face, vertices);
+
+    *number = (int32)face->face->corners;
+    if (outside)
+        vertices = clipped(scene, vertices, number, outside);
+    if (face->placed->flags & MESH_FOG)
+        mesh_fade(vertices, *number, &face->placed->fog);
+    return vertices;
+}
+
+/* The same from other points. */
+static const struct vertex *other_vertices(const struct scene *scene, const struct mesh_face *face, int32 *number)
 {
     struct vertex *vertices = scene->scratch->face;
     const struct mesh_placed *placed = face->placed;
     const struct scene_corner *corner = &placed->corners[face->face->corner];
-    int32 count = (int32)face->face->corners;
     struct vertex *v = vertices;
     uint32 outside = 0;
 
-    *number = count;
-    if (!placed->view16 && !(placed->flags & MESH_LINKED)) {
-        if (mesh_vertices(face, vertices))
-            vertices = clipped(scene, vertices, number);
-    } else {
-        for (int32 i = count; i > 0; i--, corner++, v++) {
-            outside |= set_place(v, placed, corner->point);
-            set_values(v, placed, corner);
-        }
-        if (outside)
-            vertices = cut_face(scene, face, vertices, number);
+    *number = (int32)face->face->corners;
+    for (int32 i = *number; i > 0; i--, corner++, v++) {
+        outside |= set_place(v, placed, corner->point);
+        set_values(v, placed, corner);
     }
+    if (outside)
+        vertices = cut_face(scene, face, vertices, number);
     if (placed->flags & MESH_FOG)
         mesh_fade(vertices, *number, &placed->fog);
     return vertices;
+}
+
+/* Returns a face's corners on the screen, made in scratch memory, and their number, below 3 if nothing is left. */
+static inline const struct vertex *vertices_of(const struct scene *scene, const struct mesh_face *face,
+                                               int32 *number)
+{
+    const struct mesh_placed *const placed = face->placed;
+
+    return placed->view16 || placed->flags & MESH_LINKED ? other_vertices(scene, face, number)
+                                                          : wide_vertices(scene, face, number);
 }
 
 int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)

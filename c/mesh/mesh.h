@@ -205,10 +205,10 @@ struct mesh_face *mesh_spread(struct mesh_face *faces, int32 count, struct mesh_
 struct mesh_face *mesh_sort(struct mesh_face *faces, int32 count, struct mesh_face **at);
 
 /* Clips a convex polygon in camera space (x, y, w as in mesh_point) to all borders; sets *count to
-   the number of vertices left. room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices
-   in either direction, each within 1/2^17. A polygon that would get too many vertices, which a
-   convex one cannot, becomes empty. */
+   the number of vertices left. outside: the borders, enum mesh_outside, that a vertex is outside of.
+   room: 2 * POLYGON_VERTICES_MAX. An edge gives the same new vertices in either direction, each within
+   1/2^17. A polygon that would get too many vertices, which a convex one cannot, becomes empty. */
 struct vertex *mesh_clip(struct vertex *room, struct vertex *vertices, int32 *count,
-                         fix16 near_plane);
+                         fix16 near_plane, uint32 outside);
 
 #endif
