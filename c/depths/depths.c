@@ -144,10 +144,14 @@ static void set_lines(struct depth_face *face, int32 top, int32 bottom)
 
 /* Returns 1 if a face was drawn as a fan whose triangles may have other pixels than its outline, which was found.
 
-   They have the same if edges are exact and the face turns to one side only: then the triangles of the fan do not overlap,
-   fill the face, and a pixel on an edge that two of them share belongs to one of them. Rounding may turn a corner inwards,
-   though, by a sixteenth of a pixel or 1/65536: a triangle beside that corner is then seen from the back or lies outside,
-   so that pixels in the sliver between differ. So a fan is filled, and copied, by its triangles: what is drawn of a face,
+   They have the same if edges are exact and the face turns to one side only: then the triangles of the fan do not
+   overlap,
+   fill the face, and a pixel on an edge that two of them share belongs to one of them. Rounding may turn a corner
+   inwards,
+   though, by a sixteenth of a pixel or 1/65536: a triangle beside that corner is then seen from the back or lies
+   outside,
+   so that pixels in the sliver between differ. So a fan is filled, and copied, by its triangles: what is drawn of a
+   face,
    what sets z and what is copied of it are always the same pixels, and a pixel that hides another face's has set z. */
 static int32 is_odd_fan(struct depth_face *face, const struct polygon *polygon, const struct material *material)
 {

@@ -98,7 +98,8 @@ static inline int32 depths_pitch(const struct depths *depths)
 }
 
 /* Sets z to q of a polygon that has been drawn over all before, in the parts whose faces it may hide. is_ordered: only
-   faces of the same tree, in its order, were drawn before, or none. A polygon behind all faces of a part, or whose plane
+   faces of the same tree, in its order, were drawn before, or none. A polygon behind all faces of a part, or whose
+   plane
    is, is then left out there: at its pixels only what is behind it has set z, so that the part's faces are seen. */
 void depths_fill(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
                  const struct material *material, int32 is_ordered);

@@ -240,7 +240,8 @@ uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
     return found;
 }
 
-int32 polygon_may_be_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material)
+int32 polygon_may_be_fan(const struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material)
 {
     return polygon->count > 3
         && ((material->edges == EDGES_SNAPPED && renderer->triangles) || material->gradients == GRADIENTS_POLYGON

@@ -39,7 +39,8 @@ static inline void planar_triangle(struct vertex *to, const struct vertex *verti
 }
 
 /* Returns 0 if polygon_is_fan would, for less. */
-int32 polygon_may_be_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material);
+int32 polygon_may_be_fan(const struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material);
 
 /* Returns 1 if a polygon of a mesh is drawn as a fan of triangles, by polygon_fan or by routines for triangles. */
 int32 polygon_is_fan(const struct renderer *renderer, const struct polygon *polygon, const struct material *material);

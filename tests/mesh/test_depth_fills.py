@@ -26,7 +26,8 @@ def header(looks: list[str], more: str = "") -> str:
     rest = START[START.index("[camera]"):]
     return f'width = 96\nheight = 64\nframes = 3\nbackground = "#203040"\n{more}[textures]\nt.image = ' \
            '"package:skimage/data/brick.png"\n[materials]\n' \
-           + "".join(f"m{k} = {{ {look} }}\n" for k, look in enumerate(looks)) + "[light]\ndirection = [1, -2, -1.5]\n" + rest
+           + "".join(f"m{k} = {{ {look} }}\n" for k, look in enumerate(looks)) \
+           + "[light]\ndirection = [1, -2, -1.5]\n" + rest
 
 
 def bent(rng: random.Random, unit: int) -> list[tuple]:
@@ -128,5 +129,5 @@ def test_what_is_left_out_would_change_nothing(tmp_path, monkeypatch, name: str)
         numbers = range(0, scene.frames, max(1, scene.frames // 6))
         right = [model.render(scene, number) for number in numbers]
         with monkeypatch.context() as patch:
-            patch.setattr(depths.Depths, "fill", lambda self, which, face, vouched, _: fill(self, which, face, vouched, False))
+            patch.setattr(depths.Depths, "fill", lambda *face_of: fill(*face_of[:4], False))
             assert all((model.render(scene, number) == frame).all() for number, frame in zip(numbers, right))

@@ -1,5 +1,6 @@
 """Trials of what finds visible pixels. src68k/depths: lines in the columns, cut by them, beside them and empty; steep
-planes, whose q wraps; polygons that turn to one side or to both. coverage_scan: gaps of any number, lines before, in, over and behind them."""
+planes, whose q wraps; polygons that turn to one side or to both. coverage_scan: gaps of any number, lines before, in,
+over and behind them."""
 
 import numpy as np
 
