@@ -90,11 +90,9 @@ void depths_include(struct depths *depths, const struct vertex *vertices, int32 
     keep_corners(depths, to, vertices, count);
 }
 
-/* q of a plane is 0 to 2^29 at a pixel of its face, and a corner is up to two frames away from it: with gradients
-   that pass
-   the test q fits 32 bits there. The gradients' fractions, below a unit, are left out: what they may add is added,
-   and the
-   growth to the far side of the corner's pixel. */
+/* q of a plane is 0 to 2^29 at a pixel of its face, and a corner is up to two frames away from it: with gradients that
+   pass the test q fits 32 bits there. The gradients' fractions, below a unit, are left out: what they may add is added,
+   and the growth to the far side of the corner's pixel. */
 int32 depths_are_before(const struct depths *depths, const struct depth_part *part, const struct depth_plan *plan)
 {
     const struct depth_corner *corner = depths->corners;
