@@ -11,14 +11,15 @@ import tmap  # noqa: F401  before NumPy, whose threads it limits
 
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
-LONGEST = """accuracy/bench kernels/kernels accuracy/hard_cases guest/guest_input accuracy/fuzz
-    polygon/polygons product/scene_program glide/tiles glide/polygons n64/polygons polygon/lowering
-    polygon/wide glide/scenes screen/show n64/vectors mesh/meshes n64/scenes compiler/run
-    accuracy/properties accuracy/italian_methods compiler/settings product/report mesh/hard_meshes
-    accuracy/accuracy polygon/mappers product/disk screen/demo screen/display product/sdk
-    polygon/hosts n64/modes glide/adds accuracy/bounds polygon/borders product/pages
-    kernels/kernel_checker glide/modes accuracy/polys accuracy/scene_errors n64/decode
-    glide/downloads n64/model n64/core guest/emulator guest/ntsc guest/endings""".split()
+LONGEST = """accuracy/bench accuracy/hard_cases kernels/kernels product/scene_program polygon/renderers
+    polygon/runs mesh/once mesh/meshes screen/demo accuracy/fuzz polygon/hosts accuracy/bounds
+    screen/show guest/shared_pages guest/guest_input polygon/polygons glide/tiles glide/polygons
+    n64/polygons polygon/lowering polygon/wide glide/scenes n64/vectors n64/scenes compiler/run
+    accuracy/properties accuracy/italian_methods compiler/settings product/report
+    mesh/hard_meshes accuracy/accuracy polygon/mappers product/disk screen/display product/sdk
+    n64/modes glide/adds polygon/borders product/pages kernels/kernel_checker glide/modes
+    accuracy/polys accuracy/scene_errors n64/decode glide/downloads n64/model n64/core
+    guest/emulator guest/ntsc guest/endings""".split()
 RANKS = {name: rank for rank, name in enumerate(LONGEST)}
 TESTS = Path(__file__).parent
 SLOWEST = 15  # files in the list at the end

@@ -30,11 +30,11 @@ def shows(name: str) -> str:
 
 def scenes_table(baseline: dict) -> str:
     """A Markdown table: each scene, its cycles a frame and frames a second if measured."""
-    figures, rows = bench.figures(baseline["frames"]), []
+    figures, rows = {(row["name"], row["machine"]): bench.cycles(row) for row in baseline["frames"]}, []
     for name in sorted(path.stem for path in SCENES.glob("*.toml")):
         cells = []
         for machine in ("a1200-fast", "a1200"):
-            spent = figures.get((f"scene_{name}", machine, scenes.FRAMES))
+            spent = figures.get((f"{scenes.ROW}{name}", machine))
             cells += [f"{spent / 1000:,.0f}", f"{CLOCK_HZ / spent:.1f}"] if spent else ["", ""]
         rows.append([name, shows(name), *cells])
     return table(["scene", "shows", "fast RAM, kcycles a frame", "frames a second",
