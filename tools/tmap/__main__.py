@@ -1,7 +1,7 @@
 """The command line: ``scripts/tmap COMMAND ...``.
 
 Exit status: 0 done; 1 a comparison found a difference; 2 bad input or a failed run, with a message
-of one line; 130 interrupted; 143 ended by SIGTERM.
+of one line; 130 interrupted; 129, 131, 143 ended by SIGHUP, SIGQUIT, SIGTERM.
 """
 
 import argparse
@@ -14,6 +14,7 @@ from pathlib import Path
 from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, ROOT
 from tmap.base.pixel_formats import FORMATS
+from tmap.base.signals import end_by
 from tmap.guest.conditions import CONDITIONS
 from tmap.guest.emulator import MACHINES, MEASURED
 from tmap.run.convert import LAYOUTS
@@ -369,14 +370,9 @@ def parser() -> Parser:
     return top
 
 
-def stop(*_) -> None:
-    """Ends by a signal in the same way as by an exception, so that no emulator is left behind."""
-    sys.exit(128 + signal.SIGTERM)
-
-
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns the exit status."""
-    signal.signal(signal.SIGTERM, stop)
+    end_by((signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT))
     for stream in (sys.stdout, sys.stderr):  # a name that is not text must not end in a traceback
         stream.reconfigure(errors="backslashreplace")
     try:
