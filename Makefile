@@ -2,15 +2,20 @@
 
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
-.PHONY: help run show demo scene-program bench accuracy polys profile report adf sdk fuzz test diff clean programs setup FORCE
+# What is made under the lock of `programs`, or beside it.
+OUTER := help run show demo scene-program bench accuracy polys profile report adf sdk fuzz test diff clean programs setup
+.PHONY: $(OUTER) built FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
 CC68K ?= $(if $(shell command -v vbccm68k),vbcc,gcc)
 ifeq ($(filter gcc vbcc,$(CC68K)),)
 $(error CC68K is gcc or vbcc, not "$(CC68K)")
 endif
-override SCENE := $(or $(SCENE),tests/scenes/default.toml)
-export SCENE MACHINE FRAMES SEED COUNT A B
+# As they were given: $ in a file's name names no variable.
+GIVEN := SCENE MACHINE FRAMES SEED COUNT A B
+$(foreach name,$(GIVEN),$(eval override $(name) := $$(value $(name))))
+override SCENE := $(if $(SCENE),$(SCENE),tests/scenes/default.toml)
+export $(GIVEN)
 
 PYTHON := PYTHONPATH=tools .deps/venv/bin/python
 VASM := scripts/vasm
@@ -122,7 +127,11 @@ diff:
 clean:
 	@rm -rf build
 
-programs: $(NAMES:%=build/programs/%) build/programs/uaequit $(SCENE_OBJECT) | setup
+# One build at a time: a second make waits here, and then reads what the first has made.
+programs:
+	@flock Makefile $(MAKE) built
+
+built: $(NAMES:%=build/programs/%) build/programs/uaequit $(SCENE_OBJECT) | setup
 
 # Everything that is built waits for this, and nothing is rebuilt for it.
 setup:
@@ -217,4 +226,7 @@ $(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).
 $(eval $(call PROGRAM,uaequit,$(QUIT_OBJECT)))
 $(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
 
+# Not without the lock: another make may be writing them.
+ifneq ($(filter-out $(OUTER),$(MAKECMDGOALS)),)
 -include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(C_OBJECTS) $(ASM_OBJECTS) $(LAYOUT_CHECK) build/gen/headers.o)
+endif

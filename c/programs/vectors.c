@@ -3,48 +3,21 @@
    vectors QUESTIONS ANSWERS
    Prints a line before every REPORTED-th operation. */
 #include "bench/vector_answers.h"
+#include "bench/vector_check.h"
 #include "bench/vector_file.h"
 #include "bench/vector_run.h"
-#include "n64/n64.h"
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
-#define REPORTED 512
-#define ANY 0xffff              /* any number of longs */
-
-/* The number of longs of each operation. */
-static const uint16 longs_of[VECTOR_CODES] = {
-    0, 1, 1, 1, ANY, ANY, 2, 18, 6, ANY, 1, 1, 0, 0, 3, 4, 4, 3, 12, 3, ANY, 1, 0, 2, 1, 10, ANY,
-    2, 1, 3,
-    1, 1, 1, 1, 1, 4, 4, 6, 10, ANY, 0, 2, 1, 2, 2, 4, 1
-};
-
-static int32 in_memory(const struct vector_operation *operation, const int32 *values)
-{
-    const uint32 at = (uint32)values[0], count = operation->longs - 1u;
-    const uint32 room = operation->code == VECTOR_TMEM ? N64_TMEM_BYTES : VECTOR_DRAM_BYTES;
-
-    return at <= room && count <= room - at;
-}
+#define REPORTED 16
 
 /* Returns 1 if an operation is valid; longs: how many follow it in the file. */
 static int32 usable_operation(const struct vector_operation *operation, uint32 longs)
 {
-    const int32 *values = (const int32 *)(operation + 1);
-
-    if (operation->code >= VECTOR_CODES || operation->longs > longs)
-        return 0;
-    if (longs_of[operation->code] != ANY)
-        return operation->longs == longs_of[operation->code]
-            && (operation->code != VECTOR_MODE
-                || (uint32)values[0] < sizeof(struct n64_modes));
-    if (operation->code == VECTOR_TMEM || operation->code == VECTOR_DRAM)
-        return operation->longs && in_memory(operation, values);
-    if (operation->code == VECTOR_GLIDE_CALL)
-        return operation->longs >= 1;
-    return operation->code != VECTOR_CALL || operation->longs >= 2;
+    return operation->longs <= longs
+        && vector_usable(operation->code, (const int32 *)(operation + 1), operation->longs);
 }
 
 static int32 usable(const uint8 *data, uint32 bytes, const char *name)

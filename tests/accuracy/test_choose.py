@@ -2,6 +2,8 @@
 
 import itertools
 import json
+import os
+import subprocess
 import tomllib
 
 import pytest
@@ -9,7 +11,7 @@ import pytest
 from tmap.__main__ import main
 from tmap.accuracy import choose
 from tmap.accuracy.choose import COST, LARGEST, POLYGON, RMS, WRONG, Wish
-from tmap.base.paths import ACCURACY_BASELINE
+from tmap.base.paths import ACCURACY_BASELINE, ROOT
 from tmap.compiler.materials import material_schema
 
 ROWS = json.loads(ACCURACY_BASELINE.read_text())["rows"]
@@ -146,6 +148,7 @@ def test_prices_in_words(tmap, tmp_path, arguments) -> None:
     ((*ERROR, *A1200, "--depth", "--mapper", "tiled"), None, "mapper tiled"),
     ((*ERROR, *A1200, "--data", "/nowhere.json"), None, "/nowhere.json: No such file"),
     ((*ERROR, *A1200), "{", "is not JSON"),
+    ((*ERROR, *A1200), "[" * 100_000, "is not JSON"),
     ((*ERROR, *A1200), "[]", "rows"),
     ((*ERROR, *A1200), json.dumps({"rows": [ROWS[0], {
         key: value for key, value in ROWS[1].items() if key != COST}]}),
@@ -160,3 +163,14 @@ def test_bad_arguments_are_one_line(tmap, arguments, content, words, tmp_path) -
     status, said, complaint = tmap(*arguments)
     assert (status, said) == (2, "")
     assert complaint.count("\n") == 1 and words in complaint, complaint
+
+
+@pytest.mark.parametrize(("redirection", "status", "said"), [
+    (">&-", 0, ""), ("| true", 2, "tmap: standard output: Broken pipe\n"),
+    (">/dev/full", 2, "tmap: standard output: No space left on device\n")])
+def test_output_that_cannot_be_written(redirection: str, status: int, said: str) -> None:
+    """One line at most, even where standard output is closed."""
+    command = f"scripts/tmap choose --error 1 --machine a1200 {redirection}; exit ${{PIPESTATUS[0]}}"
+    done = subprocess.run(["bash", "-c", command], cwd=ROOT, capture_output=True, text=True,
+                          env={name: value for name, value in os.environ.items() if name != "PYTHONUNBUFFERED"})
+    assert (done.returncode, done.stderr) == (status, said)

@@ -2,19 +2,15 @@
 explained."""
 
 import json
-import os
 import signal
-import subprocess
-import time
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from tests.helpers import signalled
 from tmap.__main__ import main
-from tmap.base import paths
 from tmap.base.errors import UserError
-from tmap.base.silence import Silence
 from tmap.corpus import hard_cases
 from tmap.fuzz import fuzz, polygons as fuzz_polygons, shrink
 from tmap.guest import guest_frames
@@ -138,22 +134,11 @@ def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
     assert complaint in capsys.readouterr().err
 
 
-def test_an_interrupt_ends_all_at_once(tmp_path) -> None:
-    """Ctrl-C reaches processes and emulators too, as from a terminal: one line, status 130."""
-    def as_in_a_terminal() -> None:  # what a shell runs in the background ignores it
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-    with subprocess.Popen([paths.ROOT / "scripts/tmap", "fuzz", "--count", "40000"],
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=as_in_a_terminal,
-                          start_new_session=True, env=os.environ | {"TMPDIR": str(tmp_path)}) as process:
-        silence = Silence(process.pid, 120)
-        while not list(tmp_path.glob("tmap-*/emulator.log")):  # until one runs
-            assert process.poll() is None and not silence.end()
-            time.sleep(0.1)
-        os.killpg(process.pid, signal.SIGINT)
-        silence = Silence(process.pid, 20)
-        while process.poll() is None:
-            assert not silence.end()
-            time.sleep(0.1)
-        assert process.communicate()[0] == "tmap: interrupted\n"
-    assert process.returncode == 130 and not list(tmp_path.glob("tmap-*"))
+@pytest.mark.parametrize(("to_all", "number", "said"), [
+    (True, signal.SIGINT, "tmap: interrupted\n"), (True, signal.SIGTERM, ""), (True, signal.SIGHUP, ""),
+    (False, signal.SIGTERM, "")])
+def test_a_signal_ends_all_at_once(to_all: bool, number: signal.Signals, said: str, tmp_path) -> None:
+    """``to_all``: a terminal's signals reach processes and emulators too; kill's the first process
+    alone. One line at most, and nothing is left."""
+    assert signalled.end(["fuzz", "--count", "40000"], number, to_all, tmp_path) == (128 + number, said)
+    assert not list(tmp_path.iterdir())

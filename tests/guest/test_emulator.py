@@ -1,13 +1,14 @@
 """How programs end on the emulated machine: crashes, hangs, and the state afterwards."""
 
 import re
+import signal
 
 import pytest
 
-from tests.helpers import endings, guest_program
+from tests.helpers import endings, guest_program, signalled
 from tests.helpers.endings import Ended
 from tmap.base.errors import UserError
-from tmap.base.paths import GUEST, PROGRAMS
+from tmap.base.paths import GUEST, PROGRAMS, ROOT
 from tmap.guest import emulator, kernels
 from tmap.guest.kernels import Case
 
@@ -157,3 +158,23 @@ def test_no_emulator(tmp_path, monkeypatch):
 
 def test_version_is_the_pinned_one():
     assert emulator.emulator_version() == emulator.VERSION
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT])
+def test_a_signal_leaves_nothing_behind(tmp_path, number):
+    """The emulator ends, and the run's folder is deleted."""
+    folder = tmp_path / "temporary"
+    folder.mkdir()
+    code, said = signalled.end(["run", str(ROOT / "tests/scenes/default.toml"), "-o", str(tmp_path / "out")],
+                               number, False, folder)
+    assert (code, said) == (128 + number, "tmap: interrupted\n" if number == signal.SIGINT else "")
+    assert not list(folder.iterdir()) and not list((tmp_path / "out").glob("*"))
+
+
+def test_a_folder_with_a_line_break(tmp_path, monkeypatch):
+    """The emulator's configuration has a line for each path."""
+    folder = tmp_path / "two\nlines"
+    folder.mkdir()
+    with pytest.raises(UserError) as caught:
+        emulator.run("render", "x", {}, "a1200", folder)
+    assert str(caught.value) == f"{str(folder)!r}: a path with a line break, which the emulator cannot take"

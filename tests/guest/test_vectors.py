@@ -8,7 +8,7 @@ from tmap.base.paths import ROOT
 from tmap.guest import emulator
 from tmap.vectors import vector_file, vectors
 from tmap.vectors.glide_text import GlideLines
-from tmap.vectors.n64_text import N64Lines
+from tmap.vectors.n64_text import TILE_BITS, N64Lines
 from tmap.vectors.vector_text import Line
 
 FILE = ROOT / "tests" / "vectors" / "tx_copy.txt.gz"
@@ -109,6 +109,10 @@ def test_bad_files(tmp_path, capsys) -> None:
         assert err.count("\n") == 1
 
 
+#: What the fields of a tile must be less than.
+TILE_LIMITS = [1 << bits for bits in TILE_BITS.values()]
+
+
 def operations(*longs: int, count: int = 1) -> bytes:
     """A file of questions from raw longs, with the right checksum."""
     made = vector_file.Operations()
@@ -121,9 +125,10 @@ def test_the_program_refuses_bad_files() -> None:
     good = vector_file.Operations()
     good.add("HASH")
     codes = good.codes
-    mode, tmem, fetch, call, glide_pixel, glide_call, end = (
+    mode, tmem, fetch, call, glide_pixel, glide_call, tile, decode, bytes_of, level, logarithm, end = (
         codes[f"VECTOR_{name}"] << 16 for name in (
-            "MODE", "TMEM", "FETCH", "CALL", "GLIDE_PIXEL", "GLIDE_CALL", "CODES"))
+            "MODE", "TMEM", "FETCH", "CALL", "GLIDE_PIXEL", "GLIDE_CALL", "TILE", "DECODE", "GLIDE_BYTES_OF",
+            "GLIDE_SUM", "GLIDE_LOGARITHM", "CODES"))
     files = {
         "is empty": [b""],
         "size": [good.file()[:20], good.file()[:-4], good.file() + bytes(4)],
@@ -134,7 +139,14 @@ def test_the_program_refuses_bad_files() -> None:
                         operations(mode | 2, 12, 0), operations(mode | 2, 1 << 31, 0),
                         operations(tmem | 0), operations(tmem | 2, 4096, 0),
                         operations(tmem | 2, 0xFFFFFFFF, 0), operations(call | 1, 8),
-                        operations(glide_pixel | 5, 0, 0, 0, 0, 0), operations(glide_call | 0)],
+                        operations(glide_pixel | 5, 0, 0, 0, 0, 0), operations(glide_call | 0),
+                        # Values that no routine is made for; the last three were worked on for hours, or for ever.
+                        operations(mode | 2, 0, 4), operations(mode | 2, 1, 2),
+                        *(operations(tile | 18, *(most * (n == field) for n, most in enumerate(TILE_LIMITS)))
+                          for field in range(18)),
+                        operations(decode | 2, 0, 3), operations(bytes_of | 2, 0, 0x10001),
+                        operations(bytes_of | 2, 0, 0xFFFFFFFF), operations(level | 1, 0x80000000),
+                        operations(logarithm | 2, 0, 0)],
         "operation 1": [operations(fetch | 3, 0, 0, 0, count=2)],
     }
     cases = [(words, data) for words, several in files.items() for data in several]

@@ -1,6 +1,7 @@
 """The SDK: complete, of one convention, the same bytes in every form; and its example draws the
 model's pictures, whichever tools built it."""
 
+import contextlib
 import io
 import re
 import shutil
@@ -60,10 +61,11 @@ LIBRARIES = {"vlink": "tmap020.lib", "gcc": "libtmap020.a"}
 
 @pytest.fixture(scope="module")
 def kit(tmp_path_factory):
-    """The SDK's folder; its archive is in the same place."""
-    out = tmp_path_factory.mktemp("made") / "sdk"
-    assert sdk.command(out) == 0
-    return out
+    """The SDK's folder, made by its name in another; its archive is in the same place."""
+    folder = tmp_path_factory.mktemp("made")
+    with contextlib.chdir(folder):
+        assert sdk.command(Path("sdk")) == 0
+    return folder / "sdk"
 
 
 @dataclass

@@ -1,10 +1,11 @@
 """The command line: ``scripts/tmap COMMAND ...``.
 
 Exit status: 0 done; 1 a comparison found a difference; 2 bad input or a failed run, with a message
-of one line; 130 interrupted; 143 ended by SIGTERM.
+of one line; 130 interrupted; 129, 131, 143 ended by SIGHUP, SIGQUIT, SIGTERM.
 """
 
 import argparse
+import os
 import signal
 import subprocess
 import sys
@@ -14,6 +15,7 @@ from pathlib import Path
 from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, ROOT
 from tmap.base.pixel_formats import FORMATS
+from tmap.base.signals import end_by
 from tmap.guest.conditions import CONDITIONS
 from tmap.guest.emulator import MACHINES, MEASURED
 from tmap.run.convert import LAYOUTS
@@ -369,23 +371,42 @@ def parser() -> Parser:
     return top
 
 
-def stop(*_) -> None:
-    """Ends by a signal in the same way as by an exception, so that no emulator is left behind."""
-    sys.exit(128 + signal.SIGTERM)
+def open_closed() -> None:
+    """Opens the null device for standard streams that were closed when Python started, so that no
+    other file gets their numbers."""
+    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, mode))
+
+
+def drop_output() -> bool:
+    """Returns whether standard output cannot be written. If so, Python does not try it again at the end."""
+    try:
+        sys.stdout.flush()
+    except OSError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return True
+    return False
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns the exit status."""
-    signal.signal(signal.SIGTERM, stop)
+    end_by((signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT))
+    open_closed()
     for stream in (sys.stdout, sys.stderr):  # a name that is not text must not end in a traceback
         stream.reconfigure(errors="backslashreplace")
     try:
-        args = parser().parse_args(arguments)
-        return args.function(args)
+        try:
+            args = parser().parse_args(arguments)
+            return args.function(args)
+        finally:
+            sys.stdout.flush()
     except UserError as error:
         print(f"tmap: {error}", file=sys.stderr)
     except OSError as error:
-        print(f"tmap: {error.filename or 'a file'}: {error.strerror or error}", file=sys.stderr)
+        lost = drop_output() or isinstance(error, BrokenPipeError)
+        print(f"tmap: {error.filename or ('standard output' if lost else 'a file')}: "
+              f"{error.strerror or error}", file=sys.stderr)
     except KeyboardInterrupt:
         print("tmap: interrupted", file=sys.stderr)
         return 130

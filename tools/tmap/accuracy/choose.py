@@ -61,7 +61,7 @@ def load(path: Path) -> dict:
         found = json.loads(path.read_text())
     except OSError as error:
         raise UserError(f"{path}: {error.strerror or error}") from None
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise UserError(f"{path}: is not JSON: {error}") from None
     rows = found.get("rows") if isinstance(found, dict) else None
     if not isinstance(rows, list):

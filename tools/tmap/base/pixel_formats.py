@@ -27,7 +27,7 @@ class PixelFormat:
     def flat(self, colours: list[tuple[int, int, int]]) -> list[int]:
         """Converts opaque colours to pixels."""
         opaque = np.full((len(colours), len(self.channels)), 255, np.uint8)
-        opaque[:, :3] = colours
+        opaque[:, :3] = np.array(colours, np.uint8).reshape(-1, 3)  # there may be none
         return self.numbers(opaque).tolist()
 
     def picture(self, pixels: np.ndarray) -> np.ndarray:

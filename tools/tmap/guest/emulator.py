@@ -12,7 +12,6 @@ import itertools
 import os
 import re
 import shutil
-import signal
 import subprocess
 import tempfile
 import time
@@ -22,6 +21,7 @@ from pathlib import Path
 
 from tmap.base.errors import UserError
 from tmap.base.paths import PROGRAMS
+from tmap.base.signals import held
 from tmap.base.silence import Silence
 
 #: FS-UAE options of each machine; all are A1200s with AGA, cycle-exact.
@@ -140,7 +140,9 @@ def last_words(output: str) -> str:
 @contextlib.contextmanager
 def workspace() -> Iterator[Path]:
     """Yields a private directory for one run, removed afterwards."""
-    with tempfile.TemporaryDirectory(prefix="tmap-") as name:
+    with held():
+        folder = tempfile.TemporaryDirectory(prefix="tmap-")
+    with folder as name:
         yield Path(name)
 
 
@@ -159,6 +161,8 @@ def floppies(*images: Path) -> dict[str, str]:
 
 def write_config(directory: Path, machine: str, display: Display, more: dict[str, str]) -> Path:
     """Writes the emulator's configuration file into a run's directory; ``more``: further options."""
+    if "\n" in str(directory):
+        raise UserError(f"{str(directory)!r}: a path with a line break, which the emulator cannot take")
     options = OPTIONS | display.options | MACHINES[machine] | {
         "base_dir": str(directory / "base")} | more
     config = directory / "a1200.fs-uae"
@@ -169,15 +173,12 @@ def write_config(directory: Path, machine: str, display: Display, more: dict[str
 @contextlib.contextmanager
 def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Popen]:
     """Runs the emulator with its own messages in ``log``; kills it afterwards."""
-    # Ctrl-C waits until the process is known; otherwise nothing would end the process.
-    mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
     process = None
     try:
-        with log.open("wb") as stream:
+        with log.open("wb") as stream, held():
             process = subprocess.Popen(
                 ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
                 stderr=subprocess.STDOUT, env=os.environ | display.environment)
-        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         yield process
     except FileNotFoundError:
         if process:
@@ -187,7 +188,6 @@ def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Po
         if process:
             process.kill()
             process.wait()
-        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
 
 
 def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path], programs: Path,

@@ -150,7 +150,7 @@ def is_assembly(path: Path) -> bool:
 def run_tool(*words: str | Path) -> None:
     """Runs a tool; raises UserError with its output if it fails."""
     done = subprocess.run([str(word) for word in words], stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True, errors="replace", cwd=ROOT)
+                          stderr=subprocess.STDOUT, text=True, errors="replace")
     if done.returncode:
         raise UserError(f"{Path(words[0]).name} failed: {done.stdout.strip()}")
 

@@ -83,7 +83,7 @@ def picture_command(source: Path, out: Path) -> int:
         width, height = (int(about[key]) for key in ("width", "height"))
         layout, pixel = str(about["layout"]), str(about["format"])
         palette = np.array(about["palette"] or [], np.uint8).reshape(-1, 3)
-    except (ValueError, KeyError, TypeError, OverflowError) as error:
+    except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
         raise UserError(f"{side}: not what tmap map writes: {error}") from None
     if layout not in LAYOUTS or pixel not in FORMATS:
         raise UserError(f"{side}: layout {layout!r} in format {pixel!r} is not known")

@@ -106,7 +106,8 @@ def load_dump(path: Path) -> Frame:
             palette = about.get("palette")
             if palette is not None:
                 palette = np.array(palette, np.uint8).reshape(256, 3)
-        except (ValueError, TypeError, AttributeError, OverflowError, ZeroDivisionError, KeyError):
+        except (ValueError, TypeError, AttributeError, OverflowError, ZeroDivisionError, KeyError,
+                RecursionError):
             raise UserError(f"{described}: width, height, format or palette cannot be used"
                             ) from None
     if len(data) == 0 or width < 1 or len(data) != width * height * pixel.bytes:
