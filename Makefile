@@ -129,7 +129,7 @@ clean:
 
 # One build at a time: a second make waits here, and then reads what the first has made.
 programs:
-	@flock Makefile $(MAKE) built
+	@flock Makefile $(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell nproc)) built
 
 built: $(NAMES:%=build/programs/%) build/programs/uaequit $(SCENE_OBJECT) | setup
 
