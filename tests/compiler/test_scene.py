@@ -12,6 +12,7 @@ from tests.helpers.refusals import without_line
 from tmap.base.errors import UserError
 from tmap.base.paths import SCENES
 from tmap.build import layout
+from tmap.compiler import scene, space
 from tmap.compiler.scene import compile_scene
 from tmap.model import model
 from tmap.scene_file import scene_file
@@ -89,6 +90,30 @@ def test_a_scene_without_background(folder):
     made = make(folder, changed('background = "#102030"', 'background = "none"'))
     assert (made.cleared, made.palette[0].tolist()) == (0, [255, 0, 0])
     assert make(folder).cleared == 1
+
+
+@pytest.mark.parametrize("format", ["rgb565", "rgba8888"])
+def test_a_scene_without_any_colour(folder, format):
+    """No background and only a textured material: no pixel is known before the pictures."""
+    text = f'width = 8\nheight = 8\nframes = 1\nformat = "{format}"\nbackground = "none"\n' + GOOD[
+        GOOD.index("[textures"):].replace('red.colour = "#ff0000"\n', "").replace('"red"', '"wall"')
+    assert not make(folder, text).cleared
+
+
+def test_a_fault_in_a_picture_is_found_before_objects_are_placed(folder, monkeypatch):
+    """Places of a thousand frames may take many seconds."""
+    monkeypatch.setattr(scene, "place_objects", lambda *_: pytest.fail("objects are placed first"))
+    (folder / "wall.png").write_bytes(b"no picture")
+    assert ": textures.wall.image: " in refusal(folder, GOOD)
+
+
+def test_a_frames_camera_is_found_once(monkeypatch):
+    """However many objects ask for it."""
+    found, camera_at = [], space.camera_at
+    monkeypatch.setattr(space, "camera_at", lambda spec, frame, where: (
+        found.append(frame) or camera_at(spec, frame, where)))
+    compile_scene(SCENES / "crane.toml", 4)
+    assert sorted(found) == [0, 1, 2, 3]
 
 
 @pytest.mark.parametrize("path", [path for path in sorted(SCENES.glob("*.toml"))

@@ -5,13 +5,13 @@ of one line; 130 interrupted; 129, 131, 143 ended by SIGHUP, SIGQUIT, SIGTERM.
 """
 
 import argparse
-import os
 import signal
 import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
 
+from tmap.base import streams
 from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, ROOT
 from tmap.base.pixel_formats import FORMATS
@@ -371,30 +371,10 @@ def parser() -> Parser:
     return top
 
 
-def open_closed() -> None:
-    """Opens the null device for standard streams that were closed when Python started, so that no
-    other file gets their numbers."""
-    for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):
-        if getattr(sys, name) is None:
-            setattr(sys, name, open(os.devnull, mode))
-
-
-def drop_output() -> bool:
-    """Returns whether standard output cannot be written. If so, Python does not try it again at the end."""
-    try:
-        sys.stdout.flush()
-    except OSError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return True
-    return False
-
-
 def main(arguments: list[str] | None = None) -> int:
     """Runs one command; returns the exit status."""
     end_by((signal.SIGTERM, signal.SIGHUP, signal.SIGQUIT))
-    open_closed()
-    for stream in (sys.stdout, sys.stderr):  # a name that is not text must not end in a traceback
-        stream.reconfigure(errors="backslashreplace")
+    streams.prepare()
     try:
         try:
             args = parser().parse_args(arguments)
@@ -404,7 +384,7 @@ def main(arguments: list[str] | None = None) -> int:
     except UserError as error:
         print(f"tmap: {error}", file=sys.stderr)
     except OSError as error:
-        lost = drop_output() or isinstance(error, BrokenPipeError)
+        lost = streams.drop_output() or isinstance(error, BrokenPipeError)
         print(f"tmap: {error.filename or ('standard output' if lost else 'a file')}: "
               f"{error.strerror or error}", file=sys.stderr)
     except KeyboardInterrupt:

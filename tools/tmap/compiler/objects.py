@@ -202,6 +202,7 @@ class Space:
         self.notes: dict[str, str] = {}  # what users should know, by mesh
         self.instances: list[Instance] = []
         self.views: list[list[int]] = []
+        self.cameras: dict[int, space.View] = {}  # by frame: every object asks for it
         self.limits = layout.load().constants
         self.guard = 0
         if spec["camera"]:
@@ -302,7 +303,9 @@ class Space:
         the eye in the mesh's space; factors of normals for s, t and shade. ``shades``: the
         difference of bright and dark."""
         spec, guard = self.spec, 2.0 ** self.guard
-        axes, eye, fov = space.camera_at(spec["camera"], frame, f"{self.where}camera")
+        if frame not in self.cameras:
+            self.cameras[frame] = space.camera_at(spec["camera"], frame, f"{self.where}camera")
+        axes, eye, fov = self.cameras[frame]
         turn, position = hierarchy.placed_at(obj, frame, spec["frames"])
         if billboards.is_billboard(obj):
             turn = billboards.turned(axes)

@@ -239,9 +239,10 @@ def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[st
     engines, engine_tables = n64_build.build(spec, path.parent, count, where)
     pipes, pipe_tables = glide_build.build(spec, path.parent, where)
     space = scene_space.Space(spec, count, path.parent, where)
-    objects, vertices, poses = place_objects(spec, count, pixels.ramps, space, where)
+    # Pictures before places, which may take seconds a hundred frames: a file with a fault is refused at once.
     colours, textures, looks = materials.build(spec, pixels, engines | pipes,
                                                 path.parent, where)
+    objects, vertices, poses = place_objects(spec, count, pixels.ramps, space, where)
     ground = spec["background"]
     made = Scene(spec["width"], spec["height"], count, pixels.of[ground] if ground else 0, colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),

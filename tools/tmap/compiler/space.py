@@ -5,6 +5,7 @@ y, then z, counterclockwise when the axis points at the viewer, in degrees.
 """
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -54,9 +55,17 @@ def about(axis, angle: float) -> np.ndarray:
 
 
 def rotated(degrees) -> np.ndarray:
-    """Returns the rotation about x, then y, then z."""
+    """Returns the rotation about x, then y, then z; read-only."""
+    return rotated_about(*map(float, degrees))
+
+
+@lru_cache(1000)  # every frame asks for the same few
+def rotated_about(*degrees: float) -> np.ndarray:
+    """Returns the rotation of three angles."""
     x, y, z = (about(axis, math.radians(angle)) for axis, angle in zip(np.eye(3), degrees))
-    return product(product(z, y), x)
+    made = product(product(z, y), x)
+    made.flags.writeable = False
+    return made
 
 
 def between(first: np.ndarray, second: np.ndarray, part: float) -> np.ndarray:
