@@ -19,7 +19,10 @@ static int32 is_plain(const struct renderer *renderer, const struct material *ma
         && map && map->layout == MAP_PAGE && map->texel_bytes == 1;
 }
 
-int32 deep_set(struct deep *deep, struct renderer *renderer, const struct material *material)
+/* Sets what the frame and the material decide. Returns 0 if polygon_draw_inside draws the material's polygons: other
+   mappers, no perspective, a tolerance, EDGES_SNAPPED, rounded edges with CLIP_VERTICES, pixels of more than a byte,
+   another form, a rule is off, polygons are counted, or the pitch is not an int16. */
+static int32 set(struct deep *deep, struct renderer *renderer, const struct material *material)
 {
     const struct frame *frame = renderer->frame;
     struct setup *s = &deep->s;
@@ -42,27 +45,53 @@ int32 deep_set(struct deep *deep, struct renderer *renderer, const struct materi
     s->span.lines = s->edges.lines;
     s->span.pitch = frame->pitch;
     s->span.map = material->map->texels;
+    deep->takes = material_takes_vertices(material);
     deep->exact = material->edges == EDGES_EXACT;
     deep->row = frame->pixels - EDGE_BIAS;
     deep->right = perspective_has_pieces(s->setting) && renderer->reciprocals ? (uint32)frame->width << 16 : 0;
     return 1;
 }
 
-enum polygon_result deep_polygon(struct deep *deep, const struct polygon *polygon)
+/* Returns non-zero if the polygon is drawn whole: not as a fan of triangles. */
+static inline int32 is_whole(const struct renderer *renderer, const struct polygon *polygon)
+{
+    return polygon->count == 3
+        || (is_polygon(polygon) && (polygon->planar == PLANAR_ALL
+                                    || polygon_is_planar(renderer, polygon, polygon->vertices, PLANAR_DEPTHS)));
+}
+
+/* Draws a polygon of the plan's material. */
+static inline enum polygon_result draw(struct deep *deep, const struct polygon *polygon)
 {
     struct setup *s = &deep->s;
-    int32 result;
+    int32 result = DEEP_CONSTANT;
 
-    if (polygon->count != 3
-        && (!is_polygon(polygon) || (polygon->planar != PLANAR_ALL
-            && !polygon_is_planar(s->renderer, polygon, polygon->vertices, PLANAR_DEPTHS))))
-        return polygon_draw_inside(s->renderer, polygon, s->material);
-    s->given = polygon->vertices;
-    s->count = polygon->count;
-    s->vertices = material_vertices(s->scratch->vertices, s->given, s->count, s->material);
-    result = deep_draw(deep);
+    if (is_whole(s->renderer, polygon)) {
+        s->given = s->vertices = polygon->vertices;
+        s->count = polygon->count;
+        if (!deep->takes)
+            s->vertices = material_made(s->scratch->vertices, s->given, s->count, s->material);
+        result = deep_draw(deep);
+    }
     return result == DEEP_CONSTANT ? polygon_draw_inside(s->renderer, polygon, s->material)
                                    : (enum polygon_result)result;
+}
+
+enum polygon_result deep_run(struct renderer *renderer, const struct polygon *polygons, const struct polygon *end,
+                             const struct material *material)
+{
+    enum polygon_result result, refused = POLYGON_DRAWN;
+    struct deep deep;
+    const int32 is_set = set(&deep, renderer, material);
+
+    for (; polygons < end; polygons++) {
+        if (begins_outside(renderer, polygons))
+            result = polygon_draw_beyond(renderer, polygons, material);
+        else
+            result = is_set ? draw(&deep, polygons) : polygon_draw_inside(renderer, polygons, material);
+        refused = result > POLYGON_EMPTY ? result : refused;
+    }
+    return refused;
 }
 
 enum polygon_result polygon_draw_deep(struct renderer *renderer, const struct polygon *polygon,
@@ -70,6 +99,5 @@ enum polygon_result polygon_draw_deep(struct renderer *renderer, const struct po
 {
     struct deep deep;
 
-    return deep_set(&deep, renderer, material) ? deep_polygon(&deep, polygon)
-                                               : polygon_draw_inside(renderer, polygon, material);
+    return set(&deep, renderer, material) ? draw(&deep, polygon) : polygon_draw_inside(renderer, polygon, material);
 }

@@ -15,6 +15,7 @@ enum {
 struct deep {
     struct setup s;                     /* of the last polygon */
     int32 exact;                        /* 1: exact edges */
+    int32 takes;                        /* 1: material_vertices returns the given ones */
     uint8 *row;                         /* the frame's first, at pixel -EDGE_BIAS */
     uint32 right;                       /* the frame's width, pixels, 16.16; 0: never from the far ends of lines */
     struct depth depth;
@@ -22,13 +23,9 @@ struct deep {
     struct perspective_plan plan;
 };
 
-/* Sets what the frame and the material decide. Returns 0 if polygon_draw_inside draws the material's polygons: other
-   mappers, no perspective, a tolerance, EDGES_SNAPPED, rounded edges with CLIP_VERTICES, pixels of more than a byte,
-   another form, a rule is off, polygons are counted, or the pitch is not an int16. */
-int32 deep_set(struct deep *deep, struct renderer *renderer, const struct material *material);
-
-/* Draws a polygon of the plan's material. */
-enum polygon_result deep_polygon(struct deep *deep, const struct polygon *polygon);
+/* As polygons_draw, for a material with perspective but EDGES_SNAPPED. */
+enum polygon_result deep_run(struct renderer *renderer, const struct polygon *polygons, const struct polygon *end,
+                             const struct material *material);
 
 /* Draws a polygon whose vertices are set as material_vertices makes them. Returns enum polygon_result or DEEP_CONSTANT.
    src68k/polygon: contract there. */

@@ -3,22 +3,6 @@
 #include "drawing/three.h"
 #include "triangle/triangles.h"
 
-/* Draws polygons in perspective. */
-static enum polygon_result draw_deep(struct renderer *renderer, const struct polygon *polygons,
-                                     const struct polygon *end, const struct material *material)
-{
-    enum polygon_result result, refused = POLYGON_DRAWN;
-    struct deep deep;
-    const int32 is_set = deep_set(&deep, renderer, material);
-
-    for (; polygons < end; polygons++) {
-        result = begins_outside(renderer, polygons) ? polygon_draw_beyond(renderer, polygons, material)
-               : is_set ? deep_polygon(&deep, polygons) : polygon_draw_inside(renderer, polygons, material);
-        refused = result > POLYGON_EMPTY ? result : refused;
-    }
-    return refused;
-}
-
 enum polygon_result polygons_draw(struct renderer *renderer, const struct polygon *polygons,
                                   int32 count, const struct material *material)
 {
@@ -30,7 +14,7 @@ enum polygon_result polygons_draw(struct renderer *renderer, const struct polygo
     if (material->edges == EDGES_SNAPPED && renderer->triangles && !renderer->counts)
         return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_whole);
     if (material->perspective)
-        return draw_deep(renderer, polygons, end, material);
+        return deep_run(renderer, polygons, end, material);
     is_set = three_set(&three, renderer, material);
     for (;; polygons++) {
         if (is_set && three.vertices != THREE_MADE)

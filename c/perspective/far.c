@@ -58,8 +58,7 @@ struct far_line *far_make_lines(const struct setup *s, uint32 q, int32 dqdx, int
     return to.place.lines;
 }
 
-void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
-              const struct far_line *lines)
+void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way, struct far_line *lines)
 {
     struct far_span span;
 

@@ -39,18 +39,28 @@ far_span_inside
         movea.l far_way_lengths(a3),a2
         move.l  a2,far_span_lengths(a0)
         tst.l   far_way_even(a3)
-        beq.s   .k
+        beq     .k
 
-        moveq   #FAR_EVERY16-19,d5
-        moveq   #PERSPECTIVE_EVERY16,d1
-        cmp.l   setup_setting(a6),d1
+        add.l   d0,d0                   ; 2 dq, at most 2^27
+        move.l  #(1<<(FAR_EVERY16-21))-1,d1
+        moveq   #FAR_EVERY16-21,d5
+        moveq   #PERSPECTIVE_EVERY16,d2
+        cmp.l   setup_setting(a6),d2
         beq.s   .every
-        moveq   #FAR_EVERY8-19,d5
-.every  add.l   d0,d0                   ; 2 dq, at most 2^27
-        bsr     index
-        move.w  d1,far_span_from_8(a0)
-        subq.w  #2,d5
-        bsr     index
+        lsr.l   #1,d1
+        subq.w  #1,d5
+.every  add.l   d0,d1
+        lsr.l   d5,d1                   ; the index from which pieces have 16 pixels
+        move.l  d1,d2
+        addq.l  #3,d2
+        lsr.l   #2,d2                   ; and 8
+        sub.w   #FAR_ORIGIN,d2
+        move.w  d2,far_span_from_8(a0)
+        sub.l   #FAR_ORIGIN,d1
+        cmp.l   #FAR_NEVER,d1
+        blt.s   .index
+        move.l  #FAR_NEVER,d1
+.index
         tst.l   (a2)                    ; most_16; 0 if a tolerance allows 8 pixels
         beq.s   .never
         move.w  d1,far_span_from_16(a0)
@@ -133,17 +143,5 @@ far_span_inside
         movem.l d4-d5,far_span_ku(a0)
         rts
 
-; d1 = the index less FAR_ORIGIN from which on q is 2^d5 times the step d0 of the index or more. Uses d2.
-index   moveq   #1,d1
-        lsl.l   d5,d1
-        subq.l  #1,d1
-        add.l   d0,d1
-        lsr.l   d5,d1
-        cmp.l   #$10000,d1
-        bhs.s   .never
-        sub.l   #FAR_ORIGIN,d1
-        rts
-.never  move.l  #FAR_NEVER,d1
-        rts
 span_kept
         return_all
