@@ -47,6 +47,7 @@ static int32 set(struct deep *deep, struct renderer *renderer, const struct mate
     s->span.map = material->map->texels;
     deep->takes = material_takes_vertices(material);
     deep->exact = material->edges == EDGES_EXACT;
+    deep->saved = s->setting == PERSPECTIVE_EVERY16 ? PERSPECTIVE_SAVED_EVERY16 : PERSPECTIVE_SAVED_EVERY8;
     deep->row = frame->pixels - EDGE_BIAS;
     deep->right = perspective_has_pieces(s->setting) && renderer->reciprocals ? (uint32)frame->width << 16 : 0;
     return 1;

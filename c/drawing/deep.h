@@ -16,6 +16,7 @@ struct deep {
     struct setup s;                     /* of the last polygon */
     int32 exact;                        /* 1: exact edges */
     int32 takes;                        /* 1: material_vertices returns the given ones */
+    int32 saved;                        /* cycles by columns, a pixel */
     uint8 *row;                         /* the frame's first, at pixel -EDGE_BIAS */
     uint32 right;                       /* the frame's width, pixels, 16.16; 0: never from the far ends of lines */
     struct depth depth;

@@ -104,9 +104,26 @@ bent    macro
         beq.s   .find
         steep   dy
         cmp.l   d4,d2
-        ble     .rest
+        ble.s   .columns
         bent    d7,#Q_ONE,.find
-        bra     .rest                   ; perhaps columns
+.columns
+        move.w  deep_saved+2(a6),d0
+        mulu.w  d7,d0
+        move.l  d0,d2
+        add.l   d0,d0
+        moveq   #3,d1
+        cmp.l   setup_count(a6),d1
+        beq.s   .halves
+        add.l   d2,d0                   ; three quarters of the box
+.halves lsr.l   #2,d0
+        neg.l   d0
+        add.l   #PERSPECTIVE_COLUMN,d0
+        muls.l  d6,d0
+        add.l   #PERSPECTIVE_TURN,d0
+        move.w  #PERSPECTIVE_LINE,d1
+        mulu.w  d7,d1
+        cmp.l   d1,d0
+        blt     .rest                   ; columns are cheaper
 .find   move.l  d5,setup_level(a6)
         lea     deep_way(a6),a0
         jsr     way_inside
