@@ -24,10 +24,6 @@ struct deep {
     struct perspective_plan plan;
 };
 
-/* As polygons_draw, for a material with perspective but EDGES_SNAPPED. */
-enum polygon_result deep_run(struct renderer *renderer, const struct polygon *polygons, const struct polygon *end,
-                             const struct material *material);
-
 /* Draws a polygon whose vertices are set as material_vertices makes them. Returns enum polygon_result or DEEP_CONSTANT.
    src68k/polygon: contract there. */
 int32 deep_draw(struct deep *deep);
