@@ -67,9 +67,10 @@ enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon
 {
     if (begins_outside(renderer, polygon))
         return polygon_draw_beyond(renderer, polygon, material);
-    if (material->perspective && material->edges != EDGES_SNAPPED)
+    if (material->edges == EDGES_SNAPPED)
+        return draw_inside(renderer, polygon, material);
+    if (material->perspective && (polygon->count == 3 || polygon->planar == PLANAR_ALL))
         return polygon_draw_deep(renderer, polygon, material);
-    return material->edges != EDGES_SNAPPED && polygon->count == 3
-         ? polygon_draw_three(renderer, polygon, material)
-         : draw_inside(renderer, polygon, material);
+    return polygon->count == 3 ? polygon_draw_three(renderer, polygon, material)
+                               : draw_inside(renderer, polygon, material);
 }

@@ -81,18 +81,17 @@ static inline enum polygon_result deep_one(struct deep *deep, const struct polyg
 }
 
 /* As polygons_draw, for a material with perspective. */
-static enum polygon_result deep_run(struct renderer *renderer, const struct polygon *polygons,
+static enum polygon_result deep_run(struct deep *deep, struct renderer *renderer, const struct polygon *polygons,
                                     const struct polygon *end, const struct material *material)
 {
     enum polygon_result result, refused = POLYGON_DRAWN;
-    struct deep deep;
-    const int32 is_set = deep_set(&deep, renderer, material);
+    const int32 is_set = deep_set(deep, renderer, material);
 
     for (; polygons < end; polygons++) {
         if (begins_outside(renderer, polygons))
             result = polygon_draw_beyond(renderer, polygons, material);
         else
-            result = is_set ? deep_one(&deep, polygons) : polygon_draw_inside(renderer, polygons, material);
+            result = is_set ? deep_one(deep, polygons) : polygon_draw_inside(renderer, polygons, material);
         refused = result > POLYGON_EMPTY ? result : refused;
     }
     return refused;
@@ -111,24 +110,28 @@ enum polygon_result polygons_draw(struct renderer *renderer, const struct polygo
                                   int32 count, const struct material *material)
 {
     enum polygon_result result, refused = POLYGON_DRAWN;
-    struct three three;
+    union {                     /* one at a time */
+        struct three three;
+        struct deep deep;
+    } plan;
+    struct three *const three = &plan.three;
     const struct polygon *const end = polygons + count;
     int32 is_set;
 
     if (material->edges == EDGES_SNAPPED && renderer->triangles && !renderer->counts)
         return renderer->triangles->run(renderer, polygons, count, material, polygon_draw_whole);
-    if (material->perspective)
-        return deep_run(renderer, polygons, end, material);
-    is_set = three_set(&three, renderer, material);
+    is_set = three_set(three, renderer, material);
+    if (!is_set && material->perspective)
+        return deep_run(&plan.deep, renderer, polygons, end, material);
     for (;; polygons++) {
-        if (is_set && three.vertices != THREE_MADE)
-            polygons = three_run(&three, polygons, end);
+        if (is_set && three->vertices != THREE_MADE)
+            polygons = three_run(three, polygons, end);
         if (polygons == end)
             return refused;
         if (begins_outside(renderer, polygons))
             result = polygon_draw_beyond(renderer, polygons, material);
         else if (is_set && polygons->count == 3)
-            result = three_polygon(&three, polygons->vertices);
+            result = three_polygon(three, polygons->vertices);
         else
             result = polygon_draw_inside(renderer, polygons, material);
         refused = result > POLYGON_EMPTY ? result : refused;
