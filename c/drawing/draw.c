@@ -2,6 +2,7 @@
    front to back: its `cover` leaves hidden pixels out, and that of polygon_draw_whole is 0, so that others ask for
    nothing. */
 #include "drawing/columns.h"
+#include "drawing/deep.h"
 #include "drawing/draw.h"
 #include "drawing/fan.h"
 #include "drawing/generated.h"
@@ -10,15 +11,11 @@
 #include "drawing/outline.h"
 #include "drawing/plan.h"
 #include "perspective/cubic.h"
-#include "perspective/far.h"
 #include "perspective/light.h"
 #include "perspective/perspective.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 #include "polygon/shading.h"
-
-/* Pixels of the widest polygon whose straight lines with a tilt are drawn from their far ends. */
-#define PERSPECTIVE_TILT_LEAST 48
 
 /* What leaves hidden pixels out of polygons that are drawn front to back. */
 struct cover {
@@ -196,14 +193,45 @@ static void draw_afar(const struct setup *s, const struct cover *cover, const st
         cubic_draw(s, &afar->cubics, lines);
 }
 
+/* Draws with perspective, from the depth that is found. Returns 0 without drawing if the planes are too inexact. */
+static int32 draw_deep(struct setup *s, const struct cover *cover, struct depth *depth)
+{
+    union afar afar;
+    int32 from_afar, has_lines, is_made;
+
+    lower_by_planes(s);
+    perspective_find_level(s);
+    if (s->level == LEVEL_COLUMNS && !perspective_texels(s->perspective, depth))
+        return count_unsure(s);
+    is_made = cover && s->level != LEVEL_COLUMNS;
+    if (s->level == LEVEL_COLUMNS && !columns_draw(s))
+        s->level = LEVEL_NOTHING;       /* they bend too much */
+    if (s->level == LEVEL_COLUMNS && !light_kind(s))
+        return 1;
+    /* if K lacks bits, straight lines are more accurate */
+    from_afar = may_be_afar(s) && find_afar(&afar, s, depth) && !(s->level && afar.way.plan.less);
+    if (from_afar)
+        s->level = LEVEL_NOTHING;
+    else if (!perspective_texels(s->perspective, depth))
+        return count_unsure(s);
+    has_lines = make_lines_read(s, cover, from_afar, is_made);
+    if (from_afar)
+        draw_afar(s, cover, depth, &afar, has_lines);
+    else if (cover && s->level == LEVEL_LINES)
+        cover->level(s);
+    else if (s->level != LEVEL_COLUMNS)
+        perspective_draw(s);
+    if (light_kind(s))
+        light_draw(s, plan_room(s)->shades);
+    return 1;
+}
+
 /* Draws with perspective. Returns 0 without drawing if the planes are too inexact, too steep or too
    wide: affine spans then draw the polygon. */
 static int32 draw_perspective(struct setup *s, const struct cover *cover)
 {
     struct perspective_plan plan;
     struct depth depth;
-    union afar afar;
-    int32 from_afar, has_lines, is_made;
 
     s->perspective = &plan;
     if (lower_w_is_constant(s)) {       /* rule CONSTANT_W is off: all lines are level */
@@ -215,31 +243,7 @@ static int32 draw_perspective(struct setup *s, const struct cover *cover)
                || (s->material->tolerance && !perspective_texels(&plan, &depth))) {
         return count_unsure(s);
     }
-    lower_by_planes(s);
-    perspective_find_level(s);
-    if (s->level == LEVEL_COLUMNS && !perspective_texels(&plan, &depth))
-        return count_unsure(s);
-    is_made = cover && s->level != LEVEL_COLUMNS;
-    if (s->level == LEVEL_COLUMNS && !columns_draw(s))
-        s->level = LEVEL_NOTHING;       /* they bend too much */
-    if (s->level == LEVEL_COLUMNS && !light_kind(s))
-        return 1;
-    /* if K lacks bits, straight lines are more accurate */
-    from_afar = may_be_afar(s) && find_afar(&afar, s, &depth) && !(s->level && afar.way.plan.less);
-    if (from_afar)
-        s->level = LEVEL_NOTHING;
-    else if (!perspective_texels(&plan, &depth))
-        return count_unsure(s);
-    has_lines = make_lines_read(s, cover, from_afar, is_made);
-    if (from_afar)
-        draw_afar(s, cover, &depth, &afar, has_lines);
-    else if (cover && s->level == LEVEL_LINES)
-        cover->level(s);
-    else if (s->level != LEVEL_COLUMNS)
-        perspective_draw(s);
-    if (light_kind(s))
-        light_draw(s, plan_room(s)->shades);
-    return 1;
+    return draw_deep(s, cover, &depth);
 }
 
 static void draw_affine(struct setup *s, const struct cover *cover)
@@ -311,6 +315,20 @@ enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct p
     setup_begin(&s, renderer, polygon, material);
     result = plan_set_up(&s);
     return count_rules(&s, result == POLYGON_DRAWN ? draw_inside(&s, 0) : result);
+}
+
+enum polygon_result deep_rest(struct deep *deep, int32 is_sure)
+{
+    struct setup *s = &deep->s;
+    enum polygon_result result;
+
+    if (is_sure && draw_deep(s, 0, &deep->depth))
+        return POLYGON_DRAWN;
+    s->kind = s->affine;
+    plan_set_plane(s);
+    result = draw_inside(s, 0);
+    s->kind = SPAN_PERSPECTIVE;
+    return result;
 }
 
 #endif

@@ -41,6 +41,9 @@ polygon_routine polygon_draw_whole;
 /* Triangles whose first vertex is inside the frame; not with EDGES_SNAPPED. */
 polygon_routine polygon_draw_three;
 
+/* Polygons in perspective whose first vertex is inside the frame; not with EDGES_SNAPPED. */
+polygon_routine polygon_draw_deep;
+
 /* Counts a polygon that routines for triangles draw: its pixels are those of exact edges. */
 void polygon_count_snapped(struct renderer *renderer, const struct polygon *polygon,
                            const struct material *material, enum span_kind kind);

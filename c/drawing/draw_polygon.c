@@ -1,5 +1,43 @@
 #include "drawing/draw.h"
+#include "drawing/material.h"
+#include "drawing/outline.h"
+#include "polygon/counts.h"
+#include "polygon/setup.h"
 #include "triangle/triangles.h"
+
+void polygon_count_snapped(struct renderer *renderer, const struct polygon *polygon,
+                           const struct material *material, enum span_kind kind)
+{
+    struct setup s;
+
+    setup_begin(&s, renderer, polygon, material);
+    s.vertices = material_vertices(s.scratch->vertices, s.given, s.count, material);
+    s.kind = kind;
+    if (outline_find(&s, OUTLINE_ALONE) != POLYGON_DRAWN)
+        return;
+    s.span.lines = s.edges.lines;
+    s.span.count = s.box.bottom - s.box.top;
+    outline_lines(&s, edge_flat_exact, scissor_flat);
+    count_lines(&s, s.kind);
+}
+
+enum polygon_result polygon_draw_beyond(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
+{
+    struct setup s;             /* what lower_to_nothing reads */
+
+    s.off = renderer->off;
+    s.applied = 0;
+    s.frame = renderer->frame;
+    s.material = material;
+    s.given = polygon->vertices;
+    s.count = polygon->count;
+    if (!is_polygon(polygon) || !lower_to_nothing(&s))
+        return polygon_draw_inside(renderer, polygon, material);
+    if (renderer->counts)
+        renderer->counts[material->number].rules[RULE_OUTSIDE]++;
+    return POLYGON_EMPTY;
+}
 
 /* Draws a polygon by routines for triangles, if they can, or else by its own outline. */
 static inline enum polygon_result draw_inside(struct renderer *renderer,
@@ -29,7 +67,10 @@ enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon
 {
     if (begins_outside(renderer, polygon))
         return polygon_draw_beyond(renderer, polygon, material);
-    return material->edges != EDGES_SNAPPED && polygon->count == 3
-         ? polygon_draw_three(renderer, polygon, material)
-         : draw_inside(renderer, polygon, material);
+    if (material->edges == EDGES_SNAPPED)
+        return draw_inside(renderer, polygon, material);
+    if (material->perspective && (polygon->count == 3 || polygon->planar == PLANAR_ALL))
+        return polygon_draw_deep(renderer, polygon, material);
+    return polygon->count == 3 ? polygon_draw_three(renderer, polygon, material)
+                               : draw_inside(renderer, polygon, material);
 }

@@ -36,9 +36,15 @@ int32 far_asymptotes(struct far_plan *plan);
 int32 far_constants(struct far_plan *plan, int32 bits);
 int32 far_find(struct far_way *way, const struct setup *s, const struct depth *depth);
 
+/* Fills in all of a span but its lines, of a way that far_find has found. */
+void far_span_find(struct far_span *span, const struct setup *s, const struct depth *depth, const struct far_way *way);
+
+typedef void far_routine(const struct far_span *span);
+
+extern far_routine *const far_spans[2][3][2];   /* [even][coarse][q grows to the left] */
+
 /* Draws its lines. */
-void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way,
-              const struct far_line *lines);
+void far_draw(const struct setup *s, const struct depth *depth, const struct far_way *way, struct far_line *lines);
 
 /* Makes the span's table of lines in the scratch room. q: at the first pixel of the planes' first line, with its
    steps, in the format of the span. has_lines: lines are in the scanline table; else edges are inside the frame. */

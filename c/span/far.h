@@ -91,7 +91,7 @@ struct far_lines {
 
 /* Everything a far span needs: it draws the whole table. */
 struct far_span {
-    const struct far_line *lines;
+    struct far_line *lines;     /* even spans: with room for one more */
     int32 count;                /* lines, 1 or more */
     const uint8 *map;           /* MAP_PAGE */
     const uint16 *table;        /* at index 0 */

@@ -10,6 +10,11 @@
         routine edges_far,a0
         save_all
         movea.l a0,a2
+        pea     edges_kept(pc)
+        xdef    edges_far_inside,_edges_far_inside
+; As edges_far, of a2; keeps a2.
+_edges_far_inside
+edges_far_inside
         movea.l far_edges_place+far_place_lines(a2),a0
         movea.l far_edges_far(a2),a6
         movea.l far_edges_place+far_place_row(a2),a3
@@ -92,4 +97,6 @@
         lea     edge_sizeof(a6),a6
         bra.s   .near
 .nears  addq.l  #4,sp
+        rts
+edges_kept
         return_all

@@ -7,7 +7,7 @@
         include "far.i"
 
 ; On the stack; ku and kv where far.i has them.
-even_end        equ     0               ; of the table
+even_end        equ     0               ; of the table; a line without pixels is there
 even_step2      equ     4               ; of q in pieces of 4 pixels, swapped
 even_step3      equ     8               ; of 8
 even_step4      equ     12              ; of 16
@@ -91,6 +91,8 @@ even_loop macro
 even_lines macro
         lea     -even_bytes(sp),sp
         far_table
+        clr.l   far_line_from(a2)       ; so that the table's end is tested at empty lines alone
+        clr.l   far_line_end(a2)
         movem.l far_span_ku(a0),d0-d3/d6-d7     ; kv, dcu, dcv, cu, cv
         add.l   d2,d2
         add.l   d3,d3
@@ -121,16 +123,16 @@ even_lines macro
 
         even_loop \1,\2,3,4
 
-.done   lea     even_bytes(sp),sp
+.empty  cmpa.l  even_end(sp),a0
+        bls.s   .below
+        lea     even_bytes(sp),sp
         rts
 
         ; a0 line  a1 pixel  a6 the line's end  a4 step of q  a5 r where the piece begins
         ; d4 mm00  d5 q, its index less 2^15  d6 Cu  d7 Cv
-.below  cmpa.l  even_end(sp),a0
-        beq.s   .done
-        even_next \2
+.below  even_next \2
 .line   movem.l (a0)+,d5/a1/a6
-        far_is_empty \1,.below
+        far_is_empty \1,.empty
         swap    d5
         movea.l even_table(sp),a2
         move.w  (a2,d5.w*2),d2

@@ -44,7 +44,11 @@ farthest macro
         movea.l a1,a6
         movea.l d0,a5
         movea.l setup_perspective(a6),a4
-
+        pea     way_kept(pc)
+        xdef    way_inside,_way_inside
+; As far_find; the way is a0, the setup a6, the depth a5 and the perspective_plan a4. Keeps a0/a4-a6.
+_way_inside
+way_inside
         ; d7: the least q of a pixel; by rounded edges a pixel may be a step outside the polygon
         tst.l   depth_gentle(a5)
         beq     .not
@@ -195,6 +199,8 @@ farthest macro
         asr.l   #FAR_COARSE-FAR_K_BITS,d5
 .texels movem.l d2-d5,far_plan_top_u(a0)
         jsr     constants_inside
-.done   return_all
+        rts
 .not    moveq   #0,d0
-        bra.s   .done
+        rts
+way_kept
+        return_all

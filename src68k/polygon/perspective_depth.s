@@ -79,6 +79,11 @@ to_32   macro
         save_all
         movea.l a0,a5
         movea.l a1,a6
+        pea     depth_kept(pc)
+        xdef    depth_inside,_depth_inside
+; As perspective_depth; the depth is a5, the setup a6 and the perspective_plan a4 then. Keeps a5-a6.
+_depth_inside
+depth_inside
         lea     -corner_source_sizeof(sp),sp
         movea.l sp,a0
         movea.l setup_perspective(a6),a1
@@ -174,7 +179,7 @@ to_32   macro
         to_32   dy
         moveq   #1,d0
 .done   lea     screen_plane_sizeof(sp),sp
-        return_all
+        rts
 .unsure moveq   #0,d0
         bra.s   .done
 
@@ -216,3 +221,5 @@ to_32   macro
         subq.l  #1,d6
         bne.s   .vertex
         bra     .least
+depth_kept
+        return_all

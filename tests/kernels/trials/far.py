@@ -269,6 +269,44 @@ def find_made(deep: Perspective, found, box, exact: bool, every: str, way: int, 
     return [*writes, anything(way + at_of("far_way", "lengths"), 4)]
 
 
+def far_span_trial(vertices, sides, exact: bool, every: str) -> Trial | None:
+    """The span of a polygon whose lines are drawn from their far ends; None if they are not."""
+    deep = perspective(vertices, sides.corners, sides.box)
+    found = deep and model.find(deep, every, sides.box, exact)
+    if not found:
+        return None
+    memory, constants = Memory(), layout.load().constants
+    plan = plan_of(memory, deep, "every16", 1, dict(lines=0, to=0))
+    table, count = bench.table(memory), sides.box[3] - sides.box[1]
+    lengths, texels = bench.lengths(memory, every), memory.add(bytes(4), name="map")
+    renderer = memory.room("renderer")
+    setup = setup_of(memory, vertices, sides.box, plan, {"renderer": renderer})
+    for struct, name, value in ((renderer, ("renderer", "reciprocals"), table),
+                                (setup, ("setup", "span", "span_plan", "map"), texels)):
+        place = struct + sum(at_of(*pair) for pair in zip(name[::2], name[1::2]))
+        memory.data[place:place + 4] = value.to_bytes(4, "big")
+        memory.pointers.append(place)
+    place_number(memory, setup, "setting", constants["PERSPECTIVE_EVERY16" if every == "every16" else
+                                                     "PERSPECTIVE_EVERY8"])
+    at = setup + at_of("setup", "span") + at_of("span_plan", "count")
+    memory.data[at:at + 4] = count.to_bytes(4, "big")
+    way, depth, span = memory.room("far_way"), memory.room("depth"), memory.room("far_span")
+    place = depth + at_of("depth", "down")
+    memory.data[place:place + 4] = deep.corners.down.to_bytes(4, "big")
+    for write in find_made(deep, found, sides.box, exact, every, way, depth, False):
+        memory.data[write.at:write.at + len(write.expected)] = write.expected
+    place = way + at_of("far_way", "lengths")
+    memory.data[place:place + 4] = lengths.to_bytes(4, "big")
+    memory.pointers += [place, *(way + at_of("far_plan", name) for name in ("corners", "bottom"))]
+    values = bench.plan_fields(found) | {"count": count}
+    if not found.even:
+        del values["from_8"], values["from_16"]
+    writes = fields(span, "far_span", values, {"map": texels, "table": table, "lengths": lengths}
+                    | ({"ends": table + 2 * found.ahead} if found.even else {}))
+    case = Case("far_span_find", memory, pointers={"a0": span, "a1": setup, "d0": depth, "d1": way})
+    return Trial(case, f"{every}, exact {exact}, {vertices}", writes=writes)
+
+
 def depth_trials(rng) -> Iterator[Trial]:
     """Depths of polygons, and how they are drawn."""
     found = [(vertices, sides) for vertices in polygons(rng, 260)
@@ -277,6 +315,8 @@ def depth_trials(rng) -> Iterator[Trial]:
         yield depth_trial(*each)
         if far := find_trial(*each, bool(k % 4), tuple(model.LENGTHS)[k % len(model.LENGTHS)]):
             yield far
+        if span := far_span_trial(*each, bool(k % 4), tuple(model.LENGTHS)[k % len(model.LENGTHS)]):
+            yield span
 
 
 def trials() -> list[Trial]:

@@ -47,12 +47,12 @@ def lengths(arena: Arena, every: str) -> int:
 
 def line_table(arena: Arena, lines: list[tuple[int, int]], qs: list[int], leftwards: bool, frame_at: int,
                pitch: int) -> int:
-    """Adds the table of lines (first column, pixels) with their q; where it is."""
+    """Adds the table of lines (first column, pixels) with their q, and room behind it; where it is."""
     shape, table = layout.load().struct("far_line"), bytearray()
     for y, ((left, count), q) in enumerate(zip(lines, qs)):
         ends = [frame_at + y * pitch + x for x in (left, left + count)]
         table += shape.pack(q=q & M32, **dict(zip(("from", "end"), ends[::-1] if leftwards else ends)))
-    at = arena.add(table, name="lines", shape=shape)
+    at = arena.add(table + bytes(range(1, shape.size + 1)), name="lines", shape=shape)
     arena.far_pointers += [at + n * shape.size + shape.fields[name]["offset"] for n in range(len(lines))
                            for name in ("from", "end")]
     return at
@@ -82,6 +82,8 @@ def span_trial(arena: Arena, ground: Ground, k: far.Constants, lines: list[tuple
     near = {"table": table(arena), "lengths": lengths(arena, k.every),
             "lines": far_lines(arena, k, lines, ground.frame_at, pitch)}
     near["ends"] = near["table"] + 2 * k.ahead
+    if k.even:  # the line behind the table
+        writes.append(Write(near["lines"] + len(lines) * layout.load().struct("far_line").size + 4, bytes(8)))
     plan = arena.struct("far_span", near, {"map": ground.map_at}, count=len(lines), **plan_fields(k))
     return Trial(Case(kernel(k), arena, pointers={"a0": plan}, far=ground.arena), title, writes=writes)
 
