@@ -7,6 +7,7 @@ import time
 from pathlib import Path
 
 from tmap.base import paths
+from tmap.base.signals import ENDING
 from tmap.base.silence import Silence, children
 
 
@@ -22,8 +23,9 @@ def end(arguments: list[str], number: signal.Signals, to_all: bool, folder: Path
     """Runs ``scripts/tmap`` with ``folder`` as TMPDIR until an emulator runs there, then sends the
     signal: ``to_all``: as a terminal does, which reaches its children and emulators too; else to the
     first process alone. Returns its status and output; nothing may be left running."""
-    def as_in_a_terminal() -> None:  # what a shell runs in the background ignores it
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    def as_in_a_terminal() -> None:  # what a shell runs in the background ignores some, and nohup another
+        for each in ENDING:
+            signal.signal(each, signal.SIG_DFL)
 
     with subprocess.Popen([paths.ROOT / "scripts/tmap", *arguments],
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=as_in_a_terminal,

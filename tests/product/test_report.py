@@ -17,11 +17,11 @@ from tmap.base.paths import ACCURACY_BASELINE, BASELINE, ROOT
 from tmap.bench import bench, published
 from tmap.guest import cache
 from tmap.guest.cache import Entry
-from tmap.report import data, pictures, report
+from tmap.report import bench_pictures, data, pictures, report
 from tmap.run import run
 
 SIZES = ((360, 740), (1280, 900))  # a phone, a desk; CSS pixels
-SECTIONS = ["ran", "scenes", "addx", "bench", "accuracy", "perspective", "hard", "polygons",
+SECTIONS = ["scenes", "addx", "accuracy", "perspective", "bench", "ran", "hard", "polygons",
             "whole", "n64", "glide"]
 SCENE = "mappers"
 NAME = '<script>alert("rows & columns")</script>'
@@ -250,3 +250,17 @@ def test_bad_machine_is_one_line(capsys) -> None:
     assert main(["report", "--machine", "a500"]) == 2
     error = capsys.readouterr().err
     assert error.count("\n") == 1 and "--machine" in error
+
+
+def test_the_bench_has_a_picture_for_each_group(tmp_path) -> None:
+    """Each can be read on a screen; a row has the same place in all of them."""
+    measured = json.loads(BASELINE.read_text())
+    names = bench_pictures.write(measured, tmp_path)
+    assert names == [bench_pictures.file_of(group) for group in bench_pictures.GROUPS]
+    for name in names:
+        with Image.open(tmp_path / name) as picture:
+            assert picture.width == 1000 and 300 < picture.height < 1200, name
+            assert len(picture.convert("RGB").getcolors(1 << 20)) > 50, name
+    shown = [row for group in bench_pictures.GROUPS for row, _ in bench_pictures.bars(group, measured)]
+    assert len(shown) == len(set(shown)) > 200
+    assert {row["name"] for row in measured["rows"]} <= {row.rpartition(" ")[0] for row in shown}

@@ -81,7 +81,7 @@ def profile(args: argparse.Namespace) -> int:
 def bench(args: argparse.Namespace) -> int:
     """Measures the kernels."""
     build_programs()
-    from tmap.bench import bench as tool
+    from tmap.report import bench_results as tool
     return tool.command(args.out or BUILD / "bench", args.machine, args.only, args.accept)
 
 
@@ -247,7 +247,7 @@ def add_scenes(commands: Commands) -> None:
 
 def add_measurements(commands: Commands) -> None:
     """Adds the commands that measure and compare with the committed figures."""
-    command = commands.add("bench", bench, "Measure every kernel: bench.json, a table and a plot.")
+    command = commands.add("bench", bench, "Measure every kernel: bench.json, tables and pictures.")
     add_out(command, "where to (build/bench)")
     add_machine(command, None, "one machine instead of all", CONDITIONS)
     command.add_argument("--only", metavar="PATTERN", help="kernels with such names, as affine_*")

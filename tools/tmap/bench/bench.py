@@ -1,4 +1,4 @@
-"""``tmap bench``: measures every kernel, checks what it drew, reports and compares.
+"""The bench: measures every kernel, checks what it drew, and compares.
 
 Cycles are exact in this emulator: repeats agree to within one tick of the clock (a colour clock,
 4 cycles) in a whole measurement. The cost of calling is measured with a routine
@@ -6,16 +6,8 @@ that only returns, and subtracted.
 """
 
 import fnmatch
-import json
-import sys
-from pathlib import Path
-
-import matplotlib.pyplot as plt
 
 from tmap.base import markdown
-from tmap.base.errors import UserError
-from tmap.base.outputs import as_json, bars, check_directory
-from tmap.base.paths import BASELINE
 from tmap.bench import cases, deep, rules as bench_rules, scenes
 from tmap.bench.modes import measure as bench_modes
 from tmap.guest import provenance
@@ -141,28 +133,6 @@ def table(rows: list[dict], machines: list[str]) -> str:
     return markdown.table(["row", "length", *machines], cells, "l") + "\n"
 
 
-def plot(rows: list[dict], machines: list[str], path: Path) -> None:
-    """Bars: cycles a pixel of each row at its longest length."""
-    longest = {}
-    for row in rows:
-        longest[row["name"]] = max(longest.get(row["name"], 0), row["length"])
-    names = sorted(longest, key=lambda n: -min(cycles(r) for r in rows if r["name"] == n))
-    figure, axes = plt.subplots(figsize=(11, 0.17 * len(names) + 1.2), layout="constrained")
-    height = 0.8 / len(machines)
-    values = figures(rows)
-    for k, machine in enumerate(machines):
-        axes.barh([i + (k - (len(machines) - 1) / 2) * height for i in range(len(names))],
-                  [values.get((n, machine, longest[n]), 0) for n in names], height, label=machine)
-    axes.set_yticks(range(len(names)), [f"{n} ({longest[n]})" for n in names], fontsize=7)
-    axes.set_ylim(-0.6, len(names) - 0.4)
-    axes.set_xscale("log")
-    axes.set_xlabel("68020 cycles a pixel (or a step), emulated A1200; in brackets the length")
-    axes.grid(axis="x", alpha=0.3)
-    axes.legend(loc="upper right")
-    figure.savefig(path, dpi=100)
-    plt.close(figure)
-
-
 def bench(machines: list[str], only: str = "*", on_case=None, plain: bool = True) -> dict:
     """The content of bench.json; parameters as in ``measure``."""
     found = {kind: [] for kind in UNITS}
@@ -173,42 +143,3 @@ def bench(machines: list[str], only: str = "*", on_case=None, plain: bool = True
         "conditions": "DMA and interrupts off (but for rows ..._low, _high, _super: eight planes of "
                       "320, 640, 1280 dots are displayed), instruction cache warm, 256x256 8-bit map, "
                       "du 1.5, dv 1.25, the cost of the call subtracted", **found}
-
-
-def write(found: dict, out: Path) -> None:
-    """bench.json, bench.md and bench.png into ``out``."""
-    out.mkdir(parents=True, exist_ok=True)
-    machines = list(dict.fromkeys(row["machine"] for kind in UNITS for row in found[kind]))
-    text = "# Cycles\n\n" + found["conditions"] + f". {found['emulator']}, {found['compiler']}.\n"
-    text += "".join(f"\n{title}:\n\n" + table(found[kind], machines) for kind, title in TITLES.items())
-    if found["rows"]:
-        plot(found["rows"], machines, out / "bench.png")
-    (out / "bench.md").write_text(text)
-    (out / "bench.json").write_text(as_json(found))
-
-
-def command(out: Path, machine: str | None, only: str | None, accept: bool) -> int:
-    """``tmap bench``: prints the table; status 1 where the baseline is left."""
-    check_directory(out)
-    if accept and (machine or only):
-        raise UserError("bench: --accept needs all machines and all rows")
-    machines = [machine] if machine else list(CONDITIONS)
-    with bars() as progress:
-        task = progress.add_task("bench", total=None)
-        found = bench(machines, only or "*", lambda n: progress.update(task, completed=n))
-    rows = [row for kind in UNITS for row in found[kind]]
-    if not rows:
-        raise UserError(f"bench: no row is called {only}")
-    write(found, out)
-    print(table(rows, machines))
-    print(f"written to {out}: bench.json, bench.md" + ", bench.png" * bool(found["rows"]))
-    if accept:
-        BASELINE.write_text(as_json(found))
-        print("the baseline is these figures now; give the reason in the commit")
-        return 0
-    if not BASELINE.exists():
-        return 0
-    complaints = compare(found, json.loads(BASELINE.read_text()))
-    for line in complaints:
-        print(line, file=sys.stderr)
-    return 1 if complaints else 0

@@ -76,9 +76,10 @@ def of_bench(tell: Tell) -> Entry:
 
     def make(folder: Path) -> dict:
         from tmap.bench import bench
+        from tmap.report import bench_results
 
         found = bench.bench(list(bench.CONDITIONS), on_case=lambda done: tell(done, None))
-        bench.write(found, folder)
+        bench_results.write(found, folder)
         return found
 
     files = [file for name in scenes.NAMES for file in cache.scene_files(SCENES / f"{name}.toml")]

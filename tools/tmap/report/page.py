@@ -15,7 +15,7 @@ from tmap.bench import bench, published
 from tmap.guest import provenance
 from tmap.guest.cache import Entry
 from tmap.guest.emulator import CLOCK_HZ, MACHINES as EMULATED
-from tmap.report import pictures as report_pictures, readme, readme_scenes
+from tmap.report import bench_pictures, pictures as report_pictures, readme, readme_scenes
 from tmap.report.data import MACHINE, Found
 
 TEMPLATES = Path(__file__).parent
@@ -115,6 +115,7 @@ def page(found: Found, pictures: Path) -> str:
                              "DMA and interrupts off; the screen cleared"),
         ranks={kind: published.ranked(kind, measured) for kind in published.PUBLISHED},
         places=published.places, floors=published.floors(measured), floored=floored(measured),
+        plots={bench_pictures.file_of(group): group.title for group in bench_pictures.GROUPS},
         bench_tables={title: bench.table(measured[kind], list(bench.CONDITIONS))
                       for kind, title in bench.TITLES.items()
                       if measured.get(kind) and kind != "rules"},

@@ -7,7 +7,7 @@ from tmap.accuracy import perspective_curves
 from tmap.base.outputs import bars, check_directory, replaced
 from tmap.base.paths import SCENES
 from tmap.guest.cache import ENTRY
-from tmap.report import data, page, pictures
+from tmap.report import bench_pictures, data, page, pictures
 from tmap.report.data import Found
 
 PAGE, PICTURES, HARD = "index.html", "pictures", "hard"
@@ -22,6 +22,7 @@ def write_pictures(found: Found, folder: Path) -> None:
                 shutil.copyfile(scene.folder / name, folder / f"{scene.result['scene']}_{name}")
     for name in pictures.SIZES:
         pictures.plot(found.accuracy["rows"], data.MACHINE, folder / name)
+    bench_pictures.write(found.bench, folder)
     perspective_curves.plot(folder / "pieces.png")
     methods = found.methods.folder if found.methods else SCENES
     shutil.copyfile(methods / "methods.png", folder / "methods.png")
