@@ -112,8 +112,9 @@ def draw(group: Group, measured: dict, path: Path) -> None:
     axes.margins(x=0.08)
     axes.set_title(group.title, fontsize=10)
     axes.set_xlabel("68020 cycles, emulated A1200; in brackets the pixels or lines of a call", fontsize=8)
+    axes.tick_params(axis="x", labelsize=8)
     axes.grid(axis="x", alpha=0.3)
-    axes.legend(fontsize=7, loc="upper right")
+    figure.legend(fontsize=7, loc="outside lower center", ncols=6)
     figure.savefig(path, dpi=100)
     plt.close(figure)
 
