@@ -11,7 +11,7 @@ import pytest
 from tmap.base.fixed import ceil16
 from tmap.corpus import polygon_sets
 from tmap.fuzz import polygons as fuzz_polygons
-from tmap.ideal import bounds
+from tmap.ideal import bounds, bounds_fetched
 from tmap.model import model
 from tmap.model.model import Settings
 from tmap.scene_file import textures
@@ -159,3 +159,17 @@ def test_random_polygons_have_all_that_is_promised() -> None:
     rng = random.Random(1)
     plane = fuzz_polygons.plane_of(rng, [(0, 0), (1 << 29, 0), (1 << 29, 1 << 29), (0, 1 << 29)], 1 << 30)
     assert all(abs(c) < 1 << 30 for pair in plane for c in pair)
+
+
+@pytest.mark.parametrize("off, allowed, word", [
+    (-127.72, (127.74, 126.87), ""), (-127.72, (127.2, 126.87), "above"), (127.72, (126.87, 127.74), ""),
+    (-3.0, (2.5, 2.5), "below"), (3.5, (2.5, 2.5), "above"), (-3.0, (3.0, 0.0), ""), (200.0, (0.0, 200.0), ""),
+    (0.0, (0.0, 0.0), "")])
+def test_a_texel_half_a_map_away_may_be_on_either_side(off: float, allowed, word: str) -> None:
+    """The texel begins 0.9 below what is stepped: if that is 127.72 texels too low, the texel's middle is 128.12
+    below the exact value, or 127.88 above it. Found by seed 32, polygon 9924."""
+    values = np.array([(37 << 16) + 58982])
+    out = bounds.Verdict()
+    line = "v", np.array([37]), values, np.array([off]), 256, 3, 78
+    bounds_fetched.judge_lines([(line, allowed)], out)
+    assert (word in out.complaint) if word else not out.complaint
