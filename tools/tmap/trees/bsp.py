@@ -151,24 +151,15 @@ def spread(node: Node, faces: list[Polygon]) -> Node:
     return node
 
 
-def before(node: Node, faces: list[Polygon]) -> Node:
-    """Gives a node the faces of a round, and returns the node of what is drawn after them."""
-    node.front = Node([])
+def parted(node: Node, faces: list[Polygon], is_first: bool) -> Node:
+    """Gives a node the faces of a round, and returns the node of what is drawn after them (``is_first``) or before."""
+    rest, own = Node([]), None
     if len(faces) <= TOGETHER:
         node.faces = faces
     else:
-        node.back = spread(Node([]), faces)
-    return node.front
-
-
-def after(node: Node, faces: list[Polygon]) -> Node:
-    """Gives a node the faces of a round, and returns the node of what is drawn before them."""
-    node.back = Node([])
-    if len(faces) <= TOGETHER:
-        node.faces = faces
-    else:
-        node.front = spread(Node([]), faces)
-    return node.back
+        own = spread(Node([]), faces)
+    node.front, node.back = (rest, own) if is_first else (own, rest)
+    return rest
 
 
 def score(front, back, on, count: int):
@@ -223,12 +214,12 @@ def divided(node: Node, faces: list[Polygon], cuts: dict[Edge, set[Corner]], is_
     if not faces:
         *first, end = gathered(first + last) or [[]]
     for some in gathered(first):
-        node = before(node, some)
+        node = parted(node, some, True)
     if not faces:
         spread(node, end)
         return []
     for some in reversed(gathered(last)):
-        node = after(node, some)
+        node = parted(node, some, False)
     node.plane = best_plane(faces, is_across)
     front: list[Polygon] = []
     back: list[Polygon] = []
