@@ -92,7 +92,7 @@ static int32 run_plan(const uint8 *plan, const char *name, int32 results)
 {
     const struct plan_case *cases = plan_cases(plan);
     uint32 count = ((const struct plan_header *)plan)->cases;
-    struct plan_arenas arenas;
+    static struct plan_arenas arenas;   /* 8 KB, twice a shell's stack */
     uint32 changed;
 
     if (!plan_arenas_make(&arenas, plan))

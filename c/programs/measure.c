@@ -171,7 +171,7 @@ int main(void)
     enum { TO, PLAN, ITEMS };
     int32 args[ITEMS] = {0};
     const char *to = "tmap020.txt", *plan_name = "PROGDIR:measure.plan";
-    struct plan_arenas arenas;
+    static struct plan_arenas arenas;   /* 8 KB, twice a shell's stack */
     struct measured measured;
     const uint8 *plan;
 

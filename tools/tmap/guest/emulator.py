@@ -5,14 +5,18 @@ that they write. The guest's start-up script runs each command with its output i
 its return code to ``N.code``, and at last writes ``end`` (the sentinel) and leaves the emulator by
 ``uaequit``. If consecutive commands run the same program, ``batch`` loads it once and does the same
 for each.
+
+SECOND is a machine too: another processor's core, for results only (tmap.guest.second_system).
 """
 
 import contextlib
+import importlib.util
 import itertools
 import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -20,7 +24,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from tmap.base.errors import UserError
-from tmap.base.paths import PROGRAMS
+from tmap.base.paths import PROGRAMS, ROOT
 from tmap.base.signals import held
 from tmap.base.silence import Silence
 
@@ -37,6 +41,8 @@ MACHINES = {
 }
 #: Machines of all measurements.
 MEASURED = ("a1200", "a1200-fast")
+#: Musashi's 68020 without an Amiga around it. It counts no cycles.
+SECOND = "musashi"
 #: Options of every run.
 OPTIONS = {
     "amiga_model": "A1200",
@@ -95,6 +101,11 @@ class Closed(UserError):
     """The emulator ended without an error but before the guest: its window was closed."""
 
 
+def has_fast_memory(machine: str) -> bool:
+    """Returns true if a machine has more than chip RAM."""
+    return machine == SECOND or "fast_memory" in MACHINES[machine]
+
+
 def emulator_version() -> str:
     """Returns the version of the FS-UAE on PATH."""
     try:
@@ -129,6 +140,15 @@ def explain_fault(program: Path, output: str) -> str | None:
     return (f"{program.name} crashed: exception {number} ({kind}) at PC ${pc:x}, "
             f"{routine_at(program, pc)}\n"
             f"  d0-d7 {match[3].strip()}\n  a0-a7 {match[4].strip()}")
+
+
+def explain_second_fault(program: Path, log: str) -> str | None:
+    """The same from what the second processor's system says in its log."""
+    match = re.search(r"Initial PC=([0-9a-f]+).*?PC=([0-9a-f]+)(.*\n)(.*\n.*)\n(?:.*\n)*?.*Error: (.*)", log)
+    if not match:
+        return None
+    start, pc = int(match[1], 16), int(match[2], 16)
+    return f"{program.name} crashed: {match[5]}, {routine_at(program, pc - start)}\n{match[4]}"
 
 
 def last_words(output: str) -> str:
@@ -170,15 +190,22 @@ def write_config(directory: Path, machine: str, display: Display, more: dict[str
     return config
 
 
+def second_command(commands: list[str], folders: bool) -> list[str]:
+    """Returns the host's command that runs the guest's on the second processor."""
+    if not importlib.util.find_spec("machine68k"):
+        raise UserError(f"{SECOND} is not installed: run scripts/setup second")
+    return [sys.executable, "-P", "-m", "tmap.guest.second_system", *["--folders"] * folders, *commands]
+
+
 @contextlib.contextmanager
-def started(config: Path, display: Display, log: Path) -> Iterator[subprocess.Popen]:
-    """Runs the emulator with its own messages in ``log``; kills it afterwards."""
+def started(command: list[str], volume: Path, environment: dict[str, str], log: Path) -> Iterator[subprocess.Popen]:
+    """Runs an emulator in its ``volume`` with its own messages in ``log``; kills it afterwards."""
     process = None
     try:
         with log.open("wb") as stream, held():
             process = subprocess.Popen(
-                ["fs-uae", str(config)], stdin=subprocess.DEVNULL, stdout=stream,
-                stderr=subprocess.STDOUT, env=os.environ | display.environment)
+                command, cwd=volume, stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.STDOUT,
+                env=os.environ | {"PYTHONPATH": str(ROOT / "tools")} | environment)
         yield process
     except FileNotFoundError:
         if process:
@@ -251,9 +278,10 @@ def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) ->
 def explain_end(program: Path, arguments: str, output: str, silence: str, log: str) -> str:
     """Returns why there is no sentinel, and how far the guest came; ``silence``: from ``wait``."""
     how = f"it did not end, {silence}" if silence else "the emulator ended before it"
-    fatal = [line.strip() for line in log.splitlines() if "FATAL" in line]
+    fatal = [line.strip() for line in log.splitlines() if re.search("FATAL|ERROR", line)]
     said = f"the emulator says: {fatal[0]}" if fatal else last_words(output)
-    return f"{program.name} {arguments}: {how}; {explain_fault(program, output) or said}"
+    fault = explain_fault(program, output) or explain_second_fault(program, log)
+    return f"{program.name} {arguments}: {how}; {fault or said}"
 
 
 def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str, directory: Path,
@@ -274,9 +302,13 @@ def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str,
     prepare(directory, commands, files, programs, apart, folders)
     patience = patience or STALL_SECONDS
     volume, log = directory / "volume", directory / "emulator.log"
-    config = write_config(directory, machine, display,
-                          {"hard_drive_0": str(volume)} | (drives or {}) | (UNTIMED if not timed else {}))
-    with started(config, display, log) as process:
+    environment = display.environment
+    if machine == SECOND:
+        command, environment = second_command(commands, folders), {"HOME": str(directory)}
+    else:
+        more = {"hard_drive_0": str(volume)} | (drives or {}) | (UNTIMED if not timed else {})
+        command = ["fs-uae", str(write_config(directory, machine, display, more))]
+    with started(command, volume, environment, log) as process:
         silence = wait(process, volume, on_output, patience)
     codes = [read(volume / f"{number}.code").strip() for number in range(len(commands))]
     outputs = [read(volume / f"{number}.log") for number in range(len(commands))]

@@ -211,7 +211,7 @@ def plan(cases: list[Case]) -> bytes:
 def batches(cases: list[Case], machine: str) -> list[list[Case]]:
     """Splits the cases into runs whose images fit the guest's memory beside their arenas. A plan
     stores equal pieces once."""
-    limit = BATCH_BYTES_FAST if "fast_memory" in emulator.MACHINES[machine] else BATCH_BYTES
+    limit = BATCH_BYTES_FAST if emulator.has_fast_memory(machine) else BATCH_BYTES
     runs: list[list[Case]] = []
     kept: dict[bytes, None] = {}
     room, size = 0, layout.load().struct("plan_case").size
