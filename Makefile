@@ -117,8 +117,10 @@ fuzz: programs
 	  $${MACHINE:+--machine "$$MACHINE"}
 
 # A file's tests share what they made, so they stay together; tests/conftest.py has the order.
-test: programs
-	@.deps/venv/bin/python -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder tests
+# The second processor is compiled while the programs are.
+test:
+	@scripts/setup second & second=$$!; $(MAKE) programs && wait $$second && \
+	  .deps/venv/bin/python -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder tests
 
 diff:
 	@test -n "$$A" -a -n "$$B" || { echo 'make diff: say which: A=DIR B=DIR' >&2; exit 2; }

@@ -1,5 +1,6 @@
 """Every routine of the rooms of src68k that are kernels (contracts.KERNELS),
-called on the emulated A1200 and held to its contract block and to a reference in Python."""
+called on the emulated A1200, and by another emulator's processor, and held to its contract block and to a reference
+in Python."""
 
 import importlib
 import pkgutil
@@ -13,6 +14,7 @@ from tests.kernels import trials
 from tests.kernels.trials import glide, n64, screen
 from tmap.base import paths
 from tmap.build import contracts
+from tmap.guest.emulator import SECOND
 
 #: Written in C and without a block: the compilers' rules are its contract.
 IN_C = contracts.Contract(
@@ -33,13 +35,15 @@ CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), *ALL
              if c.name not in UNCALLED}
 ROOMS = [importlib.import_module(f"{trials.__name__}.{room.name}")
          for room in pkgutil.iter_modules(trials.__path__)]
+PROCESSORS = (checker.MACHINE, SECOND)
 TOGETHER = 4  # rooms: a boot's plan is seldom full with the trials of one
 BOOTS = 2  # emulators that run side by side, while the next trials are made
 
 
 @pytest.fixture(scope="module")
 def called(request):
-    """Trials and results by kernel, of the kernels that this run asks for; rooms share boots."""
+    """Trials with their results on each processor, by kernel, of the kernels that this run asks for; rooms share
+    boots."""
     wanted = {item.callspec.params["kernel"] for item in request.session.items
               if item.path == request.path and hasattr(item, "callspec")}
     with ThreadPoolExecutor(BOOTS) as boots:
@@ -47,14 +51,15 @@ def called(request):
         for first in range(0, len(ROOMS), TOGETHER):
             trials = [trial for room in ROOMS[first:first + TOGETHER] for trial in room.trials()
                       if trial.case.kernel in wanted]
-            begun.append((trials, boots.submit(checker.run, trials)))
-        done = [pair for trials, results in begun for pair in zip(trials, results.result())]
-    return {kernel: [pair for pair in done if pair[0].case.kernel == kernel] for kernel in wanted}
+            begun.append((trials, [boots.submit(checker.run, trials, machine) for machine in PROCESSORS]))
+        done = [each for trials, parts in begun for each in zip(trials, *(part.result() for part in parts))]
+    return {kernel: [each for each in done if each[0].case.kernel == kernel] for kernel in wanted}
 
 
 @pytest.mark.parametrize("kernel", CONTRACTS)
 def test_contract(called, kernel):
-    trials, results = zip(*called[kernel]) if called[kernel] else ((), ())
-    wrong = checker.report(CONTRACTS[kernel], trials, results)
-    if wrong:
-        pytest.fail(wrong, pytrace=False)
+    trials, *parts = zip(*called[kernel]) if called[kernel] else ((), *[()] * len(PROCESSORS))
+    for machine, results in zip(PROCESSORS, parts):
+        wrong = checker.report(CONTRACTS[kernel], trials, results)
+        if wrong:
+            pytest.fail(f"{machine}: {wrong}", pytrace=False)

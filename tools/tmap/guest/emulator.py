@@ -143,12 +143,17 @@ def explain_fault(program: Path, output: str) -> str | None:
 
 
 def explain_second_fault(program: Path, log: str) -> str | None:
-    """The same from what the second processor's system says in its log."""
-    match = re.search(r"Initial PC=([0-9a-f]+).*?PC=([0-9a-f]+)(.*\n)(.*\n.*)\n(?:.*\n)*?.*Error: (.*)", log)
+    """The same from the log of the second processor's system."""
+    match = re.search(r"Initial PC=([0-9a-f]+).* PC=([0-9a-f]+)(.*)Error: (.*?)\n", log, re.DOTALL)
     if not match:
         return None
-    start, pc = int(match[1], 16), int(match[2], 16)
-    return f"{program.name} crashed: {match[5]}, {routine_at(program, pc - start)}\n{match[4]}"
+    pc, why = match[2], match[4]
+    registers = "\n".join("  " + line.split(":  ")[-1] for line in match[3].splitlines()[1:3])
+    if exception := re.match(r"Invalid CPU State: pc=([0-9a-f]+): m68k Exception", why):  # its frame is on the stack
+        number = (int(re.search(r"SP\+04=([0-9a-f]+)", match[3])[1], 16) & 0xFFF) // 4
+        pc, why = exception[1], f"exception {number} ({EXCEPTIONS.get(number, 'unexpected')})"
+    offset = int(pc, 16) - int(match[1], 16)
+    return f"{program.name} crashed: {why} at PC ${offset:x}, {routine_at(program, offset)}\n{registers}"
 
 
 def last_words(output: str) -> str:
