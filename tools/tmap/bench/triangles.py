@@ -54,14 +54,19 @@ def record(vertex) -> bytes:
     return b"".join((c & M32).to_bytes(4, "big") for c in (x + 16 << 16 | y + 15, *values))
 
 
+@functools.cache
+def reciprocals() -> bytes:
+    """The table of reciprocals, by height in sixteenths of a line: uint32."""
+    return b"".join(snapped.reciprocal(dy).to_bytes(4, "big") for dy in range(16 * snapped.LINES))
+
+
 def add_list(arena: Arena, triangles: list) -> tuple[int, int]:
     """Puts a batch's vertices, list and reciprocals into an arena; returns where the last two are."""
     vertices = arena.add(b"".join(map(record, sum(triangles, []))), name="vertices")
     places = range(vertices, vertices + 48 * len(triangles), 16)
     listed = arena.add(b"".join(at.to_bytes(4, "big") for at in places), name="list")
     arena.pointers += range(listed, listed + 4 * len(places), 4)
-    return listed, arena.add(b"".join(snapped.reciprocal(dy).to_bytes(4, "big")
-                                      for dy in range(16 * snapped.LINES)), name="reciprocals")
+    return listed, arena.add(reciprocals(), name="reciprocals")
 
 
 def is_handed(triangle) -> bool:
