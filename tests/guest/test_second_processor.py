@@ -1,6 +1,11 @@
 """The second processor: what a program does there is what it does on the emulated A1200."""
 
+import contextlib
+import os
+import time
+from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -68,6 +73,15 @@ def test_crash_is_reported(programs, tmp_path, name) -> None:
 def test_no_end_is_reported(programs, tmp_path) -> None:
     with pytest.raises(UserError, match="failures 9: it did not end, 2 s of processor time"):
         emulator.run("failures", "9", {}, SECOND, tmp_path, programs=programs, patience=2)
+    time.sleep(0.5)
+    assert not any(place.startswith(str(tmp_path)) for place in folders_of_processes())
+
+
+def folders_of_processes() -> Iterator[str]:
+    """Yields the current folder of each process."""
+    for process in Path("/proc").glob("[0-9]*"):
+        with contextlib.suppress(OSError):  # it has ended
+            yield os.readlink(process / "cwd")
 
 
 def test_a_stack_deeper_than_a_shells_is_refused(tmp_path) -> None:

@@ -10,7 +10,9 @@ bites. vamos lacks what this file adds: exec's list of free memory, where scene 
 an address, and CIA-B's resource.
 """
 
+import ctypes
 import os
+import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -25,6 +27,7 @@ from amitools.vamos.libtypes import Node
 from amitools.vamos.machine.regs import REG_A1, REG_D0, REG_D1
 from amitools.vamos.main import main
 
+PR_SET_PDEATHSIG = 1  # of Linux
 CODES = (0, 5, 10, 20)  # of programs; vamos has others for crashes and for faults of its own
 CHIPS = (0xBF0000, 0xDF0000)  # 64 KB each: the CIAs, the custom chips
 RAM_KB = 11 << 10  # ends below them
@@ -136,6 +139,7 @@ def run_all(commands: list[str], folders: bool) -> int:
         log.touch()
         child = os.fork()
         if not child:
+            ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGKILL)  # it ends with whoever is ended
             os.dup2(os.open(log, os.O_WRONLY), sys.stdout.fileno())
             if folders:
                 os.chdir(str(number))
