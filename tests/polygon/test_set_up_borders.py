@@ -261,5 +261,5 @@ def test_no_texel_beyond_the_map_is_shown(families) -> None:
         polygon = each.set_up
         for y, line in enumerate(polygon.lines, polygon.top):
             if line.right > line.left:
-                for c in polygon.coordinates(line, y):
+                for c in polygon.coordinates(y):
                     assert 0 <= c.min() and c.max() < 256 * ONE, f"{each.name}, line {y}"

@@ -147,7 +147,7 @@ def test_no_pixel_leaves_a_map_that_does_not_repeat():
         if polygon and polygon.triangle:
             drawn += 1
             for y, line in enumerate(polygon.lines, polygon.top):
-                u, v = polygon.coordinates(line, y)
+                u, v = polygon.coordinates(y)
                 assert ((u >= 0) & (u < 256 << 16) & (v >= 0) & (v < 256 << 16)).all(), vertices
         verdict = bounds.judge(vertices, settings, WIDTH, HEIGHT)
         assert not verdict.complaint, (vertices, verdict.complaint)

@@ -8,6 +8,7 @@ from tmap.base.fixed import M32, cut_quotient, signed
 from tmap.build import layout
 from tmap.setup import level_reciprocal
 from tmap.setup.perspective import Perspective, steepness, way
+from tmap.setup.texturing import Line
 
 STEEP_2_22 = 1 << 22
 MAP = 0xFFFFFF  # 256 texels
@@ -99,14 +100,16 @@ def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int,
     return [(start, signed(step + n)) for start, step, n in zip(starts, (du, dv), more)]
 
 
-def level(p: Perspective, left: int, right: int, y: int) -> list[np.ndarray]:
-    """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
-    k = np.arange(right - left, dtype=np.int64)
-    (u, du), (v, dv) = level_line(p, left, right, y)
+def level(p: Perspective, lines: list[Line], ys: list[int]) -> list[np.ndarray]:
+    """Returns u and v of the pixels of level lines, one after the other, 16.16 modulo 2^32."""
+    counts = [line.right - line.left for line in lines]
+    k = np.concatenate([np.arange(count) for count in counts])
+    made = np.array([level_line(p, line.left, line.right, y) for line, y in zip(lines, ys)])
+    (u, v), (du, dv) = np.repeat(made, counts, axis=0).T
     return [u + k * du + (wraps(v, dv, k) if p.chained else 0) & M32, v + k * dv & M32]
 
 
-def wraps(v: int, dv: int, k: np.ndarray) -> np.ndarray:
+def wraps(v: np.ndarray, dv: np.ndarray, k: np.ndarray) -> np.ndarray:
     """Returns the units that the chain's u has gone up after k steps: one for each time that v has wrapped at
     256, or less if it has done so downwards. v, dv: 16.16."""
     return (v & MAP) + k * signed(dv & MAP, 24) >> 24

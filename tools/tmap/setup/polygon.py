@@ -13,11 +13,11 @@ from tmap.base.fixed import M32, ONE, mul, signed
 from tmap.setup import afar, cubic, far, level_reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
-from tmap.setup.level import bends, columns_are_cheaper, is_chained, is_even, is_level, level, tilt_of
-from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, coordinates as perspective_coordinates, ends,
-                                    perspective, raise_of, way)
+from tmap.setup.level import bends, columns_are_cheaper, is_chained, is_even, is_level, tilt_of
+from tmap.setup.perspective import PIECES, Q_ONE, Perspective, perspective, way
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
-from tmap.setup.spans import coordinates, stays_in_row
+from tmap.setup.spans import stays_in_row
+from tmap.setup.stepped import Stepped, stepped_of
 from tmap.setup.texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest,
                                   plane, raised, ramp_point, scanline_line)
 from tmap.setup.tolerance import coarser, is_flat
@@ -59,34 +59,19 @@ class Polygon:
         return self.constants and afar.model_of(self.constants).line(self.perspective, self.constants,
                                                                      line.left, line.right, y)
 
-    def coordinates(self, line: Line, y: int):
-        """Returns u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
-        if not self.perspective:
-            return coordinates(line, self.mapper, y)
-        if self.columns:
-            return self.columns.crossed(y, range(line.left, line.right))
-        if self.is_level:
-            return level(self.perspective, line.left, line.right, y)
-        record = self.record(line, y)
-        if record:
-            return afar.model_of(self.constants).coordinates(record)
-        return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
-                                            raise_of(self.exact)), self.exact)
-
-    def crossed(self, x: int, lines: range):
-        """Returns u and v at pixel x of some lines."""
-        pairs = []
-        for y in lines:
-            line = self.lines[y - self.top]
-            if not line.left <= x < line.right:
-                raise ValueError(f"column {y} has no pixel on line {x}")
-            pairs.append([values[x - line.left] for values in self.stepped[y - self.top]])
-        return np.array(pairs, np.int64).reshape(-1, 2).T
+    @cached_property
+    def records(self) -> list:
+        """``record`` of all lines."""
+        return [self.record(line, y) for y, line in enumerate(self.lines, self.top)]
 
     @cached_property
-    def stepped(self) -> list:
-        """u and v of the pixels of all lines."""
-        return [self.coordinates(line, y) for y, line in enumerate(self.lines, self.top)]
+    def stepped(self) -> Stepped:
+        """u and v of all pixels."""
+        return stepped_of(self)
+
+    def coordinates(self, y: int) -> tuple[np.ndarray, np.ndarray]:
+        """Returns u and v of the pixels of line y, int64, 16.16 modulo 2^32."""
+        return self.stepped.line(y - self.top)
 
     @property
     def pixels(self) -> int:
