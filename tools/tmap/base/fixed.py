@@ -38,7 +38,7 @@ def step_swapped(x: int, step: int) -> int:
     return total & 0xFFFF0000 | (total & 0xFFFF) + (total >> 32) & 0xFFFF
 
 
-def ceil16(x: int) -> int:
+def ceil16(x: Number) -> Number:
     """Returns the smallest integer not below a 16.16 number."""
     return (x + 0xFFFF) >> 16
 

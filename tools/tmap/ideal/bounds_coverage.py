@@ -48,9 +48,10 @@ class Side:
         """Returns a function of each line's edge."""
         return np.array([function(edge) for edge in self.edges])[self.which]
 
-    def by_line(self, function: Callable[[Edge, int], float]) -> np.ndarray:
+    def by_line(self, function: Callable[[Edge, np.ndarray], np.ndarray]) -> np.ndarray:
         """Returns a function of each line's edge and of the line."""
-        return np.array([function(self.edges[k], y) for k, y in zip(self.which.tolist(), self.ys.tolist())])
+        parts = np.split(self.ys, np.searchsorted(self.which, np.arange(1, len(self.edges))))
+        return np.concatenate([function(edge, ys) for edge, ys in zip(self.edges, parts)])
 
     @cached_property
     def bounds(self) -> np.ndarray:
@@ -75,9 +76,9 @@ class Side:
 
     def values(self, key: int) -> np.ndarray:
         """Returns where the exact edges cross the lines: one of the vertices' numbers, units."""
-        def value(edge: Edge, line: int) -> float:
+        def value(edge: Edge, lines: np.ndarray) -> np.ndarray:
             (_, y0, *_), (_, y1, *_), a, b = edge.upper, edge.lower, edge.upper[key], edge.lower[key]
-            return a + (b - a) * ((line << 16) - y0) / (y1 - y0)
+            return a + (b - a) * ((lines << 16) - y0) / (y1 - y0)  # the product is exact: below 2^62
         return self.by_line(value)
 
 

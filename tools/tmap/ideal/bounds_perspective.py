@@ -86,7 +86,7 @@ from tmap.ideal.ideal import UNIT, gathered, inner_rows
 from tmap.ideal.perspective import FLOAT, Curve, Rates, curves_through
 from tmap.ideal.rows import Rows
 from tmap.setup import afar, far
-from tmap.setup.perspective import EXACT, Perspective, ends, raise_of, way
+from tmap.setup.perspective import EXACT, Perspective, all_ends, raise_of, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 BOUNDLESS = 32768.0  # texels: values are modulo twice that
@@ -180,7 +180,7 @@ class Bound:
 
     def lines(self, polygon, drawn: Rows) -> np.ndarray:
         """Returns b of lines' pixels, texels."""
-        made = [ends(self.p, *each) for each in zip(*(n.tolist() for n in (drawn.lefts, drawn.ends, drawn.ys)))]
+        made = all_ends(self.p, drawn.lefts, drawn.ends, drawn.ys)
         first, last, way = np.array([(each.weight(0), each.weight(each.n), abs(
             each.du if self.plane is self.p.s else each.dv)) for each in made], float).reshape(-1, 3).T
         (b0, e0), (b1, e1) = (self.end(self.at(x, drawn.ys)) for x in (drawn.lefts, drawn.ends - 1))

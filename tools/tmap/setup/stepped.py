@@ -44,9 +44,9 @@ def values_of(polygon, drawn: list[int]):
         return level(deep, lines, ys)
     if polygon.constants:
         return afar.model_of(polygon.constants).coordinates([polygon.records[k] for k in drawn])
-    found = [perspective.coordinates(perspective.ends(deep, line.left, line.right, y, perspective.raise_of(
-        polygon.exact)), polygon.exact) for line, y in zip(lines, ys)]
-    return [np.concatenate(each) for each in zip(*found)]
+    across = np.array([(line.left, line.right) for line in lines]).T
+    made = perspective.all_ends(deep, *across, np.array(ys), perspective.raise_of(polygon.exact))
+    return [np.concatenate(each) for each in zip(*(perspective.coordinates(ends, polygon.exact) for ends in made))]
 
 
 def crossed(columns, lines, ys: list[int]) -> tuple[np.ndarray, np.ndarray]:
