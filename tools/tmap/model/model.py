@@ -11,7 +11,7 @@ error against the ideal are derived in tools/tmap/ideal/ideal.py.
 
 import numpy as np
 
-from tmap.base.fixed import M32, ceil16, signed
+from tmap.base.fixed import M32, ceil16, counted, signed
 from tmap.model import units
 from tmap.model.depths import Depths
 from tmap.model.mesh import steps_at
@@ -44,8 +44,9 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
     if not drawn:
         return
     lines = [line for _, line in drawn]
-    ys = np.repeat([y for y, _ in drawn], [line.right - line.left for line in lines])
-    xs = np.concatenate([np.arange(line.left, line.right) for line in lines])
+    counts = [line.right - line.left for line in lines]
+    ys = np.repeat([y for y, _ in drawn], counts)
+    xs = np.repeat([line.left for line in lines], counts) + counted(counts)
     stepped = polygon.stepped if polygon.textured else None
     if polygon.perspective:
         texels = frame[ys, xs]

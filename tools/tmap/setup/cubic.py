@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from tmap.base.cubics import NEAR, fits
-from tmap.base.fixed import M32, mul_div, signed
+from tmap.base.fixed import M32, counted, mul_div, signed
 from tmap.setup import far
 
 #: By setting: the error that cubics may make, the most that lines are raised by, units of 1/65536 texel; the pixels
@@ -162,7 +162,7 @@ def coordinates(lines: list[Line]) -> list[np.ndarray]:
     k = lines[0].constants
     counts, q, cu, cv = np.array([(pixels, q, *each.c) for each in lines for _, pixels, q in each.pieces]).T
     r = (1 << 30 + k.bits) // q
-    n = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
+    n = counted(counts)
     pairs, triples = n * (n - 1) >> 1, n * (n - 1) * (n - 2) // 6
     found = []
     for base, c in zip(k.k, (cu, cv)):

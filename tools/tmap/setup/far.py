@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tmap.base.fixed import M32, cut_quotient, signed, step_swapped, swap
+from tmap.base.fixed import M32, counted, cut_quotient, signed, step_swapped, swap
 from tmap.setup import chain
 from tmap.setup.perspective import steepness
 
@@ -311,7 +311,7 @@ def coordinates(lines: list[Line]) -> tuple[np.ndarray, np.ndarray]:
             pieces.append((count, *at, du, dv))
             at = [at[0] + count * du, at[1] + count * dv]
     count, u, v, du, dv = np.array(pieces).T
-    steps = np.arange(len(b)) - np.repeat(np.cumsum(count) - count, count)
+    steps = counted(count)
     near = (np.repeat(at, count) + steps * np.repeat(step, count) for at, step in ((u, du), (v, dv)))
     return in_order(lines, *chain.values(np.array(b), np.array(a), *near))
 

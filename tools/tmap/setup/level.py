@@ -4,7 +4,7 @@ Those by reciprocals: tmap.setup.level_reciprocal."""
 
 import numpy as np
 
-from tmap.base.fixed import M32, signed
+from tmap.base.fixed import M32, counted, signed
 from tmap.build import layout
 from tmap.setup import level_reciprocal
 from tmap.setup.perspective import Perspective, cut_quotients, steepness, way
@@ -111,7 +111,7 @@ def level_lines(p: Perspective, left: np.ndarray, right: np.ndarray, y: np.ndarr
 def level(p: Perspective, lines: list[Line], ys: list[int]) -> list[np.ndarray]:
     """Returns u and v of the pixels of level lines, one after the other, 16.16 modulo 2^32."""
     counts = [line.right - line.left for line in lines]
-    k = np.concatenate([np.arange(count) for count in counts])
+    k = counted(counts)
     ends = np.array([(line.left, line.right) for line in lines]).T
     (u, v), (du, dv) = (np.repeat(each, counts, axis=0).T for each in level_lines(p, *ends, np.array(ys)))
     return [u + k * du + (wraps(v, dv, k) if p.chained else 0) & M32, v + k * dv & M32]

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tmap.base.fixed import M32, signed
+from tmap.base.fixed import M32, counted, signed
 from tmap.setup.dithered import moves
 from tmap.setup.shading import LIT, rows
 from tmap.setup.texturing import CUT, Line
@@ -22,7 +22,7 @@ def coordinates_of(lines: list[Line], ys: list[int], mapper: str) -> tuple[np.nd
     """Returns u and v of the pixels of lines, one after the other, as the mapper steps them, int64, 16.16 modulo 2^32;
     ``ys``: the lines', used only by the mapper that moves points. All lines are chains or none."""
     counts = [max(line.right - line.left, 0) for line in lines]
-    n = np.concatenate([np.arange(count) for count in counts])
+    n = counted(counts)
     if lines[0].chain:
         made = np.array([(*line.chain, line.v, signed(line.dvdx)) for line in lines], np.int64)
         chain, step, v, dv = np.repeat(made, counts, axis=0).T
@@ -100,4 +100,4 @@ def pixels(lines: list[Line], mapper: str, texture: np.ndarray | None, light: np
 
 def lit(lines: list[Line], texels: np.ndarray, light: np.ndarray) -> np.ndarray:
     """Returns the pixels of lit lines from their texels; ``light``: as in ``pixels``."""
-    return light[np.concatenate([rows(line) for line in lines]), texels] if light.ndim == 2 else light[texels]
+    return light[rows(lines), texels] if light.ndim == 2 else light[texels]

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from tmap.base.fixed import counted
 from tmap.setup import afar, perspective
 from tmap.setup.level import level
 from tmap.setup.spans import coordinates_of
@@ -53,7 +54,7 @@ def crossed(columns, lines, ys: list[int]) -> tuple[np.ndarray, np.ndarray]:
     """Returns u and v of lines of a polygon that is drawn by columns, a polygon whose lines they are."""
     across = np.array([(each.left, each.right) for each in columns.lines]).T
     counts = [line.right - line.left for line in lines]
-    y, x = np.repeat(ys, counts), np.concatenate([np.arange(line.left, line.right) for line in lines])
+    y, x = np.repeat(ys, counts), np.repeat([line.left for line in lines], counts) + counted(counts)
     left, right = (each[x - columns.top] for each in across)
     if not ((left <= y) & (y < right)).all():
         raise ValueError("a column has no pixel on a line that is drawn")
