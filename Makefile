@@ -12,7 +12,7 @@ ifeq ($(filter gcc vbcc,$(CC68K)),)
 $(error CC68K is gcc or vbcc, not "$(CC68K)")
 endif
 # As they were given: $ in a file's name names no variable.
-GIVEN := SCENE MACHINE FRAMES SEED COUNT A B
+GIVEN := SCENE MACHINE FRAMES SEED COUNT FAMILY A B
 $(foreach name,$(GIVEN),$(eval override $(name) := $$(value $(name))))
 override SCENE := $(if $(SCENE),$(SCENE),tests/scenes/default.toml)
 export $(GIVEN)
@@ -72,7 +72,7 @@ help:
 	@echo 'make report                                       all figures and pictures in one page: build/report'
 	@echo 'make adf                                          a bootable disk for real Amigas: build/adf'
 	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
-	@echo 'make fuzz [SEED=N] [COUNT=N] [MACHINE=NAME]       random polygons against model and bounds'
+	@echo 'make fuzz [SEED=N] [COUNT=N] [FAMILY=perspective] random polygons against model and bounds'
 	@echo 'make test                                         run all tests'
 	@echo 'make diff A=DIR B=DIR                             compare two runs'
 	@echo 'make programs [CC68K=gcc|vbcc]                    build the Amiga programs only'
@@ -114,7 +114,7 @@ sdk: programs
 
 fuzz: programs
 	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \
-	  $${MACHINE:+--machine "$$MACHINE"}
+	  $${FAMILY:+--family "$$FAMILY"} $${MACHINE:+--machine "$$MACHINE"}
 
 # A file's tests share what they made, so they stay together; tests/conftest.py has the order.
 # The second processor is compiled while the programs are.

@@ -15,6 +15,7 @@ from tmap.corpus import hard_cases
 from tmap.fuzz import fuzz, polygons as fuzz_polygons, shrink
 from tmap.guest import guest_frames
 from tmap.scene_file import scene_file
+from tmap.scene_file.textures import IN_DEPTH
 from tmap.setup import edges
 
 SEED, COUNT = 2026, 4000
@@ -28,6 +29,14 @@ def test_a_fixed_slice_holds() -> None:
     assert n["polygons"] == COUNT and n["drawn"] > COUNT / 2 and n["refused"] > COUNT / 100
     assert n["judged"] > COUNT / 3 and found.coverage_errors["exact"] == 0
     assert set(found.worst) == set(scene_file.MAPPERS[1])
+
+
+def test_a_slice_in_perspective_holds() -> None:
+    """The same of the family whose polygons all have depth and a perspective."""
+    found = fuzz.run(SEED, 0, 300, family="perspective")
+    assert not found.failed, {n: f.text for n, f in found.failed.items()}
+    assert found.counts["judged"] > 100
+    assert not found.worst.keys() - IN_DEPTH
 
 
 def test_digests_tell_frames_apart() -> None:
@@ -58,8 +67,8 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     monkeypatch.setattr(edges.Edge, "column", lambda edge, line: (edge.at(line) >> 16) + 1)
     monkeypatch.setattr(shrink, "ROUNDS", 3)
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
-    monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part: fuzz.run_part(
-        seed, range(first, first + count), machine))
+    monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part, family: fuzz.run_part(
+        seed, range(first, first + count), machine, family))
     assert main(["fuzz", "--seed", "1", "--first", "600", "--count", "60", "--keep", "wrong_ceil"]) == 1
     text = capsys.readouterr().out
     for part in ("60 polygons", "failed: ", "seed 1, polygon 6", "the guest's frame is not the model's",
@@ -128,6 +137,7 @@ def test_shrinking_ends_at_the_simplest() -> None:
     (["--count", "0"], "fuzz: --count must be 1 or more"),
     (["--seed", "-1"], "fuzz: --count must be 1 or more, --first and --seed 0 or more"),
     (["--count", "x"], "fuzz: argument --count: invalid int value: 'x'"),
+    (["--family", "cubes"], "fuzz: argument --family: invalid choice: 'cubes'"),
     (["--machine", "z80"], "fuzz: argument --machine: invalid choice: 'z80'")])
 def test_bad_arguments(arguments: list[str], complaint: str, capsys) -> None:
     assert main(["fuzz", *arguments]) == 2

@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from tests.helpers.surfaces import off_surface
-from tmap.fuzz import depths as fuzz_depths, polygons, shrink
+from tmap.fuzz import depths as fuzz_depths, families, polygons, shrink
 from tmap.ideal import perspective
 from tmap.model import model
 from tmap.scene_file import scene_file
@@ -51,6 +51,20 @@ def test_a_share_has_depth(some) -> None:
 def test_polygons_are_the_same_in_every_run(some) -> None:
     """A polygon depends only on seed and number, not on those generated before."""
     assert [polygons.even(SEED, k) for k in range(900, 800, -1)] == some[900:800:-1]
+
+
+def test_a_family_has_depth_alone() -> None:
+    """All differ in depth and have a perspective; number k of a seed is the same in every run."""
+    numbers = [*range(300), *range(1000, 1300)]
+    some = [polygons.polygon(SEED, k, "perspective") for k in numbers]
+    assert all(is_deep(each) and len({v[5] for v in each.vertices}) > 1 for each in some)
+    assert {each.settings.perspective for each in some} == {*SETTINGS["perspective"]} - {"none"}
+    assert {each.settings.mapper for each in some} == set(IN_DEPTH)
+    polygons.polygon.cache_clear()
+    assert [polygons.polygon(SEED, k, "perspective") for k in reversed(numbers)] == some[::-1]
+    scene_file.write(polygons.scene(SEED, 0, some[:300]))
+    assert families.again(SEED, 7, "perspective", "a1200") == (
+        f"scripts/tmap fuzz --family perspective --seed {SEED} --first 7 --count 1 --machine a1200")
 
 
 def test_all_kinds_of_depth_are_there(some) -> None:

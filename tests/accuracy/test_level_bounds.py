@@ -3,6 +3,7 @@ also mirrored in u and v, so that the other end of the range holds them."""
 
 from dataclasses import dataclass, replace
 
+import numpy as np
 import pytest
 
 from tmap.fuzz import fuzz
@@ -101,7 +102,7 @@ def test_the_range_holds_a_first_pixel(name: str) -> None:
     vertices, polygon = set_up(ALL[name])
     p, y = polygon.perspective, ALL[name].line
     assert polygon.is_level and bool(p.tilt) == (len(vertices) > 3)
-    found = p.quotients(polygon.lines[y - polygon.top].left, y)[1]
+    found = p.quotients(np.array([polygon.lines[y - polygon.top].left]), y)[1]
     assert any(c > high or c < low for c, low, high in zip(found, p.low, p.high))
 
 

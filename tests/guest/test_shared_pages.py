@@ -58,7 +58,7 @@ def coordinates(scene: Scene, number: int):
     vertices = [tuple(map(int, v)) for v in scene.vertices[3 * number:3 * number + 3]]
     polygon = model.set_up(model.adapt(vertices, settings, max(size)), SIDE, SIDE, True, settings, size)
     lines = enumerate(polygon.lines, polygon.top) if polygon else ()
-    return texels, [polygon.coordinates(line, y) for y, line in lines]
+    return texels, [polygon.coordinates(y) for y, line in lines]
 
 
 @pytest.mark.parametrize("repeats", [(1, 1), (2, 1), (6, 1), (1, 6)])

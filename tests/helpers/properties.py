@@ -167,7 +167,7 @@ def rows_kept(case: Case) -> list[str]:
     other, however often the map repeats along a line."""
     polygon = case.drawn()
     for y, line in rows(polygon).items():
-        stepped = polygon.coordinates(line, y)
+        stepped = polygon.coordinates(y)
         found = spans.fetched(line, polygon.mapper, case.size, stepped)
         for name, values, texels, side in zip(("column", "row"), stepped, found, case.size):
             wrong = np.flatnonzero((values >> 16) % side != texels)

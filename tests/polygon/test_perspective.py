@@ -43,7 +43,7 @@ def test_order_of_vertices_does_not_matter(way: str) -> None:
         for turned in (corners, corners[1:] + corners[:1], corners[::-1]):
             polygon = model.set_up(model.adapt(turned, settings, 256), WIDTH, HEIGHT, True, settings)
             shown.append([] if polygon is None else [
-                [c.tolist() for c in polygon.coordinates(line, y)]
+                [c.tolist() for c in polygon.coordinates(y)]
                 for y, line in enumerate(polygon.lines, polygon.top) if line.right > line.left])
         assert shown[0] == shown[1] == shown[2]
         pixels += sum(len(u) for u, _ in shown[0])

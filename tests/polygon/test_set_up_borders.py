@@ -215,7 +215,7 @@ def test_parts_of_a_line_keep_their_format(families) -> None:
     for each in families["all_in_a_line"]:
         polygon = each.set_up
         line = polygon.lines[0]
-        q0, q1 = (polygon.perspective.divided(x, polygon.top)[0] for x in (line.left, line.right - 1))
+        q0, q1 = polygon.perspective.divided(np.array([line.left, line.right - 1]), polygon.top)[0].tolist()
         assert 0 < q0 < line.right - 1 - line.left and q1 > 1 << 29
         made = perspective.ends(polygon.perspective, line.left, line.right, polygon.top)
         assert max((k * (made.last >> 1) << 32) // made.weight(k) for k in range(1, made.n)) < 1 << 31
@@ -261,5 +261,5 @@ def test_no_texel_beyond_the_map_is_shown(families) -> None:
         polygon = each.set_up
         for y, line in enumerate(polygon.lines, polygon.top):
             if line.right > line.left:
-                for c in polygon.coordinates(line, y):
+                for c in polygon.coordinates(y):
                     assert 0 <= c.min() and c.max() < 256 * ONE, f"{each.name}, line {y}"

@@ -127,7 +127,7 @@ def test_levels_keep_their_bound_and_the_vertices_levels():
         polygon = model.set_up(model.adapt(vertices, settings, 256), WIDTH, HEIGHT, True, settings, (256, 256))
         if polygon:
             assert polygon.triangle
-            levels = [level for line in polygon.lines for level in shading.rows(line)]
+            levels = [level for line in polygon.lines for level in shading.rows([line])]
             whole = [v[4] >> 18 for v in vertices]
             assert not levels or min(whole) <= min(levels) and max(levels) <= max(whole), vertices
     assert worst > 0.8
@@ -147,7 +147,7 @@ def test_no_pixel_leaves_a_map_that_does_not_repeat():
         if polygon and polygon.triangle:
             drawn += 1
             for y, line in enumerate(polygon.lines, polygon.top):
-                u, v = polygon.coordinates(line, y)
+                u, v = polygon.coordinates(y)
                 assert ((u >= 0) & (u < 256 << 16) & (v >= 0) & (v < 256 << 16)).all(), vertices
         verdict = bounds.judge(vertices, settings, WIDTH, HEIGHT)
         assert not verdict.complaint, (vertices, verdict.complaint)

@@ -16,6 +16,7 @@ from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, ROOT
 from tmap.base.pixel_formats import FORMATS
 from tmap.base.signals import end_by
+from tmap.fuzz import families
 from tmap.guest.conditions import CONDITIONS
 from tmap.guest.emulator import MACHINES, MEASURED
 from tmap.run.convert import LAYOUTS
@@ -104,7 +105,7 @@ def fuzz(args: argparse.Namespace) -> int:
     """Checks random polygons against the model and the bounds."""
     build_programs()
     from tmap.fuzz import fuzz as tool
-    return tool.command(args.seed, args.first, args.count, args.machine, args.keep)
+    return tool.command(args.seed, args.first, args.count, args.machine, args.keep, args.family)
 
 
 def choose(args: argparse.Namespace) -> int:
@@ -277,12 +278,8 @@ def add_checks(commands: Commands) -> None:
     """Adds the commands that check the renderer against the model, bounds and reference data."""
     command = commands.add("fuzz", fuzz,
                            "Draw random polygons and hold each to the model and to the derived bounds.")
-    command.add_argument("--seed", type=int, default=1, metavar="N", help="which polygons (1)")
-    command.add_argument("--count", type=int, default=20_000, metavar="N", help="how many (20000)")
-    command.add_argument("--first", type=int, default=0, metavar="N", help="from which on (0)")
+    families.add_arguments(command)
     add_machine(command, "a1200-fast")
-    command.add_argument("--keep", metavar="NAME",
-                         help="add the smallest failing polygon to the hard cases")
 
     command = commands.add("vectors", vectors,
                            "Ask the texture engines the questions of reference data: 0 all right "

@@ -13,7 +13,7 @@ from tmap.base import markdown
 from tmap.base.elementary import cos, each, sin
 from tmap.base.fixed import ONE
 from tmap.model import model
-from tmap.setup.spans import coordinates, pixels
+from tmap.setup.spans import coordinates, coordinates_of, pixels
 
 SIDE = 256  # pixels of the frame
 MAP = 64  # texels
@@ -59,7 +59,8 @@ def errors(picture: np.ndarray, scale: int) -> dict[str, tuple[float, float]]:
     exact = np.array([bilinear(picture, *(c / ONE for c in coordinates(line)))
                       for _, line in lines])
     for name, mapper in MAPPERS.items():
-        drawn = np.array([pixels(line, mapper, picture, None, y) for y, line in lines], float)
+        stepped = coordinates_of(polygon.lines, range(len(lines)), mapper)
+        drawn = pixels(polygon.lines, mapper, picture, None, stepped).reshape(len(lines), -1).astype(float)
         found[name] = tuple(float(abs(of(drawn) - of(exact)).mean()) for of in (np.array, blended))
     return found
 

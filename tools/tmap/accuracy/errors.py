@@ -33,7 +33,7 @@ class Errors:
             self.coverage += right - left + end - first - 2 * both
             self.pixels += right - left
             if right > left and settings.mapper != "flat":
-                self.texels(polygon.coordinates(line, y), line.left, y, exact)
+                self.texels(polygon.coordinates(y), line.left, y, exact)
 
     def texels(self, found, left: int, y: int, exact: ideal.Picture) -> None:
         """Adds u and v of a line's pixels from ``left`` on. Only pixels inside the polygon count,

@@ -27,6 +27,13 @@ def signed(value: Number, bits: int = 32) -> Number:
     return value - (value >> bits - 1 << bits)
 
 
+def counted(counts) -> np.ndarray:
+    """Returns 0 to n - 1 for each n of some counts, one after the other."""
+    counts = np.asarray(counts)
+    ends = np.cumsum(counts)
+    return np.arange(ends[-1] if len(ends) else 0) - np.repeat(ends - counts, counts)
+
+
 def swap(x: int) -> int:
     """Exchanges the words of a long: 16.16 to fraction:integer and back."""
     return (x >> 16 | x << 16) & M32
@@ -38,7 +45,7 @@ def step_swapped(x: int, step: int) -> int:
     return total & 0xFFFF0000 | (total & 0xFFFF) + (total >> 32) & 0xFFFF
 
 
-def ceil16(x: int) -> int:
+def ceil16(x: Number) -> Number:
     """Returns the smallest integer not below a 16.16 number."""
     return (x + 0xFFFF) >> 16
 

@@ -40,7 +40,7 @@ def span_trial(arena: Arena, ground: Ground, k: cubic.Constants, lines: list[tup
         line = cubic.line(None, k, left, left + count, k.top + y)
         qs.append(line.q)
         if count > 0:
-            u, v = cubic.coordinates(line)
+            u, v = cubic.coordinates([line])
             writes.append(Write(ground.frame_at + y * pitch + left,
                                 ground.picture[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
     near = {"lines": line_table(arena, lines, qs, k.leftwards, ground.frame_at, pitch)}

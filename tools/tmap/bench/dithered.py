@@ -20,7 +20,7 @@ def dithered_trial(kernel: str, lines: list[Line], pitch: int, arena: Arena, gro
                    title: str = "", *, dudx: int, dvdx: int, odd: int, **more) -> Trial:
     """One table of lines, u and v less than their points' by MOST; ``odd``: line 0's parity."""
     def drawn(k: int, _: int, column: int, count: int, u: int, v: int) -> np.ndarray:
-        du, dv = dithered.moves(column, column + count, k + odd)
+        du, dv = dithered.moves(np.arange(column, column + count), k + odd)
         return texels(ground.picture, u + MOST + du, v + MOST + dv, dudx, dvdx, count)
 
     return table_trial(kernel, "addx", lines, pitch, arena, ground, drawn, title, dudx=dudx,

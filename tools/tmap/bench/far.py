@@ -76,7 +76,7 @@ def span_trial(arena: Arena, ground: Ground, k: far.Constants, lines: list[tuple
     writes = []
     for y, (left, count) in enumerate(lines):
         if count > 0:
-            u, v = far.coordinates(far.line(None, k, left, left + count, k.top + y))
+            u, v = far.coordinates([far.line(None, k, left, left + count, k.top + y)])
             writes.append(Write(ground.frame_at + y * pitch + left,
                                 ground.picture[v >> 16 & 255, u >> 16 & 255].tobytes(), far=True))
     near = {"table": table(arena), "lengths": lengths(arena, k.every),

@@ -11,6 +11,7 @@ from collections import Counter
 from collections.abc import Callable
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
+from itertools import repeat
 from multiprocessing import active_children, get_context, resource_tracker
 from threading import Event
 
@@ -19,6 +20,7 @@ import numpy as np
 from tmap.base.errors import UserError
 from tmap.base.signals import ENDING, end_by, held
 from tmap.build import layout
+from tmap.fuzz.families import ALL, again, named
 from tmap.fuzz.polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from tmap.fuzz.shrink import shrink
 from tmap.guest.guest_frames import draw, frame_of, is_models
@@ -156,14 +158,14 @@ def end_as_exits() -> None:
     end_by(ENDING, ended.set)
 
 
-def run_part(seed: int, numbers: range, machine: str) -> Tally:
+def run_part(seed: int, numbers: range, machine: str, family: str = ALL) -> Tally:
     """Draws and checks polygons of several blocks in one boot."""
     if ended.is_set():
         sys.exit()
     parts: dict[int, list[int]] = {}
     for number in numbers:
         parts.setdefault(number // BLOCK, []).append(number)
-    polygons = {block: [polygon(seed, n) for n in part] for block, part in parts.items()}
+    polygons = {block: [polygon(seed, n, family) for n in part] for block, part in parts.items()}
     tally = Tally()
     try:
         digests = draw([(scene(seed, block, some), form_of(block))
@@ -185,8 +187,8 @@ def run_part(seed: int, numbers: range, machine: str) -> Tally:
 
 
 def run(seed: int, first: int, count: int, machine: str = MACHINE,
-        on_part: Callable[[Tally], None] | None = None) -> Tally:
-    """Checks ``count`` polygons of a seed from ``first`` on, on all of the host's processors."""
+        on_part: Callable[[Tally], None] | None = None, family: str = ALL) -> Tally:
+    """Checks ``count`` polygons of a seed and a family from ``first`` on, on all of the host's processors."""
     size = BLOCK * BLOCKS
     starts = [first, *range(first // size * size + size, first + count, size)]
     ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]
@@ -197,7 +199,7 @@ def run(seed: int, first: int, count: int, machine: str = MACHINE,
     with ProcessPoolExecutor(min(os.cpu_count() or 1, len(ranges)), get_context("spawn"),
                              end_as_exits) as pool:
         try:
-            for part in pool.map(run_part, [seed] * len(ranges), ranges, [machine] * len(ranges)):
+            for part in pool.map(run_part, repeat(seed), ranges, repeat(machine), repeat(family)):
                 total.merge(part)
                 if on_part:
                     on_part(part)
@@ -218,7 +220,7 @@ def can_be_held(each: Fuzzed, seed: int, block: int) -> bool:
     return True
 
 
-def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed, Fault]:
+def smallest(number: int, fault: Fault, seed: int, machine: str, family: str = ALL) -> tuple[Fuzzed, Fault]:
     """Returns the simplest polygon that fails in the same way, and its fault."""
     block = number // BLOCK
 
@@ -229,20 +231,19 @@ def smallest(number: int, fault: Fault, seed: int, machine: str) -> tuple[Fuzzed
         found = faults(some, seed, block, form_of(block), machine) if some else {}
         return {kept[k]: each for k, each in found.items() if each.kind == fault.kind}
 
-    return shrink(polygon(seed, number), fault, failing)
+    return shrink(polygon(seed, number, family), fault, failing)
 
 
-def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str) -> str:
+def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str, family: str = ALL) -> str:
     """Returns the text that helps to find the cause."""
     block = number // BLOCK
     this = scene(seed, block, [each])
     found = None if fault.kind in ("crash", "refused") else frame_of(this, form_of(block), machine)
-    again = f"scripts/tmap fuzz --seed {seed} --first {number} --count 1 --machine {machine}"
-    return explain(this, 0, found,
-                   f"seed {seed}, polygon {number}, {form_of(block)}: {fault.text}", again)
+    return explain(this, 0, found, f"{named(seed, number, family)}, {form_of(block)}: {fault.text}",
+                   again(seed, number, family, machine))
 
 
-def command(seed: int, first: int, count: int, machine: str, keep: str | None) -> int:
+def command(seed: int, first: int, count: int, machine: str, keep: str | None, family: str = ALL) -> int:
     """``tmap fuzz``: returns 0 only if no polygon failed."""
     from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 
@@ -252,21 +253,21 @@ def command(seed: int, first: int, count: int, machine: str, keep: str | None) -
                   transient=True, disable=not sys.stderr.isatty()) as progress:
         task = progress.add_task("polygons", total=count)
         tally = run(seed, first, count, machine,
-                    lambda part: progress.advance(task, part.counts["polygons"]))
+                    lambda part: progress.advance(task, part.counts["polygons"]), family)
     print(tally)
     if not tally.failed:
         return 0
     number, fault = next(iter(sorted(tally.failed.items())))
     print(f"{len(tally.failed)} failed: {', '.join(map(str, sorted(tally.failed)[:20]))}; "
           f"the first, made smaller:")
-    each, fault = smallest(number, fault, seed, machine)
-    print(explanation(each, fault, seed, number, machine))
+    each, fault = smallest(number, fault, seed, machine, family)
+    print(explanation(each, fault, seed, number, machine, family))
     if keep:
         from tmap.corpus.hard_cases import Case
         from tmap.corpus.hard_cases import keep as keep_case
         size = textures(seed, number // BLOCK)[each.texture].texels.shape[::-1] \
             if each.texture >= 0 else (256, 256)
-        keep_case(Case(keep, f"Found by the fuzzer, seed {seed}, polygon {number}: {fault.text}.",
+        keep_case(Case(keep, f"Found by the fuzzer, {named(seed, number, family)}: {fault.text}.",
                        each.vertices, (each.settings.mapper,), size,
                        each.settings.perspective != "none"))
         print(f"kept as {keep} in tests/hard_cases.json")

@@ -1,4 +1,4 @@
-"""Random polygons for the fuzzer: number k of a seed is the same in every run.
+"""Random polygons for the fuzzer: number k of a seed and a family is the same in every run.
 
 Ordinary polygons, handwritten ones (tmap.corpus.written) and kinds that are known to break
 rasterisers, with every setting and mapper. The BLOCK polygons of a block share a frame size and
@@ -16,6 +16,7 @@ from tmap.compiler.map_range import extent_of
 from tmap.corpus import written
 from tmap.corpus.random_polygons import convex_polygon
 from tmap.fuzz import depths
+from tmap.fuzz.families import ALL
 from tmap.model.model import FAR
 from tmap.scene_file.scene_file import (IDENTITY, MAPPER_LAYOUT, MAPPERS, ON_PLANE, SETTINGS, Material,
                                         Object, Scene, Texture)
@@ -137,12 +138,14 @@ def inside_map(plane, size: tuple[int, int]) -> list[tuple[int, int]]:
     return list(zip(*made))
 
 
-def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by_hand: bool) -> Fuzzed:
-    """Gives a quarter of the polygons that may have them depths, and a perspective with the settings that
-    it needs; ``size``: the frame's; ``by_hand``: three in four depths are handwritten."""
-    if each.settings.mapper not in IN_DEPTH or rng.random() >= 0.25:
+def with_perspective(rng: random.Random, each: Fuzzed, size: tuple[int, int], by_hand: bool,
+                     family: str) -> Fuzzed:
+    """Gives a quarter of the polygons that may have them, or all of a family in perspective, depths, and a perspective
+    with the settings that it needs; ``size``: the frame's; ``by_hand``: three in four depths are handwritten."""
+    if family == ALL and (each.settings.mapper not in IN_DEPTH or rng.random() >= 0.25):
         return each
-    settings = replace(each.settings, perspective=rng.choice(SETTINGS["perspective"]))
+    settings = replace(each.settings, perspective=rng.choice(
+        [name for name in SETTINGS["perspective"] if family == ALL or name != "none"]))
     if settings.perspective != "none":
         settings = replace(settings, gradients="plane", start="subtexel",
                            tolerance=rng.choice(TOLERANCES))
@@ -172,10 +175,16 @@ def uneven(rng: random.Random, each: Fuzzed, maps: list[Texture]) -> Fuzzed:
 
 
 @cache
-def polygon(seed: int, number: int) -> Fuzzed:
-    """Returns polygon ``number`` of a seed."""
-    return uneven(random.Random(f"{seed} uneven {number}"), even(seed, number),
-                  textures(seed, number // BLOCK))
+def polygon(seed: int, number: int, family: str = ALL) -> Fuzzed:
+    """Returns polygon ``number`` of a seed and a family."""
+    maps, name, tries = textures(seed, number // BLOCK), str(seed), 0
+    while True:
+        if family != ALL:
+            name = f"{seed} {family} {tries}"
+        each = uneven(random.Random(f"{name} uneven {number}"), even(seed, number, family, name), maps)
+        if family == ALL or len({v[5] for v in each.vertices}) > 1:
+            return each
+        tries += 1
 
 
 def for_triangles(rng: random.Random, width: int, height: int, most: int):
@@ -198,16 +207,18 @@ def for_triangles(rng: random.Random, width: int, height: int, most: int):
     return points, plane
 
 
-def even(seed: int, number: int) -> Fuzzed:
-    """Returns polygon ``number`` with all vertices on planes."""
-    rng = random.Random(f"{seed} fuzz {number}")
+def even(seed: int, number: int, family: str = ALL, name: str = "") -> Fuzzed:
+    """Returns polygon ``number`` of a family with all vertices on planes. ``name``: what its random numbers depend on
+    beside ``number``, the seed if it is empty."""
+    name = name or str(seed)
+    rng = random.Random(f"{name} fuzz {number}")
     block = number // BLOCK
     width, height = frame_size(block)
-    hand = random.Random(f"{seed} written {number}")
+    hand = random.Random(f"{name} written {number}")
     by_hand = hand.random() < written.SHARE
     points = (written.outline(hand, width, height) if by_hand else
               visible_corners(rng, width, height))
-    others = tuple(mapper for mapper in MAPPERS[1] if mapper != "affine")
+    others = tuple(mapper for mapper in (MAPPERS[1] if family == ALL else IN_DEPTH) if mapper != "affine")
     mapper = rng.choice(others + 4 * ("affine",))
     choices = {kind: rng.choice(names) for kind, names in SETTINGS.items()
                if kind not in ("mapper", "perspective")}
@@ -238,8 +249,8 @@ def even(seed: int, number: int) -> Fuzzed:
     if by_hand and hand.random() < 0.5:
         shades = [hand.choice((0, 128, 255)) * ONE] * len(points)
     vertices = tuple((*p, *q, shade, ONE) for p, q, shade in zip(points, plane, shades))
-    return with_perspective(random.Random(f"{seed} depth {number}"),
-                            Fuzzed(vertices, settings, texture), (width, height), by_hand)
+    return with_perspective(random.Random(f"{name} depth {number}"),
+                            Fuzzed(vertices, settings, texture), (width, height), by_hand, family)
 
 
 def scene(seed: int, block: int, polygons: list[Fuzzed]) -> Scene:

@@ -71,50 +71,19 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tmap.base.fixed import ceil16
 from tmap.corpus.random_polygons import is_convex
-from tmap.ideal import bounds_fetched, bounds_perspective, bounds_snapped, ideal, planarity
-from tmap.ideal.bounds_coverage import (FLOAT, LARGEST, crossing, edge_bound, edges_by_line,
-                                        check_coverage)
+from tmap.ideal import bounds_fetched, bounds_snapped, check_perspective, ideal, planarity
+from tmap.ideal.bounds_coverage import LARGEST, Side, check_coverage, edge_bound
 from tmap.ideal.ideal import UNIT
 from tmap.ideal.perspective import in_front
+from tmap.ideal.rows import Rows
+from tmap.ideal.verdict import Verdict, add_errors
 from tmap.model import model
 from tmap.setup import snapped, spans, tolerance
 from tmap.setup.dithered import MOST as DITHERED
 from tmap.setup.edges import Edge
 from tmap.setup.spans import BIAS
 from tmap.setup.texturing import CUT, STEEP_256, Line, Settings, Texturing
-
-
-@dataclass
-class Verdict:
-    """The errors of one polygon. Texel errors in texels (shades)."""
-
-    pixels: int = 0
-    coverage_errors: int = 0  # pixels lit or left out against the exact polygon
-    texel_error: float = 0.0  # the largest
-    texel_bound: float = 0.0  # at the same pixel
-    texel_ratio: float = 0.0  # the largest error / bound of a pixel
-    unsure: int = 0  # polygons drawn affine though w differs
-    complaint: str = ""  # the first excess found, in words
-
-    def complain(self, text: str) -> None:
-        """Notes an excess, if it is the first."""
-        self.complaint = self.complaint or text
-
-    def note(self, error: float, bound: float) -> None:
-        """Notes a pixel's error, if it is the largest."""
-        if error > self.texel_error or not self.texel_bound:
-            self.texel_error, self.texel_bound = float(error), float(bound)
-
-    def merge(self, other: "Verdict") -> None:
-        """Takes the worse of both."""
-        self.pixels += other.pixels
-        self.coverage_errors += other.coverage_errors
-        self.unsure += other.unsure
-        self.note(other.texel_error, other.texel_bound)
-        self.texel_ratio = max(self.texel_ratio, other.texel_ratio)
-        self.complain(other.complaint)
 
 
 def has_ideal(vertices, settings: Settings = Settings()) -> bool:
@@ -175,23 +144,22 @@ def coarse(cut: int) -> int:
     return 1 + (1 << cut) if cut else 1
 
 
-def start_bound(c: Coordinate, t: model.Texturing, edge: Edge, line: int, column: int,
-                settings: Settings) -> float:
-    """Returns the bound of u at the first pixel ``column`` of a line before the frame cuts it (not
+def start_bound(c: Coordinate, t: model.Texturing, side: Side, columns: np.ndarray,
+                settings: Settings) -> np.ndarray:
+    """Returns the bounds of u at the first pixels ``columns`` of lines before the frame cuts them (not
     for plane + subtexel)."""
-    n, off = line - edge.top, abs(column - crossing(edge, line))
+    n, off = side.below, abs(columns - side.crossings)
     zeros = (1 << c.cut) * UNIT  # including the free bit's value
     if settings.gradients == "plane":
-        first = c.plane.bound(edge.column(edge.top), edge.top, t, c.cut)
-        slope = abs(edge.slope) * UNIT
-        return (first + UNIT + c.g * edge_bound(edge, edge.top) + c.step
-                + n * (c.down + UNIT + c.g * UNIT / 2 + slope * c.step)
+        first = side.each(lambda edge: c.plane.bound(edge.column(edge.top), edge.top, t, c.cut)
+                          + UNIT + c.g * edge_bound(edge, edge.top))
+        slope = side.each(lambda edge: abs(edge.slope)) * UNIT
+        return (first + c.step + n * (c.down + UNIT + c.g * UNIT / 2 + slope * c.step)
                 + (n + 1) * zeros + c.g * off)
     along = (n + 1) * (UNIT / 2 + zeros)
     if settings.start == "truncated":
         return along + c.g * off
-    rounded = edge_bound(edge, line)
-    return along + (n + 1) * UNIT + c.g * rounded + (off + rounded) * c.step
+    return along + (n + 1) * UNIT + c.g * side.bounds + (off + side.bounds) * c.step
 
 
 def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> float:
@@ -201,87 +169,81 @@ def raised_starts(c: Coordinate, edge: Edge, width: int, settings: Settings) -> 
     return ((lines * line + (width + 1) * coarse(c.cut)) / 2 + 4 * whole + 4) * UNIT
 
 
-def plane_bound(c: Coordinate, t: model.Texturing, edge: Edge, i: int, y: int,
-                settings: Settings) -> tuple[float, float]:
-    """Returns how far below and above u may be at a pixel, if the polygon has one step."""
+def plane_bound(c: Coordinate, t: model.Texturing, side: Side, i: np.ndarray,
+                settings: Settings) -> tuple[np.ndarray, np.ndarray]:
+    """Returns how far below and above u may be at pixels of the left side's lines, if the polygon has one step."""
     exact = settings.start == "subtexel"
     if isinstance(t, snapped.Triangle):
-        return bounds_snapped.bound(c.g, t, "uv".index(c.key), i, y)
+        both = [bounds_snapped.bound(c.g, t, "uv".index(c.key), *at) for at in zip(i.tolist(), side.ys.tolist())]
+        return tuple(np.array(each) for each in zip(*both))
     if settings.gradients == "plane" and exact:
-        high = c.plane.bound(i, y, t, c.cut)
-        return high if c.plane.below() else 0.0, high
-    column = edge.column(y)
-    off = start_bound(c, t, edge, y, column, settings) + abs(i - column) * c.step
+        high = c.plane.bound(i, side.ys, t, c.cut)
+        return high if c.plane.below() else 0.0 * high, high
+    column = side.columns
+    off = start_bound(c, t, side, column, settings) + abs(i - column) * c.step
     if settings.gradients == "plane":
         return off, off
     # if the longest line is narrower than a pixel, its quotient is off by more than half a texel
     wide = exact and c.g < STEEP_256 - 6 and c.step < (1 + c.g) * c.end + coarse(c.cut) * UNIT / 2
     width = t.box[2] - t.box[0]
-    sure = wide and i - edge.column(edge.top) <= width and i - column <= width
-    return 0.0 if sure else off, off + raised_starts(c, edge, width, settings)
+    sure = wide & (i - side.each(lambda edge: edge.column(edge.top)) <= width) & (i - column <= width)
+    return np.where(sure, 0.0, off), off + side.each(lambda edge: raised_starts(c, edge, width, settings))
 
 
-def scanline_ideal(key: str, y: int, edges: tuple[Edge, Edge], i: int,
-                   settings: Settings) -> tuple[float, float]:
-    """u at a pixel between both exact edges, and its bound if each line has its own steps."""
+def scanline_ideal(key: str, sides: tuple[Side, Side], i: np.ndarray,
+                   settings: Settings) -> tuple[np.ndarray, np.ndarray]:
+    """u at a pixel of each line between both exact edges, and its bound if each line has its own steps."""
     index = "uv".index(key) + 2
-    x, u, a, off = [], [], [], []
-    for edge in edges:
-        part = ((y << 16) - edge.upper[1]) / (edge.lower[1] - edge.upper[1])
-        x.append(crossing(edge, y))
-        u.append((edge.upper[index] + (edge.lower[index] - edge.upper[index]) * part) * UNIT)
-        a.append((y - edge.top + 1) * UNIT / 2 + ((edge.end - edge.top) / 2 + 2) * UNIT)
-        off.append(edge_bound(edge, y))
+    x, off, at = ([getattr(side, name) for side in sides] for name in ("crossings", "bounds", "at"))
+    u = [side.values(index) * UNIT for side in sides]
+    a = [(side.below + 1) * UNIT / 2 + (side.each(lambda edge: edge.end - edge.top) / 2 + 2) * UNIT for side in sides]
     width, rise = x[1] - x[0], u[1] - u[0]
-    g = rise / width if width > 0 else 0.0
-    exact, rounded = u[0] + g * (i - x[0]), [edge.at(y) for edge in edges]
+    g = np.where(width > 0, rise / np.where(width > 0, width, 1.0), 0.0)
+    exact = u[0] + g * (i - x[0])
     if settings.start == "truncated":
-        first = ceil16(rounded[0])
-        pixels = ceil16(rounded[1]) - first
-        stretch = width / pixels - 1 if pixels > 0 else -1.0
+        first, end = (edge + 0xFFFF >> 16 for edge in at)
+        stretch = np.where(end > first, width / np.maximum(end - first, 1) - 1, -1.0)
         return exact, (abs(g * ((i - first) * stretch - (first - x[0])))
                        + 2 * a[0] + a[1] + (abs(i - first) + 1) * UNIT)
-    ends = max(b + abs(g) * e for b, e in zip(a, off)) * (1 + 2 * max(off))
-    bound = ends + (abs(i - rounded[0] * UNIT) + 1) * UNIT
-    if rounded[1] - rounded[0] < 65536:
-        bound = max(bound, abs(rise) + a[0] + a[1] + UNIT)
-    return exact, bound
+    ends = np.maximum(*(b + abs(g) * e for b, e in zip(a, off))) * (1 + 2 * np.maximum(*off))
+    bound = ends + (abs(i - at[0] * UNIT) + 1) * UNIT
+    narrow = np.maximum(bound, abs(rise) + a[0] + a[1] + UNIT)
+    return exact, np.where(at[1] - at[0] < 65536, narrow, bound)
 
 
-def add_error(error: float, bounds: tuple[float, float], key: str, pixel: tuple, out: Verdict) -> None:
-    """Adds one pixel's error to a verdict; ``bounds``: how far it may be below and above."""
-    bound = bounds[error >= 0]
-    out.note(abs(error), max(bounds))
-    if max(bounds) < LARGEST and error:
-        ratio = abs(error) / bound if bound else 2.0
-        out.texel_ratio = max(out.texel_ratio, ratio)
-        if ratio > FLOAT:
-            out.complain(f"{key} at pixel {pixel} is {error:.9f} off the exact value, "
-                         f"{-bounds[0]:.9f} to {bounds[1]:.9f} are allowed")
-
-
-def mapper_bound(mapper: str, key: str, line: Line, i: int, error: float) -> float:
-    """What a mapper adds to the bound of u or v at pixel i of a line, on the error's side."""
+def mapper_bounds(mapper: str, key: str, lines: list[Line]) -> tuple:
+    """What a mapper adds to the bounds of u or v of lines, below and above."""
     if mapper == "generated":
-        lost = (getattr(line, key) & 0xFFFF) - BIAS
-        return max(-lost if error > 0 else lost, 0) * UNIT
-    return DITHERED * (mapper == "dithered")
+        lost = np.array([(getattr(line, key) & 0xFFFF) - BIAS for line in lines])
+        return np.maximum(lost, 0) * UNIT, np.maximum(-lost, 0) * UNIT
+    return (DITHERED * (mapper == "dithered"),) * 2
 
 
-def line_errors(key: str, c: Coordinate, values: np.ndarray, pixel: tuple[int, int], t,
-                edges: tuple[Edge, Edge], settings: Settings) -> tuple[np.ndarray, list[tuple]]:
-    """Returns the errors of the stepped u at the pixels of a line from ``pixel`` on, exact at both
-    ends, and how far below and above u may be at the ends."""
-    (left, y), last = pixel, pixel[0] + len(values) - 1
+def coordinate_errors(c: Coordinate, values: np.ndarray, rows: Rows, t, sides: tuple[Side, Side],
+                      settings: Settings) -> tuple[np.ndarray, list[tuple]]:
+    """Returns the errors of the stepped u at the pixels of rows, exact at both ends, and how far below and above u may
+    be at both ends."""
+    ends, last = (rows.lefts, rows.ends - 1), rows.starts + rows.counts - 1
     if settings.gradients == "scanline":
-        ends = [scanline_ideal(key, y, edges, i, settings) for i in (left, last)]
-        exact = np.linspace(ends[0][0], ends[1][0], len(values))
-        zeros = len(values) * ((1 << c.cut) - 1) * UNIT
+        both = [scanline_ideal(c.key, sides, i, settings) for i in ends]
+        (first, _), (end, _) = both
+        slope = rows.spread((end - first) / np.maximum(rows.counts - 1, 1))
+        exact = rows.spread(first) + (rows.columns - rows.spread(rows.lefts)) * slope
+        exact[last] = np.where(rows.counts > 1, end, first)
+        zeros = rows.counts * ((1 << c.cut) - 1) * UNIT
         return ((values * UNIT - exact + LARGEST) % (2 * LARGEST) - LARGEST,
-                [(b + zeros, b + zeros) for _, b in ends])
-    errors = c.plane.errors(values, np.arange(left, last + 1), y)
-    errors[-1] = c.plane.error(int(values[-1]), last, y)
-    return errors, [plane_bound(c, t, edges[0], i, y, settings) for i in (left, last)]
+                [(b + zeros, b + zeros) for _, b in both])
+    errors = c.plane.row_errors(values, rows)
+    errors[last] = c.plane.errors_at(values[last], ends[1], rows.ys)
+    return errors, [plane_bound(c, t, sides[0], i, settings) for i in ends]
+
+
+def fetched_inside(lines: list[Line], mapper: str, size: tuple[int, int], stepped, rows: Rows,
+                   drawn: Rows) -> tuple[np.ndarray, np.ndarray]:
+    """Returns the column and row of the map that the pixels of rows show, in lines ``drawn``, which contain them."""
+    if mapper != "generated":
+        return spans.fetched_by(lines, mapper, size, stepped)
+    return tuple(each[rows.inside(drawn)] for each in spans.fetched_by(lines, mapper, size, stepped))
 
 
 def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tuple[int, int],
@@ -289,57 +251,64 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
     """Adds the error of u and v at both ends of every line inside the exact polygon, as both are
     linear between them, and judges the texels that are fetched at all its pixels."""
     mapper, t = polygon.mapper, polygon.triangle or polygon.texturing
-    sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)]
-    planes = {key: coordinate(vertices, index, t, settings)
-              for key, index in (("u", 2), ("v", 3)) if mapper != "gouraud" or key == "u"}
-    found = []  # error, bounds below and above, coordinate, pixel
-    shown = []  # the texels of a line, how far they may be below and above
-    for y, line, left, right in bounds_perspective.inner_lines(vertices, polygon):
-        seen, last = slice(left - line.left, right - line.left), right - 1
-        stepped = polygon.coordinates(line, y)
-        texels = spans.fetched(line, mapper, size, stepped)
-        for k, (key, c) in enumerate(planes.items()):
-            values = stepped[k][seen]
-            errors, bounds = line_errors(key, c, values, (left, y), t, (sides[0][y], sides[1][y]), settings)
-            for i, error, both in ((left, errors[0], bounds[0]), (last, errors[-1], bounds[1])):
-                more = [mapper_bound(mapper, key, line, i, way) for way in (-1, 1)]
-                found.append((float(error), tuple(map(sum, zip(both, more))), key, (i, y)))
-            allowed = [max(each) + mapper_bound(mapper, key, line, last, way)
-                       for way, each in zip((-1, 1), zip(*bounds))]
-            side = 256 if mapper == "gouraud" else size[k]
-            shown.append(((key, texels[k][seen], values, errors, side, left, y), tuple(allowed)))
+    numbers, rows, drawn = ideal.inner_rows(vertices, polygon)
+    if not numbers:
+        return
+    lines = [polygon.lines[k] for k in numbers]
+    sides = Side(polygon.left_edges, rows.ys), Side(polygon.right_edges, rows.ys)
+    keys = ("u",) if mapper == "gouraud" else ("u", "v")
+    stepped, last = ideal.gathered(polygon, numbers, rows, drawn), rows.starts + rows.counts - 1
+    texels = fetched_inside(lines, mapper, size, stepped, rows, drawn)
+    found, low, high, shown = [], [], [], []  # errors and bounds at both ends; values, errors, bounds of a line
+    for k, key in enumerate(keys):
+        c, values = coordinate(vertices, k + 2, t, settings), stepped[k]
+        errors, ends = coordinate_errors(c, values, rows, t, sides, settings)
+        more = mapper_bounds(mapper, key, lines)
+        found += [errors[rows.starts], errors[last]]
+        low += [end[0] + more[0] for end in ends]
+        high += [end[1] + more[1] for end in ends]
+        side = 256 if mapper == "gouraud" else size[k]
+        allowed = [np.maximum(*way) + far for way, far in zip(zip(*ends), more)]
+        shown.append((key, texels[k], values, errors, side, allowed))
+    found, low, high = (np.stack(each, axis=1).ravel() for each in (found, low, high))
     if beyond is not None:
         longest = max(line.right - line.left for line in polygon.lines)
-        most = max((max(each) for _, each, *_ in found), default=0.0) + beyond
-        held = 6 * most + 2 * (longest + 1) * UNIT
-        found = [(error, (held, held), *rest) for error, _, *rest in found]
-        shown = [(each, (held, held)) for each, _ in shown]
-    for error, both, key, pixel in found:
-        add_error(error, both, key, pixel, out)
-    bounds_fetched.judge_lines(shown, out)
+        held = 6 * (max(low.max(), high.max()) + beyond) + 2 * (longest + 1) * UNIT
+        low, high = low * 0 + held, high * 0 + held
+        shown = [(*rest, [np.full(len(rows), held)] * 2) for *rest, _ in shown]
+
+    def at(k: int) -> tuple[str, tuple[int, int]]:
+        row, way = divmod(k, 2 * len(keys))
+        return keys[way // 2], (int((rows.ends - 1 if way % 2 else rows.lefts)[row]), int(rows.ys[row]))
+
+    add_errors(found, low, high, at, out)
+    suspects = [bounds_fetched.far_rows(rows, *rest) for _, *rest in shown]
+    for number in np.flatnonzero(np.logical_or.reduce(suspects)).tolist():
+        part = rows.part(number)
+        for key, *arrays, side, allowed in shown:
+            bounds_fetched.judge(key, *(each[part] for each in arrays), side, int(rows.lefts[number]),
+                                 int(rows.ys[number]), tuple(each[number] for each in allowed), out)
 
 
 def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
     """Adds the error of the level at both ends of every line inside the exact polygon."""
-    if polygon.triangle:
-        plane = ideal.plane_of(vertices, -1)
-        for y, line, left, right in bounds_perspective.inner_lines(vertices, polygon):
-            for i in {left, right - 1}:
-                bound = bounds_snapped.level_bound(abs(plane.nx / plane.d), polygon.triangle, i, y)
-                add_error(plane.error(line.c + (i - line.left) * line.dcdx, i, y), (bound, bound),
-                          "level", (i, y), out)
+    plane, light = ideal.plane_of(vertices, -1), polygon.shading
+    numbers, rows, _ = ideal.inner_rows(vertices, polygon)
+    if not numbers:
         return
-    t, light, plane = polygon.shading.plane, polygon.shading, ideal.plane_of(vertices, -1)
-    (least, _), (most, _) = model.plane_range(vertices, t)
-    beyond = max(0, light.low - least, most - light.high) * UNIT
-    found = []  # error, bound on the plane, pixel
-    for y, line, left, right in bounds_perspective.inner_lines(vertices, polygon):
-        for i in {left, right - 1}:
-            found.append((plane.error(line.c + (i - line.left) * line.dcdx, i, y),
-                          plane.bound(i, y, t, t.u_cut), (i, y)))
-    bound = 6 * (max((b for _, b, _ in found), default=0.0) + beyond) + 8 * UNIT
-    for error, _, pixel in found:
-        add_error(error, (bound, bound), "level", pixel, out)
+    i, y = (np.stack(each, axis=1).ravel() for each in ((rows.lefts, rows.ends - 1), (rows.ys, rows.ys)))
+    c, step, left = np.repeat([(line.c, line.dcdx, line.left) for line in (polygon.lines[k] for k in numbers)], 2,
+                              axis=0).T
+    errors = plane.errors_at(c + (i - left) * step, i, y)
+    if polygon.triangle:
+        bound = np.array([bounds_snapped.level_bound(abs(plane.nx / plane.d), polygon.triangle, *at)
+                          for at in zip(i.tolist(), y.tolist())])
+    else:
+        t = light.plane
+        (least, _), (most, _) = model.plane_range(vertices, t)
+        beyond = max(0, light.low - least, most - light.high) * UNIT
+        bound = np.full(len(i), 6 * (plane.bound(i, y, t, t.u_cut).max() + beyond) + 8 * UNIT)
+    add_errors(errors, bound, bound, lambda k: ("level", (int(i[k]), int(y[k]))), out)
 
 
 def held_beyond(vertices, polygon: model.Polygon, settings: Settings,
@@ -366,11 +335,11 @@ def check_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
     out.coverage_errors, out.complaint = check_coverage(adapted, polygon, settings, width, height)
     on_plane = settings.gradients == "plane" and settings.start == "subtexel"
     if polygon and polygon.perspective:
-        bounds_perspective.check_texels(adapted, polygon, settings.perspective,
+        check_perspective.check_texels(adapted, polygon, settings.perspective,
                                         settings.tolerance * UNIT, size, out)
     elif polygon and settings.perspective != "none" and len({v[4] for v in adapted}) > 1:
         flat = tolerance.is_flat(adapted, settings.tolerance)
-        bounds_perspective.check_flattened(adapted, polygon,
+        check_perspective.check_flattened(adapted, polygon,
                                            settings.tolerance * UNIT if flat else None, size,
                                            out)
     elif polygon and polygon.textured and (on_plane or settings.clip == "scissor"):

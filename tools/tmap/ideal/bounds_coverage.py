@@ -10,7 +10,11 @@ new vertices (not with `exact` edges). Each cut rounds one coordinate (U/2), and
 times at most, so it moves across its direction by another 2U at most.
 """
 
+from collections.abc import Callable
+from functools import cached_property
 from math import sqrt
+
+import numpy as np
 
 from tmap.base.fixed import ceil16
 from tmap.ideal import ideal
@@ -32,10 +36,50 @@ def edge_bound(edge: Edge, line: int) -> float:
     return ((start != 0) + (line - edge.top) * (step != 0)) * UNIT / 2
 
 
-def crossing(edge: Edge, line: int) -> float:
-    """Returns x where the exact edge crosses a line, pixels."""
-    (x0, y0, *_), (x1, y1, *_) = edge.upper, edge.lower
-    return (x0 + (x1 - x0) * ((line << 16) - y0) / (y1 - y0)) * UNIT
+class Side:
+    """The edges of one side of a polygon on some of its lines, ``ys``, ascending: arrays over these."""
+
+    def __init__(self, edges: list[Edge], ys: np.ndarray) -> None:
+        self.edges, self.ys = edges, ys
+        self.which = np.minimum(np.searchsorted([edge.end for edge in edges], ys, "right"), len(edges) - 1)
+        self.below = ys - self.each(lambda edge: edge.top)  # lines below the edge's first
+
+    def each(self, function: Callable[[Edge], float]) -> np.ndarray:
+        """Returns a function of each line's edge."""
+        return np.array([function(edge) for edge in self.edges])[self.which]
+
+    def by_line(self, function: Callable[[Edge, np.ndarray], np.ndarray]) -> np.ndarray:
+        """Returns a function of each line's edge and of the line."""
+        parts = np.split(self.ys, np.searchsorted(self.which, np.arange(1, len(self.edges))))
+        return np.concatenate([function(edge, ys) for edge, ys in zip(self.edges, parts)])
+
+    @cached_property
+    def bounds(self) -> np.ndarray:
+        """E(j), pixels."""
+        start = self.each(lambda edge: edge_bound(edge, edge.top))
+        return start + self.below * self.each(lambda edge: edge_bound(edge, edge.top + 1) - edge_bound(edge, edge.top))
+
+    @cached_property
+    def columns(self) -> np.ndarray:
+        """The first pixels at or right of the edges that are drawn."""
+        return self.by_line(Edge.column)
+
+    @cached_property
+    def at(self) -> np.ndarray:
+        """x of the edges that are drawn, 16.16."""
+        return self.by_line(Edge.at)
+
+    @cached_property
+    def crossings(self) -> np.ndarray:
+        """x where the exact edges cross the lines, pixels."""
+        return self.values(0) * UNIT
+
+    def values(self, key: int) -> np.ndarray:
+        """Returns where the exact edges cross the lines: one of the vertices' numbers, units."""
+        def value(edge: Edge, lines: np.ndarray) -> np.ndarray:
+            (_, y0, *_), (_, y1, *_), a, b = edge.upper, edge.lower, edge.upper[key], edge.lower[key]
+            return a + (b - a) * ((lines << 16) - y0) / (y1 - y0)  # the product is exact: below 2^62
+        return self.by_line(value)
 
 
 def across(vertices, i: int, j: int) -> float:
@@ -49,42 +93,56 @@ def across(vertices, i: int, j: int) -> float:
     return best
 
 
-def edges_by_line(edges: list[Edge]) -> dict[int, Edge]:
-    """Returns the edge of each line."""
-    return {line: edge for edge in edges for line in range(edge.top, edge.end)}
+def pixels_of(vertices, polygon: model.Polygon | None, lines: range, width: int, height: int) -> tuple[np.ndarray, ...]:
+    """Returns the first pixel and the end of what is drawn on some lines, and of a convex polygon's exact pixels."""
+    drawn, exact = np.zeros((2, 2, len(lines)), np.int64)
+    if polygon:
+        part = slice(polygon.top - lines.start, polygon.top - lines.start + len(polygon.lines))
+        drawn[:, part] = np.array([(line.left, line.right) for line in polygon.lines]).reshape(-1, 2).T
+    top, end = exact_lines(vertices, height)
+    if top < end:
+        exact[:, top - lines.start:end - lines.start] = ideal.first_pixels(vertices, top, end).clip(0, width)
+    return tuple((left, np.maximum(left, right)) for left, right in (drawn, exact))
 
 
-def exact_extents(vertices, width: int, height: int) -> dict[int, list[tuple[int, int, int]]]:
-    """Returns, for each line of a frame that an exact polygon crosses, its left and right x as
-    numerator and denominator, each with the first pixel from there on, inside the frame."""
-    ys, extent = [v[1] for v in vertices], ideal.extents(vertices)
-    return {y: [(n, d, min(max(-(-n // (d << 16)), 0), width)) for n, d in extent(y)]
-            for y in range(max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height))}
+def exact_lines(vertices, height: int) -> tuple[int, int]:
+    """Returns the first line of a frame that a polygon crosses and the one behind the last."""
+    ys = [v[1] for v in vertices]
+    return max(ceil16(min(ys)), 0), min(ceil16(max(ys)), height)
 
 
 def check_coverage(vertices, polygon: model.Polygon | None, settings: Settings, width: int,
                    height: int) -> tuple[int, str]:
     """The count of a convex polygon's wrong pixels; a text on the first too far from its edge."""
-    exact = exact_extents(vertices, width, height)
-    lines = {polygon.top + k: line for k, line in enumerate(polygon.lines)} if polygon else {}
-    sides = [edges_by_line(e) for e in (polygon.left_edges, polygon.right_edges)] if polygon else []
-    wrong, complaint = 0, ""
+    spans = [exact_lines(vertices, height), *([(polygon.top, polygon.top + len(polygon.lines))] if polygon else [])]
+    spans = [span for span in spans if span[0] < span[1]]
+    if not spans:
+        return 0, ""
+    lines = range(min(top for top, _ in spans), max(end for _, end in spans))
+    found, ends = pixels_of(vertices, polygon, lines, width, height)
+    both = np.maximum(np.minimum(found[1], ends[1]) - np.maximum(found[0], ends[0]), 0)
+    wrong = found[1] - found[0] + ends[1] - ends[0] - 2 * both
+    for k in np.flatnonzero(wrong).tolist():
+        complaint = wrong_line(vertices, polygon, settings, lines[k], height,
+                               [range(*(int(end[k]) for end in each)) for each in (found, ends)])
+        if complaint:
+            return int(wrong.sum()), complaint
+    return int(wrong.sum()), ""
+
+
+def wrong_line(vertices, polygon: model.Polygon | None, settings: Settings, y: int, height: int,
+               pixels: list[range]) -> str:
+    """A text on the first pixel of a line that is too far from its edge, or "". ``pixels``: drawn ones, exact ones."""
     clipped = 2 * UNIT if settings.clip == "vertices" and not settings.has_exact_edges else 0.0
-    for y in exact.keys() | lines.keys():
-        found = [lines[y].left, lines[y].right] if y in lines else [0, 0]
-        ends = [end for _, _, end in exact[y]] if y in exact else [0, 0]
-        found, ends = ([a, max(a, b)] for a, b in (found, ends))
-        pixels = set(range(*found)) ^ set(range(*ends))
-        wrong += len(pixels)
-        allowed = 0.0 if settings.has_exact_edges else max(
-            (edge_bound(side[y], y) for side in sides if y in side), default=0.0)
-        for i in sorted(pixels):
-            off = min((abs(i - n / d * UNIT) for n, d, _ in exact.get(y, ())), default=LARGEST)
-            if allowed and off <= allowed * FLOAT:
-                continue
-            if clipped and across(vertices, i, y) <= (allowed + clipped) * FLOAT:
-                continue
-            complaint = complaint or (
-                f"pixel ({i}, {y}) is {'lit' if i in range(*found) else 'left out'}: its centre is "
+    edges = [edge for edge in (*polygon.left_edges, *polygon.right_edges) if edge.top <= y < edge.end] if polygon else []
+    allowed = 0.0 if settings.has_exact_edges else max((edge_bound(edge, y) for edge in edges), default=0.0)
+    exact = ideal.extents(vertices)(y) if y in range(*exact_lines(vertices, height)) else ()
+    for i in sorted(set(pixels[0]) ^ set(pixels[1])):
+        off = min((abs(i - n / d * UNIT) for n, d in exact), default=LARGEST)
+        if allowed and off <= allowed * FLOAT:
+            continue
+        if clipped and across(vertices, i, y) <= (allowed + clipped) * FLOAT:
+            continue
+        return (f"pixel ({i}, {y}) is {'lit' if i in pixels[0] else 'left out'}: its centre is "
                 f"{off:.9f} pixels from the exact edge, {allowed + clipped:.9f} are allowed")
-    return wrong, complaint
+    return ""

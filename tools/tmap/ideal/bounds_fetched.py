@@ -11,6 +11,7 @@ are convex along a line, as sums of distances from columns, so a line's ends hav
 import numpy as np
 
 from tmap.ideal.ideal import UNIT
+from tmap.ideal.rows import Rows
 
 #: The most that double precision may add to a distance, texels (``ideal.Plane.errors``).
 ROUNDING = 2.0**-30
@@ -23,20 +24,11 @@ def is_near(middle: np.ndarray, below, above, side) -> np.ndarray:
     return (middle + 0.5 + below) % side <= 1 + below + above
 
 
-def judge_lines(lines: list[tuple], out) -> None:
-    """``judge`` for many lines, all at once: those alone that it would complain about are judged by it.
-    ``lines``: its arguments from ``key`` to ``y``, and ``allowed``."""
-    if not lines:
-        return
-    counts = [len(texels) for (_, texels, *_), _ in lines]
-    texels, values, errors = (np.concatenate([each[k] for each, _ in lines]) for k in (1, 2, 3))
-    sides, below, above = (np.repeat(each, counts) for each in (
-        [each[4] for each, _ in lines], *np.array([allowed for _, allowed in lines]).T))
-    near = is_near(texels + 0.5 - values * UNIT + errors, below, above, sides)
-    starts = np.cumsum([0, *counts[:-1]])
-    for number in np.flatnonzero(~np.logical_and.reduceat(near, starts)):
-        each, allowed = lines[number]
-        judge(*each, allowed, out)
+def far_rows(rows: Rows, texels: np.ndarray, values: np.ndarray, errors: np.ndarray, side, allowed) -> np.ndarray:
+    """Returns which rows ``judge`` would complain about. Its arguments, over the rows' pixels; ``side`` and ``allowed``,
+    below and above, for each row, or one for all."""
+    spread = [each if np.ndim(each) == 0 else rows.spread(each) for each in (*allowed, side)]
+    return rows.some(~is_near(texels + 0.5 - values * UNIT + errors, *spread))
 
 
 def judge(key: str, texels: np.ndarray, values: np.ndarray, errors: np.ndarray, side: int,

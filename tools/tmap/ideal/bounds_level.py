@@ -40,61 +40,66 @@ Lines are raised by 3 units and the base's one, so they are never below: 5/4 + 1
 4 + 5/4 + 1, 2 A / q, and the steps.
 """
 
+from typing import TypeVar
+
 import numpy as np
 
 from tmap.ideal.ideal import UNIT
-from tmap.ideal.perspective import FLOAT, Curve
+from tmap.ideal.perspective import FLOAT, Rates
+from tmap.ideal.rows import Rows
+
+Number = TypeVar("Number", float, np.ndarray)
 
 LEVEL = {"every16": 1 / 2, "every8": 1 / 4, "pixel": 1020 * UNIT, "fine": 128 * UNIT}  # texels
 MOST = 2.0**31  # units: values are modulo twice that
 
 
-def straight_bound(bound, left: int, n: int, y: int) -> float:
-    """Returns the bound in units of the pixels left to left + n, before the error for q's change and the steps'
-    rounding; at most MOST. ``bound``: a ``bounds_perspective.Bound``."""
+def straight_bound(bound, left: np.ndarray, n: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Returns the bounds in units of the pixels left to left + n of lines y, before the error for q's change and the
+    steps' rounding; at most MOST. ``bound``: a ``bounds_perspective.Bound``."""
     first, last, p = bound.at(left, y), bound.at(left + n, y), bound.p
-    if min(first.q, last.q) <= 0 or not n:
-        return bound.end(left, y)[0]
-    near = bound.quotient(first)
-    if first.value + near - bound.base >= MOST:  # the steps do not make up for so much
-        return MOST
-    added = max(0.0, bound.low - first.value + near)
-    taken = max(0.0, first.value + near - bound.high)
-    held = max(0.0, p.least - first.q + first.off_q)
+    near, start = bound.quotient(first), bound.end(first)[0]
+    added = np.maximum(0.0, bound.low - first.value + near)
+    taken = np.maximum(0.0, first.value + near - bound.high)
+    held = np.maximum(0.0, p.least - first.q + first.off_q)
     q, off, more, stretched, shrunk = first.q, first.off_q, 0.0, 1.0, 1.0
     if p.tilt:
         q, off = last.q, last.off_q + 1 + n / 256
-        more = max(0.0, p.least - q + off)
-        stretched = max(first.q + first.off_q, p.least) / max(q - off, p.least)
-        shrunk = max(first.q - first.off_q, p.least) / max(q + off + held, p.least)
-    far = max(bound.largest, abs(last.value - bound.base))
-    way = abs(last.value - first.value) + bound.end(left, y)[0]
+        more = np.maximum(0.0, p.least - q + off)
+        stretched = np.maximum(first.q + first.off_q, p.least) / np.maximum(q - off, p.least)
+        shrunk = np.maximum(first.q - first.off_q, p.least) / np.maximum(q + off + held, p.least)
+    far = np.maximum(bound.largest, abs(last.value - bound.base))
+    way = abs(last.value - first.value) + start
     # a unit for the base, one for the first quotient's cut
-    reached = (last.off_s + (off + held) * far + more * way + n) / max(q - off, p.least) + 1 + stretched
-    reached += added * stretched + taken * max(stretched - 1, 1 - shrunk) + n * (taken > 0)
-    return min(max(bound.end(left, y)[0], reached), MOST)
+    reached = (last.off_s + (off + held) * far + more * way + n) / np.maximum(q - off, p.least) + 1 + stretched
+    reached += added * stretched + taken * np.maximum(stretched - 1, 1 - shrunk) + n * (taken > 0)
+    reached = np.minimum(np.maximum(start, reached), MOST)
+    # the steps do not make up for so much
+    reached = np.where(first.value + near - bound.base >= MOST, MOST, reached)
+    return np.where(first.is_ahead & last.is_ahead & (n > 0), reached, start)
 
 
-def reciprocal_bound(bound, left: int, n: int, y: int) -> float:
-    """``straight_bound`` of a line that is made by a reciprocal; with what the steps of C add."""
+def reciprocal_bound(bound, left: np.ndarray, n: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """``straight_bound`` of lines that are made by a reciprocal; with what the steps of C add."""
     first, last, p = bound.at(left, y), bound.at(left + n, y), bound.p
-    if min(first.q, last.q) <= 0:
-        return MOST
     made, key = p.inverse, 0 if bound.plane is p.s else 1
     cut = 4.0 if p.q.dx else 0.0  # below 2^-8 a pixel; what grows more is within LEVEL or the tolerance
-    planes = max((at.off_s + (at.off_q + cut) * max(bound.largest, abs(at.value - bound.base)))
-                 / max(at.q - at.off_q, 1) for at in (first, last))
-    q = max(min(first.q - first.off_q, last.q - last.off_q), 1)
-    return planes + 8 + (2 * made.away[key] + 2) / q + (left + n + 1 - p.i) * (made.farthest + 1) / 2.0**32
+    planes = np.maximum(*((at.off_s + (at.off_q + cut) * np.maximum(bound.largest, abs(at.value - bound.base)))
+                          / np.maximum(at.q - at.off_q, 1) for at in (first, last)))
+    q = np.maximum(np.minimum(first.q - first.off_q, last.q - last.off_q), 1)
+    found = planes + 8 + (2 * made.away[key] + 2) / q + (left + n + 1 - p.i) * (made.farthest + 1) / 2.0**32
+    return np.where(first.is_ahead & last.is_ahead, found, MOST)
 
 
-def level_bound(b: float, setting: str, n: int, chained: bool) -> float:
-    """Returns the bound of a level line of n steps against the exact value, or the chord, in texels; ``b``: of
+def level_bound(b: Number, setting: str, n: Number, chained: bool) -> Number:
+    """Returns the bound of level lines of n steps against the exact value, or the chord, in texels; ``b``: of
     ``straight_bound``, in texels."""
     return b + LEVEL.get(setting, 0) + ((1 + chained) * n + 1) * UNIT + FLOAT
 
 
-def chord(curve: Curve, columns: np.ndarray, y: int) -> np.ndarray:
-    """The intended error of a line that is straight from its first pixel to its last."""
-    values = curve.values(columns, y)
-    return np.interp(columns, columns[[0, -1]], values[[0, -1]]) - values
+def chords(rates: Rates, rows: Rows) -> np.ndarray:
+    """The intended error of rows that are straight from their first pixel to their last; ``rates``: theirs."""
+    ends = [rates.moved(end - rates.columns) for end in (rows.lefts, rows.ends - 1)]
+    slope = rows.spread((ends[1] - ends[0]) / np.maximum(rows.counts - 1, 1))
+    return (rows.spread(ends[0]) + slope * (rows.columns - rows.spread(rows.lefts))
+            - rates.moved(rows.columns - rows.spread(rates.columns), rows))

@@ -45,17 +45,17 @@ borders on which the exact values lie.
 
 **From the far end** (tmap.setup.far): pieces are measured from the chords that begin at the line's
 far end, the last one beyond its near end, and in even spans go through points that are a part of a pixel ahead.
-``bound`` is added, and what lines are raised by: they are never below the exact value at the far end. These are
+``far.bounds`` are added, and what lines are raised by: they are never below the exact value at the far end. These are
 added too, Q the far end's q, l its coordinates:
 
 * q of the corners is rounded, and q's plane off by E, cut included: (sum of |l| R / 2 + E |u - K|) / Q.
-* C = (u - K) q is exact at the top and the bottom but for what ``far.bound`` has. So an error of K counts as far
+* C = (u - K) q is exact at the top and the bottom but for what ``far.bounds`` has. So an error of K counts as far
   as q changes from the line between them to the pixel: at most its error times 2^30 / Q, 1/8 unit and |K| / 2^31
   for the quotient. Where K lacks bits it is 2 units, and u of the vertices is cut by 1. What S of the corners is
   cut by, up to 1 each, moves K by at most 2 2^scale h / N, N the quotient's divisor and h the height; q changes by
   N / h times l of the middle corner: 2 l 2^scale / Q.
 
-**By cubics** (tmap.setup.cubic): ``cubic.bound``, which has what the cubic may be off, what lines are raised by, and
+**By cubics** (tmap.setup.cubic): ``cubic.bounds``, which has what the cubic may be off, what lines are raised by, and
 what is added for K, C and q from the far end: at its first pixel a line is never below the exact value. All of it is
 within the setting's 1/32 or 1/128 texel.
 
@@ -80,18 +80,19 @@ from math import log2, sqrt
 import numpy as np
 
 from tmap.base.fixed import signed
-from tmap.ideal import bounds_fetched, ideal
-from tmap.ideal.bounds_level import chord, level_bound, reciprocal_bound, straight_bound
-from tmap.ideal.ideal import UNIT
-from tmap.ideal.perspective import FLOAT, Curve, curves, curves_through
-from tmap.setup import afar, cubic, far, spans
-from tmap.setup.perspective import EXACT, Ends, Perspective, ends, raise_of, way
+from tmap.ideal import ideal
+from tmap.ideal.bounds_level import chords, level_bound, reciprocal_bound, straight_bound
+from tmap.ideal.ideal import UNIT, gathered, inner_rows
+from tmap.ideal.perspective import FLOAT, Curve, Rates, curves_through
+from tmap.ideal.rows import Rows
+from tmap.setup import afar, far
+from tmap.setup.perspective import EXACT, Perspective, all_ends, raise_of, way
 
 TOLERANCE = {"pixel": 1 / 32, "fine": 1 / 128}
 BOUNDLESS = 32768.0  # texels: values are modulo twice that
 
 
-def plane_error(plane, scale: int, x: float, y: float) -> float:
+def plane_error(plane, scale: int, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """The error of a plane x pixels and y lines from the first corner, in the value's units."""
     gradients = [abs(signed(g, 64)) / 2**scale for g in (plane.dx, plane.dy)]
     return sum(way * (g / 2**31 + 3 / 2**16) for way, g in zip((x, y), gradients)) + 2 / 2**16
@@ -99,16 +100,23 @@ def plane_error(plane, scale: int, x: float, y: float) -> float:
 
 @dataclass
 class At:
-    """A pixel's exact value, in units, and Q, 0 behind the viewer; how far S, in units times Q, and q are off."""
+    """Exact values of pixels, in units, and Q; how far S, in units times Q, and q are off. Behind the viewer values and
+    Q are 0."""
 
-    value: float
-    q: float
-    off_s: float
-    off_q: float
+    value: np.ndarray
+    q: np.ndarray
+    off_s: np.ndarray
+    off_q: np.ndarray
+
+    @property
+    def is_ahead(self) -> np.ndarray:
+        """True in front of the viewer."""
+        return self.q > 0
 
 
 class Bound:
-    """The bounds of u or v of a polygon. ``key``: 2 for u, 3 for v; ``three``: its corners."""
+    """The bounds of u or v of a polygon, for several pixels or lines at once. ``key``: 2 for u, 3 for v; ``three``:
+    its corners."""
 
     def __init__(self, vertices, three, key: int, curve: Curve, p: Perspective) -> None:
         values = [v[key] for v in vertices]
@@ -123,88 +131,103 @@ class Bound:
         self.base = p.base[key - 2]
         self.largest = max(abs(self.low - self.base), abs(self.high - self.base))
 
-    def at(self, i: int, y: int) -> At:
-        """Returns the exact values at a pixel, and how far the planes are off."""
-        n, q = self.curve.terms(i << 16, y << 16)
-        if q <= 0:
-            return At(0.0, 0.0, 0.0, 0.0)
+    def exact(self, i: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Returns the exact values at pixels, in units, and Q; 0 behind the viewer."""
+        pairs = list(zip(*self.curve.terms_at(i, y)))
+        return (np.array([n / q if q > 0 else 0.0 for n, q in pairs]),
+                np.array([q * self.unit if q > 0 else 0.0 for _, q in pairs]))
+
+    def at(self, i: np.ndarray, y: np.ndarray) -> At:
+        """Returns the exact values at pixels, and how far the planes are off."""
+        value, q = self.exact(i, y)
         x, down, scale = abs(i - self.corner[0]), abs(y - self.corner[1]), self.p.scale
         off_s = (plane_error(self.plane, scale, x, down) + self.spread
                  + self.p.raised[0 if self.plane is self.p.s else 1]) * 2**scale
-        spread = max(self.high, n / q) - min(self.low, n / q)
-        return At(n / q, q * self.unit, off_s + self.spread / 2 * spread,
+        spread = np.maximum(self.high, value) - np.minimum(self.low, value)
+        return At(value, q, off_s + self.spread / 2 * spread,
                   plane_error(self.p.q, 32, x, down) + 1 + self.spread / 2)
 
-    def end(self, i: int, y: int) -> tuple[float, float]:
-        """Returns b0 or b1 in units, and the largest relative error of q."""
-        at = self.at(i, y)
-        if at.q <= 0:
-            return BOUNDLESS / UNIT, 0.5
-        beyond = max(0.0, at.value - self.high, self.low - at.value)
-        return self.quotient(at) + beyond, max(at.off_q, self.p.least - at.q) / at.q
+    def end(self, at: At) -> tuple[np.ndarray, np.ndarray]:
+        """Returns b0 or b1 in units, and the largest relative errors of q."""
+        beyond = np.maximum(0.0, np.maximum(at.value - self.high, self.low - at.value))
+        off = np.maximum(at.off_q, self.p.least - at.q) / np.where(at.is_ahead, at.q, 1.0)
+        return (np.where(at.is_ahead, self.quotient(at) + beyond, BOUNDLESS / UNIT),
+                np.where(at.is_ahead, off, 0.5))
 
-    def quotient(self, at: At) -> float:
+    def quotient(self, at: At) -> np.ndarray:
         """Returns the error of S / q before it is clamped, in units."""
-        off_q = max(at.off_q, self.p.least - at.q)
-        return (at.off_s + off_q * self.largest) / max(at.q - at.off_q, self.p.least) + 2
+        off_q = np.maximum(at.off_q, self.p.least - at.q)
+        return (at.off_s + off_q * self.largest) / np.maximum(at.q - at.off_q, self.p.least) + 2
 
-    def shares(self, x: float, y: float) -> float:
-        """The sum of the magnitudes of a point's barycentric coordinates: 1 inside the corners."""
+    def shares(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """The sums of the magnitudes of points' barycentric coordinates: 1 inside the corners."""
         areas = [(bx - ax) * (y - ay) - (by - ay) * (x - ax)
                  for (ax, ay), (bx, by) in zip(self.three, self.three[1:] + self.three[:1])]
         return sum(map(abs, areas)) / abs(sum(areas))
 
-    def afar(self, made: far.Line, y: int, key: int) -> float:
-        """Returns what K, C and q of a line from its far end add to ``far.bound``, in units. ``key``: 0 for u, 1
-        for v."""
-        k, ends = made.constants, (made.left, made.left + made.n)
+    def afar(self, drawn: Rows, k) -> np.ndarray:
+        """Returns what K, C and q of lines from their far ends, with constants k, add to ``far.bounds``, in units."""
+        key, y, ends = 0 if self.plane is self.p.s else 1, drawn.ys, (drawn.lefts, drawn.ends - 1)
         first = ends[k.leftwards]
-        n, q = self.curve.terms(first << 16, y << 16)
-        if q <= 0:
-            return BOUNDLESS / UNIT
-        exact, big = n / q, q * self.unit
-        high, low = max(self.high, exact), min(self.low, exact)
+        exact, big = self.exact(first, y)
+        high, low = np.maximum(self.high, exact), np.minimum(self.low, exact)
         at = k.k[key] / 256 - k.raised[key]
         off_q = plane_error(self.p.q, 32, abs(first - self.corner[0]), abs(y - self.corner[1])) + 1
-        share = max(self.shares(x, y) for x in ends)
-        return ((share * ((high - low) / 2 + 2 * 2.0**self.p.scale) + off_q * max(high - at, at - low)) / big
-                + (2.0**k.less / 8 + (k.less > 0) + abs(at - self.base) / 2**31) * 2**30 / big + 1)
+        share = np.maximum(*(self.shares(x, y) for x in ends))
+        found = ((share * ((high - low) / 2 + 2 * 2.0**self.p.scale) + off_q * np.maximum(high - at, at - low))
+                 + (2.0**k.less / 8 + (k.less > 0) + abs(at - self.base) / 2**31) * 2**30)
+        return np.where(big > 0, found / np.where(big > 0, big, 1.0) + 1, BOUNDLESS / UNIT)
 
-    def line(self, made: Ends, y: int) -> float:
-        """Returns b of a line's pixels, texels."""
-        (b0, e0), (b1, e1) = (self.end(i, y) for i in (made.left, made.left + made.n))
-        if not made.n:
-            return b0 * UNIT
-        way = abs(made.du if self.plane is self.p.s else made.dv)
-        first, last = made.weight(0) + made.n, made.weight(made.n) + 2 * made.n
-        lost = 1 - (1 - made.n / first) * (1 - 2 * made.n / last)
-        part = 1.0
-        if e0 + e1 + lost < 0.5:
-            odds = sqrt((1 + e0) * (1 + e1) / ((1 - e0) * (1 - e1) * (1 - lost)))
-            part = (odds - 1) / (odds + 1)
-        return min((max(b0, b1) + way * part + 3) * UNIT, BOUNDLESS)
-
-
-def intended(values: np.ndarray, setting: str) -> np.ndarray:
-    """A setting's intended error at a line's pixels: straight pieces through exact values, minus
-    these; else 0; texels."""
-    n = len(values) - 1
-    if not n or setting not in EXACT:
-        return np.zeros(n + 1)
-    nodes = np.array([*range(0, n, EXACT[setting]), n])
-    return np.interp(np.arange(n + 1), nodes, values[nodes]) - values
+    def lines(self, polygon, drawn: Rows) -> np.ndarray:
+        """Returns b of lines' pixels, texels."""
+        made = all_ends(self.p, drawn.lefts, drawn.ends, drawn.ys)
+        first, last, way = np.array([(each.weight(0), each.weight(each.n), abs(
+            each.du if self.plane is self.p.s else each.dv)) for each in made], float).reshape(-1, 3).T
+        (b0, e0), (b1, e1) = (self.end(self.at(x, drawn.ys)) for x in (drawn.lefts, drawn.ends - 1))
+        n = drawn.counts - 1
+        several = n > 0
+        first, last = (np.where(several, each, 1.0) for each in (first + n, last + 2 * n))
+        lost = 1 - (1 - n / first) * (1 - 2 * n / last)
+        is_small = e0 + e1 + lost < 0.5
+        e0, e1, lost = (np.where(is_small, each, 0.0) for each in (e0, e1, lost))
+        odds = np.sqrt((1 + e0) * (1 + e1) / ((1 - e0) * (1 - e1) * (1 - lost)))
+        part = np.where(is_small, (odds - 1) / (odds + 1), 1.0)
+        found = np.minimum((np.maximum(b0, b1) + way * part + 3) * UNIT, BOUNDLESS)
+        return np.where(several, found, b0 * UNIT)
 
 
-def intended_from_afar(curve: Curve, record: far.Line, y: int) -> np.ndarray:
-    """The intended error of a line that is drawn from its far end: its last piece is a whole one's
+def intended(rates: Rates, drawn: Rows, setting: str) -> np.ndarray:
+    """A setting's intended error at lines' pixels: straight pieces through exact values, minus these; else 0;
+    texels."""
+    if setting not in EXACT:
+        return np.zeros(len(drawn.columns))
+    k, n = drawn.columns - drawn.spread(drawn.lefts), drawn.spread(drawn.counts - 1)
+    begin = np.where(k == n, n, k // EXACT[setting] * EXACT[setting])
+    end = np.minimum(begin + EXACT[setting], n)
+    away = drawn.spread(drawn.lefts - rates.columns)
+    at, to, exact = (rates.moved(away + x, drawn) for x in (begin, end, k))
+    return at + (to - at) / np.maximum(end - begin, 1) * (k - begin) - exact
+
+
+def intended_from_afar(rates: Rates, records: list[far.Line], drawn: Rows) -> np.ndarray:
+    """The intended error of lines that are drawn from their far ends: the last piece is a whole one's
     beginning, and ends of pieces may be ahead."""
-    way, k = -1 if record.constants.leftwards else 1, record.constants
-    first = record.left + (record.n if way < 0 else 0)
-    last = record.pieces[-1]
-    nodes = np.array([*(piece.at for piece in record.pieces), last.at + last.pixels])
-    ahead = k.ahead * 2.0**15 / abs(k.dqdx) * (nodes > 0)  # pixels
-    values = np.interp(np.arange(record.n + 1), nodes, curve.values(first + way * (nodes + ahead), y))
-    return values[::way] - curve.values(record.left + np.arange(record.n + 1), y)
+    k = records[0].constants
+    counts = [len(each.pieces) for each in records]
+    at, pixels = np.array([(piece.at, piece.pixels) for each in records for piece in each.pieces]).T
+    row = np.repeat(np.arange(len(records)), counts)
+    way, first = (-1, drawn.ends - 1) if k.leftwards else (1, drawn.lefts)
+    ahead = k.ahead * 2.0**15 / abs(k.dqdx)  # pixels
+    rate = Rates(rates.columns[row], [], [], rates.first[row], rates.ratio[row])
+    begin, end = (rate.moved(first[row] - rate.columns + way * (x + ahead * (x > 0))) for x in (at, at + pixels))
+    which = np.repeat(np.arange(len(row)), np.minimum(pixels, drawn.counts[row] - at))  # each pixel's piece
+    steps = np.arange(len(which)) - drawn.starts[row[which]]  # from the far end
+    column = first[row[which]] + way * steps
+    slope = (end - begin) / pixels
+    found = begin[which] + slope[which] * (steps - at[which])
+    wanted = np.empty(len(which))
+    wanted[column + (drawn.starts - drawn.lefts)[row[which]]] = found
+    return wanted - rates.moved(drawn.columns - drawn.spread(rates.columns), drawn)
 
 
 def bend(setting: str, piece: int) -> float:
@@ -216,23 +239,12 @@ def bend(setting: str, piece: int) -> float:
     return 64 * log2(6 / (9 * sqrt(3)) / left)
 
 
-def line_bound(b: float, setting: str) -> float:
-    """Returns the largest error of pixels against the intended values, in texels."""
-    b += raise_of(setting) * UNIT
+def line_bound(b: np.ndarray, setting: str) -> np.ndarray:
+    """Returns the largest errors of pixels against the intended values, in texels."""
+    b = b + raise_of(setting) * UNIT
     if setting in EXACT:
         return b + 2 * EXACT[setting] * UNIT + FLOAT
     return 1.25 * b + TOLERANCE[setting] + FLOAT
-
-
-def inner_lines(vertices, polygon):
-    """Yields, for each line with pixels inside the exact polygon: y, the line, and both ends of the pixels that
-    are in both."""
-    exact = ideal.extents(vertices)
-    for y, line in enumerate(polygon.lines, polygon.top):
-        extent = [-(-n // (d << 16)) for n, d in exact(y)]
-        left, right = max(line.left, extent[0]), min(line.right, extent[1])
-        if left < right:
-            yield y, line, left, right
 
 
 def exchanged(vertices) -> list[tuple]:
@@ -240,44 +252,69 @@ def exchanged(vertices) -> list[tuple]:
     return [(v[1], v[0], *v[2:]) for v in vertices]
 
 
-def line_errors(vertices, polygon, tolerance: float = 0.0):
-    """Yields (u or v, line, pixels, found, error, intended error, bound) for each line inside the
-    exact polygon: arrays over the pixels, the bound a number; in texels, found in 16.16. Lines are columns of the
-    frame if they are drawn.
+@dataclass
+class Errors:
+    """u or v (``key``) at the pixels of a polygon's lines: found, 16.16; its error, the intended one and the bound of
+    each line, in texels."""
+
+    key: str
+    found: np.ndarray
+    error: np.ndarray
+    wanted: np.ndarray
+    allowed: np.ndarray
+
+
+def all_errors(vertices, polygon, tolerance: float = 0.0) -> tuple[Rows, list[Errors]]:
+    """Returns the pixels of lines inside the exact polygon, and the errors of u and of v there. Lines are columns of
+    the frame if they are drawn.
     ``vertices``: from ``model.adapt``, in front of the viewer."""
     three, raised = [vertices[k] for k in ideal.corners(vertices)], 0
     if polygon.columns:
         polygon, three, vertices = polygon.columns, exchanged(three), exchanged(vertices)
         raised = way(polygon.setting).raised
     p = polygon.perspective
-    bounds = [Bound(vertices, three, key, curve, p) for key, curve in zip((2, 3), curves_through(three))]
-    for y, line, left, right in inner_lines(vertices, polygon):
-        made = ends(p, line.left, line.right, y)
-        columns, drawn = np.arange(left, right), np.arange(line.left, line.right)
-        seen = slice(left - line.left, right - line.left)
-        record = polygon.record(line, y)
-        more = 0
-        if record:
-            more = (afar.model_of(polygon.constants).bound(record) + max(polygon.constants.raised)) * UNIT
-        for key, bound, found in zip("uv", bounds, polygon.coordinates(line, y)):
-            error = bound.curve.errors(found[seen], columns, y)
-            if polygon.is_level:
-                b = (reciprocal_bound if p.inverse else straight_bound)(bound, made.left, made.n, y) * UNIT
-                yield (key, y, columns, found[seen], error, chord(bound.curve, drawn, y)[seen] if p.tilt else 0 * error,
-                       level_bound(b, polygon.setting if p.q.dx and not p.tilt else "", made.n, p.chained)
+    numbers, rows, drawn = inner_rows(vertices, polygon)
+    made = []
+    if not numbers:
+        return rows, made
+    seen, n = rows.inside(drawn), drawn.counts - 1
+    records = [polygon.records[k] for k in numbers] if polygon.constants else []
+    more = (afar.model_of(polygon.constants).bounds(records) + max(polygon.constants.raised)) * UNIT \
+        if records and not polygon.is_level else 0
+    both = curves_through(three)
+    # an end on a rounded edge may be behind the viewer
+    sure = np.logical_and(*(np.array([q > 0 for q in both[0].terms_at(x, drawn.ys)[1]])
+                            for x in (drawn.lefts, drawn.ends - 1)))
+    for key, curve, found in zip((2, 3), both, gathered(polygon, numbers, rows, drawn)):
+        bound, rates = Bound(vertices, three, key, curve, p), curve.rates(drawn)
+        error, wanted = curve.row_errors(found, rows), np.zeros(len(found))
+        if polygon.is_level:
+            b = (reciprocal_bound if p.inverse else straight_bound)(bound, drawn.lefts, n, drawn.ys) * UNIT
+            if p.tilt:
+                wanted = chords(rates, drawn)[seen]
+            allowed = (level_bound(b, polygon.setting if p.q.dx and not p.tilt else "", n, p.chained)
                        + tolerance * polygon.straight + raised * UNIT)
-                continue
-            if all(bound.curve.terms(i << 16, y << 16)[1] > 0 for i in drawn[[0, -1]].tolist()):
-                if record:
-                    wanted = (intended_from_afar(bound.curve, record, y)[seen] if isinstance(record, far.Line)
-                              else 0 * error)
-                    allowed = more + bound.afar(record, y, "uv".index(key)) * UNIT + FLOAT
-                else:
-                    wanted = intended(bound.curve.values(drawn, y), polygon.exact)[seen]
-                    allowed = line_bound(bound.line(made, y), polygon.exact)
-            else:  # an end on a rounded edge is behind the viewer
-                wanted, allowed = 0 * error, BOUNDLESS
-            yield key, y, columns, found[seen], error, wanted, allowed
+        else:
+            if not records:
+                wanted = intended(rates, drawn, polygon.exact)[seen]
+            elif isinstance(records[0], far.Line):
+                wanted = intended_from_afar(rates, records, drawn)[seen]
+            allowed = (more + bound.afar(drawn, polygon.constants) * UNIT + FLOAT if records else
+                       line_bound(bound.lines(polygon, drawn), polygon.exact))
+            wanted, allowed = np.where(rows.spread(sure), wanted, 0.0), np.where(sure, allowed, BOUNDLESS)
+        made.append(Errors("uv"[key - 2], found, error, wanted, allowed))
+    return rows, made
+
+
+def line_errors(vertices, polygon, tolerance: float = 0.0):
+    """Yields (u or v, line, pixels, found, error, intended error, bound) of ``all_errors``, line by line: arrays over
+    the pixels, the bound a number."""
+    rows, made = all_errors(vertices, polygon, tolerance)
+    for number, y in enumerate(rows.ys.tolist()):
+        part = rows.part(number)
+        for each in made:
+            yield (each.key, y, rows.columns[part], each.found[part], each.error[part], each.wanted[part],
+                   float(each.allowed[number]))
 
 
 def errors_by_lines(vertices, polygon):
@@ -295,76 +332,3 @@ def errors_by_lines(vertices, polygon):
     for (key, y), pixels in lines.items():
         columns, *arrays = zip(*pixels)
         yield key, y, np.array(columns), *map(np.array, arrays)
-
-
-def falls_short(polygon, y: int, columns: np.ndarray, error: np.ndarray) -> bool:
-    """Returns true if a triangle's line is below the exact value where it must not be: at the pixel that
-    is drawn first, or at any pixel if depth does not change."""
-    line = polygon.lines[y - polygon.top]
-    record = None if polygon.is_level else polygon.record(line, y)
-    if polygon.is_level:
-        sure = error[:len(error) if not polygon.perspective.q.dx else 0]
-    elif isinstance(record, (far.Line, cubic.Line)) and record.constants.leftwards:
-        sure = error[-1:] if columns[-1] == line.right - 1 else error[:0]
-    else:
-        sure = error[:int(columns[0] == line.left)]
-    return bool((sure < -FLOAT).any())
-
-
-def check_shown(key: str, y: int, left: int, found: np.ndarray, off: np.ndarray, allowed: float,
-                size: tuple[int, int], out) -> None:
-    """Judges the fetched texels of a line; ``off``: errors of u or v, ``allowed``: the most."""
-    side = size["uv".index(key)]
-    bounds_fetched.judge(key, spans.repeated(found, side), found, off, side, left, y,
-                         (allowed, allowed), out)
-
-
-def check_texels(vertices, polygon, asked: str, tolerance: float, size: tuple[int, int],
-                 out) -> None:
-    """Adds the error of u and v at every pixel inside the exact polygon to a Verdict, and judges
-    the texels; ``asked``: the material's setting, ``tolerance``: in texels, ``size``: the map's."""
-    drawn = polygon.columns or polygon
-    kind = "column" if polygon.columns else "line"
-    for key, y, columns, found, error, wanted, allowed in line_errors(vertices, polygon, tolerance):
-        bent = float(abs(wanted).max())
-        if polygon.setting in TOLERANCE and bent > TOLERANCE[polygon.setting]:
-            out.complain(f"{key} on {kind} {y}: pieces of {polygon.exact} for {polygon.setting} bend {bent:.9f} texels")
-        if polygon.setting != asked and bent > tolerance + FLOAT:
-            out.complain(f"{key} on {kind} {y}: pieces of {polygon.setting} instead of {asked} "
-                         f"bend {bent:.9f} texels, the tolerance is {tolerance:.9f}")
-        k = int(abs(error).argmax())
-        out.note(abs(error[k]), min(abs(wanted[k]) + allowed, BOUNDLESS))
-        if allowed >= BOUNDLESS:
-            continue
-        if len(vertices) == 3 and falls_short(drawn, y, columns, error):
-            out.complain(f"{key} on {kind} {y} is {-error.min():.9f} below the exact value")
-        check_shown(key, y, int(columns[0]), found, error - wanted, allowed, size, out)
-        off = abs(error - wanted)
-        k = int(off.argmax())
-        out.texel_ratio = max(out.texel_ratio, float(off[k] / allowed))
-        if off[k] > allowed:
-            out.complain(f"{key} at pixel {columns[k]} of {kind} {y} is {off[k]:.9f} off what the "
-                         f"setting intends, {allowed:.9f} are allowed")
-
-
-def check_flattened(vertices, polygon, tolerance: float | None, size: tuple[int, int], out) -> None:
-    """Judges a polygon that is drawn affine though w differs: by its tolerance, or (None) because
-    its planes are not accurate enough; out.unsure counts those."""
-    out.unsure += tolerance is None
-    spread, t = 1 if len(vertices) == 3 else 3, polygon.texturing
-    both, planes = curves(vertices), [ideal.plane_of(vertices, key) for key in (2, 3)]
-    for y, line, left, right in inner_lines(vertices, polygon):
-        columns, seen = np.arange(left, right), slice(left - line.left, right - line.left)
-        for key, curve, plane, found in zip((2, 3), both, planes, polygon.coordinates(line, y)):
-            values = [v[key] for v in vertices]
-            bound = max(plane.bound(i, y, t, t.cuts[key - 2]) for i in (left, right - 1)) + (
-                spread * (max(values) - min(values)) * UNIT if tolerance is None else tolerance)
-            error = curve.errors(found[seen], columns, y)
-            check_shown("uv"[key - 2], y, left, found[seen], error, bound, size, out)
-            error = abs(error)
-            k = int(error.argmax())
-            out.note(error[k], bound)
-            out.texel_ratio = max(out.texel_ratio, float(error[k]) / bound)
-            if error[k] > bound:
-                out.complain(f"{'uv'[key - 2]} at pixel ({columns[k]}, {y}) of a polygon drawn affine is "
-                             f"{error[k]:.9f} off, {bound:.9f} are allowed")

@@ -42,14 +42,18 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache, partial
+from typing import TypeVar
 
 import numpy as np
 
+from tmap.ideal.rows import Rows
 from tmap.model import model
 from tmap.model.model import Polygon, Settings
 from tmap.setup.texturing import RAISED
 
 UNIT = 1 / 65536
+Number = TypeVar("Number", float, np.ndarray)
+NEVER = 1 << 40  # beyond all columns
 
 
 def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
@@ -72,6 +76,37 @@ def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
         left = x if below(x, left) else left
         right = x if below(right, x) else right
     return left, right
+
+
+@lru_cache(64)
+def first_pixels_of(outline: tuple, top: int, end: int) -> np.ndarray:
+    """``first_pixels`` of an outline, whose other settings need it again."""
+    found = np.empty((2, end - top), np.int64)
+    found[:] = (NEVER,), (-NEVER,)
+    fits = max(abs(c) for point in outline for c in point) <= 1 << 30  # products are below 2^62
+    for (x0, y0), (x1, y1) in zip(outline, [*outline[1:], outline[0]]):
+        if y0 > y1:
+            x0, y0, x1, y1 = x1, y1, x0, y0
+        first, last = max(-(-y0 >> 16), top), min(y1 >> 16, end - 1)
+        if first > last:
+            continue
+        lines, height = np.arange(last + 1 - first, dtype=np.int64 if fits else object), y1 - y0
+        if height:
+            n = x0 * height + (x1 - x0) * ((first << 16) - y0) + (x1 - x0 << 16) * lines
+            columns = (-(-n // (height << 16))).astype(np.int64)
+        else:
+            columns = np.array([[-(-min(x0, x1) >> 16)], [-(-max(x0, x1) >> 16)]])
+        part = found[:, first - top:last + 1 - top]
+        low, high = columns if not height else (columns, columns)
+        part[:] = np.minimum(part[0], low), np.maximum(part[1], high)
+    found.flags.writeable = False
+    return found
+
+
+def first_pixels(vertices, top: int, end: int) -> np.ndarray:
+    """Returns the first pixels at or right of the exact left, and right, x on lines ``top`` to ``end`` - 1: int64,
+    2 rows. A line that the polygon does not meet has NEVER as its left and -NEVER as its right."""
+    return first_pixels_of(tuple(tuple(v[:2]) for v in vertices), top, end)
 
 
 @lru_cache(64)
@@ -197,12 +232,26 @@ class Plane:
             error -= abs(self.d) << 32
         return error / self.d * UNIT
 
+    def errors_at(self, found: np.ndarray, columns: np.ndarray, ys: np.ndarray) -> np.ndarray:
+        """Returns ``error`` for several pixels."""
+        whole, start = abs(self.d) << 32, self.value0 * self.d - self.nx * self.x0 - self.ny * self.y0
+        right, down, half, made = self.nx << 16, self.ny << 16, whole >> 1, []
+        for value, i, j in zip(found.tolist(), columns.tolist(), ys.tolist()):
+            error = (value * self.d - start - right * i - down * j) % whole
+            made.append((error - whole if error >= half else error) / self.d * UNIT)
+        return np.array(made)
+
     def errors(self, found: np.ndarray, columns: np.ndarray, j: int) -> np.ndarray:
         """Returns ``error`` for adjacent pixels ``columns`` of line j; the first is exact, the
         others are rounded to some 1/2^30 texel."""
-        moved = (found - found[0]).astype(np.int32)  # modulo 2^32
-        exact = (columns - columns[0]) * (self.nx / self.d)
-        error = self.error(int(found[0]), int(columns[0]), j) + moved * UNIT - exact
+        return self.row_errors(found, Rows.of(columns, j))
+
+    def row_errors(self, found: np.ndarray, rows: Rows) -> np.ndarray:
+        """Returns ``errors`` for the pixels of several rows."""
+        first = found[rows.starts]
+        moved = (found - rows.spread(first)).astype(np.int32)  # modulo 2^32
+        exact = (rows.columns - rows.spread(rows.lefts)) * (self.nx / self.d)
+        error = rows.spread(self.errors_at(first, rows.lefts, rows.ys)) + moved * UNIT - exact
         return (error + 32768) % 65536 - 32768
 
     @staticmethod
@@ -230,8 +279,8 @@ class Plane:
         steps = sum(way * off for way, off in zip(ways, self.rounding(cut)))
         return steps + UNIT * (3 + (1 << cut)) + steep * (to_pixel + sum(ways) + 2) * 2 / 2**32
 
-    def bound(self, i: int, j: int, t: model.Texturing, cut: int) -> float:
-        """Returns how far set-up's value may be above the exact one at pixel (i, j), in texels."""
+    def bound(self, i: Number, j: Number, t: model.Texturing, cut: int) -> Number:
+        """Returns how far set-up's value may be above the exact one at pixel (i, j), or at several, in texels."""
         raised, away, right, down = self.terms(t, cut)
         return raised + UNIT + away + abs(i - t.i) * right + abs(j - t.j) * down
 
@@ -267,6 +316,23 @@ class Picture:
         self.pixels = sum(end - first for first, end in self.extents.values())
         self.planes = [plane_of(vertices, k) for k in (2, 3)]
         self.endless = True  # planes continue beyond the polygon
+
+
+def inner_rows(vertices, polygon: Polygon) -> tuple[list[int], Rows, Rows]:
+    """Returns the polygon's lines, as indices, with pixels inside the exact polygon, and two sets of rows: the pixels
+    that are in both, and all that are drawn on those lines."""
+    ends = np.array([(line.left, line.right) for line in polygon.lines], np.int64).reshape(-1, 2).T
+    exact = first_pixels(vertices, polygon.top, polygon.top + len(polygon.lines))
+    left, right = np.maximum(ends[0], exact[0]), np.minimum(ends[1], exact[1])
+    seen, = np.nonzero(left < right)
+    ys = seen + polygon.top
+    return seen.tolist(), Rows(ys, left[seen], right[seen]), Rows(ys, *(end[seen] for end in ends))
+
+
+def gathered(polygon: Polygon, numbers: list[int], rows: Rows, drawn: Rows) -> tuple[np.ndarray, np.ndarray]:
+    """Returns u and v, int64, 16.16, of the pixels of rows inside ``drawn``, the polygon's lines ``numbers``."""
+    at = rows.columns + rows.spread(polygon.stepped.starts[numbers] - drawn.lefts)
+    return polygon.stepped.u[at], polygon.stepped.v[at]
 
 
 def edge_errors(vertices, polygon: Polygon) -> Iterator[tuple[int, int, float, float]]:

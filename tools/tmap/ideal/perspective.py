@@ -29,6 +29,7 @@ distance is
     |u_1 - u_0| |r_1 - r_0| / (r_1 + r_0) = |u_1 - u_0| |Q_1 - Q_0| / (r_1 + r_0)^2.
 """
 
+from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, sqrt
 
@@ -36,8 +37,27 @@ import numpy as np
 
 from tmap.ideal import ideal
 from tmap.ideal.ideal import UNIT, Plane
+from tmap.ideal.rows import Rows
 
 FLOAT = 2.0**-32  # what values and errors are rounded by, texels
+
+
+@dataclass
+class Rates:
+    """How u goes on from the deepest pixel of each of some rows: its column, N and Q there, the growth of u a pixel, in
+    texels, and that of Q as a part of Q."""
+
+    columns: np.ndarray
+    n: list[int]
+    q: list[int]
+    first: np.ndarray
+    ratio: np.ndarray
+
+    def moved(self, away: np.ndarray, rows: Rows | None = None) -> np.ndarray:
+        """Returns what u has grown by, in texels, ``away`` pixels right of the deepest one, of one row or of the
+        pixels of ``rows``."""
+        first, ratio = (rows.spread(each) if rows else each for each in (self.first, self.ratio))
+        return away * first / (1 + away * ratio)
 
 
 class Curve:
@@ -86,34 +106,47 @@ class Curve:
         error = (found * q - n) % (q << 32)
         return (error - (q << 32) if error >= q << 31 else error) / (q << 16)
 
-    def travel(self, columns: np.ndarray, j: int) -> tuple[int, np.ndarray]:
-        """Returns the index of the deepest of adjacent pixels of line j, and the difference of u
-        from there at each of them, in texels.
+    def terms_at(self, columns: np.ndarray, ys: np.ndarray) -> tuple[list[int], list[int]]:
+        """Returns ``terms`` of several pixels: N of each, Q of each."""
+        n, q = self.terms(0, 0)
+        steps = [self.sign * n << 16 for plane in (self.over, self.inverse) for n in (plane.nx, plane.ny)]
+        pixels = list(zip(columns.tolist(), ys.tolist()))
+        return ([n + x * steps[0] + y * steps[1] for x, y in pixels],
+                [q + x * steps[2] + y * steps[3] for x, y in pixels])
 
-        With N and Q there, it is k (b Q - d N) / (Q (Q + k d)) at k pixels away; k d is above 0,
-        so nothing cancels. Six roundings of 2^-53 in a way of 2^16 texels at most:
-        under 2^-34 texel.
+    def rates(self, rows: Rows) -> "Rates":
+        """Returns the rates of rows in front of the viewer; others have any.
+
+        u is k (b Q - d N) / (Q (Q + k d)) more k pixels from the deepest one than there, with N and Q there; k d
+        is above 0, so nothing cancels. Six roundings of 2^-53 in a way of 2^16 texels at most: under 2^-34 texel.
         """
-        ends = [self.terms(int(columns[k]) << 16, j << 16) for k in (0, -1)]
-        deepest = 0 if ends[0][1] <= ends[1][1] else len(columns) - 1
-        n, q = ends[deepest != 0]
-        growth = self.sign * self.inverse.nx << 16
-        away = columns - columns[deepest]
-        first = (self.sign * (self.over.nx << 16) * q - growth * n) / (q * q << 16)
-        return deepest, away * first / (1 + away * (growth / q))
+        dn, dq = (self.sign * plane.nx << 16 for plane in (self.over, self.inverse))
+        columns = rows.lefts if dq >= 0 else rows.ends - 1
+        n, q = self.terms_at(columns, rows.ys)
+        first = [(dn * b - dq * a) / (b * b << 16) if b > 0 else 0.0 for a, b in zip(n, q)]
+        return Rates(columns, n, q, np.array(first), np.array([dq / b if b > 0 else 0.0 for b in q]))
 
     def values(self, columns: np.ndarray, j: int) -> np.ndarray:
         """Returns the value at adjacent pixels ``columns`` of line j, in texels: the deepest one's
         is exact, the others' are rounded to some 2^-33 texel."""
-        deepest, moved = self.travel(columns, j)
-        return float(self.at(int(columns[deepest]) << 16, j << 16) * Fraction(UNIT)) + moved
+        rates = self.rates(Rows.of(columns, j))
+        return rates.n[0] / (rates.q[0] << 16) + rates.moved(columns - rates.columns)
 
     def errors(self, found: np.ndarray, columns: np.ndarray, j: int) -> np.ndarray:
         """Returns ``error`` for adjacent pixels ``columns`` of line j, all in front of the viewer;
         the deepest one's is exact, the others' are rounded to some 2^-33 texel."""
-        deepest, exact = self.travel(columns, j)
-        moved = (found - found[deepest]).astype(np.int32)  # modulo 2^32
-        error = self.error(int(found[deepest]), int(columns[deepest]), j) + moved * UNIT - exact
+        return self.row_errors(found, Rows.of(columns, j))
+
+    def row_errors(self, found: np.ndarray, rows: Rows, rates: "Rates | None" = None) -> np.ndarray:
+        """Returns ``errors`` for the pixels of several rows. ``rates``: those of the rows, if they are known."""
+        rates = rates or self.rates(rows)
+        at = found[rows.starts + rates.columns - rows.lefts]
+        exact = []
+        for a, n, q in zip(at.tolist(), rates.n, rates.q):
+            error = (a * q - n) % (q << 32)
+            exact.append((error - (q << 32) if error >= q << 31 else error) / (q << 16))
+        moved = (found - rows.spread(at)).astype(np.int32)  # modulo 2^32
+        error = rows.spread(exact) + moved * UNIT - rates.moved(rows.columns - rows.spread(rates.columns), rows)
         return (error + 32768) % 65536 - 32768
 
     def chord_error(self, i: int, n: int, j: int) -> float:

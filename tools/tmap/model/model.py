@@ -11,7 +11,7 @@ error against the ideal are derived in tools/tmap/ideal/ideal.py.
 
 import numpy as np
 
-from tmap.base.fixed import M32, ceil16, signed
+from tmap.base.fixed import M32, ceil16, counted, signed
 from tmap.model import units
 from tmap.model.depths import Depths
 from tmap.model.mesh import steps_at
@@ -35,22 +35,28 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
          light: np.ndarray | None = None) -> None:
     """Draws a set-up polygon into ``frame`` (height x width). ``texture``: [v][u]; ``light``:
     [level][texel], for the lit mappers."""
-    if polygon.columns:
-        draw(frame.T, polygon.columns, texture, colour)
     if polygon.mapper == "lit":
         light = light[polygon.level]
-    for y, line in enumerate(polygon.lines, polygon.top):
-        if line.right > line.left and polygon.perspective:
-            texels = frame[y, line.left:line.right]
-            if not polygon.columns:
-                u, v = polygon.coordinates(line, y)
-                height, width = texture.shape
-                texels = texture[repeated(v, height), repeated(u, width)]
-            frame[y, line.left:line.right] = lit(line, texels, light) if polygon.mapper in LIT else texels
-        elif line.right > line.left:
-            seen = frame[y, line.left:line.right]
-            made = pixels(line, polygon.mapper, texture, light, y) if polygon.textured else colour
-            seen[:] = np.where(made, made, seen) if polygon.mapper == "keyed" else made
+    drawn = [(y, line) for y, line in enumerate(polygon.lines, polygon.top) if line.right > line.left]
+    if polygon.columns:
+        draw(frame.T, polygon.columns, texture, colour)
+        drawn = drawn if polygon.mapper in LIT else []
+    if not drawn:
+        return
+    lines = [line for _, line in drawn]
+    counts = [line.right - line.left for line in lines]
+    ys = np.repeat([y for y, _ in drawn], counts)
+    xs = np.repeat([line.left for line in lines], counts) + counted(counts)
+    stepped = polygon.stepped if polygon.textured else None
+    if polygon.perspective:
+        texels = frame[ys, xs]
+        if not polygon.columns:
+            height, width = texture.shape
+            texels = texture[repeated(stepped.v, height), repeated(stepped.u, width)]
+        frame[ys, xs] = lit(lines, texels, light) if polygon.mapper in LIT else texels
+        return
+    made = pixels(lines, polygon.mapper, texture, light, (stepped.u, stepped.v)) if polygon.textured else colour
+    frame[ys, xs] = np.where(made, made, frame[ys, xs]) if polygon.mapper == "keyed" else made
 
 
 def prepare_polygon(scene, number: int, vertices) -> Polygon | None:

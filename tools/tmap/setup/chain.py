@@ -1,5 +1,7 @@
 """The integer model's chain of two registers, by which u and v are stepped along pieces: src68k/include/far.i."""
 
+import numpy as np
+
 from tmap.base.fixed import M32, swap
 
 
@@ -10,21 +12,25 @@ def steps(du: int, dv: int, carry: int) -> tuple[int, int]:
     return u & 0xFFFF0000 | v & 0xFFFF, v & 0xFFFF0000 | u & 0xFFFF
 
 
-def piece(state: tuple[int, int], at, du: int, dv: int, count: int):
-    """Steps the chain's registers B and A for ``count`` pixels by du and dv, 8.24; returns their state, the sums
-    of the steps from ``at`` on, and u and v of the pixels."""
-    (b, a), us, vs = state, [], []
+def piece(state: tuple[int, int], du: int, dv: int, count: int, bs: list[int], as_: list[int]) -> tuple[int, int]:
+    """Steps the chain's registers B and A for ``count`` pixels by du and dv, 8.24, and appends them; returns their
+    state."""
+    b, a = state
     db, da = steps(du, dv, 0)
     a += da & 0xFFFF0000
     for _ in range(count):
-        us.append(lift((a & 0xFF) << 16 | b >> 16, at[0]))
-        vs.append(lift((b & 0xFFFF) << 8, at[1], 255))
-        at = at[0] + du, at[1] + dv
+        bs.append(b)
+        as_.append(a)
         b += db + (a >> 32)
         ahead = a & 0xFFFF0000
         a = (a & M32) + da + (b >> 32)
         b &= M32
-    return (b, ahead | a & 0xFFFF), at, us, vs
+    return b, ahead | a & 0xFFFF
+
+
+def values(b: np.ndarray, a: np.ndarray, u: np.ndarray, v: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Returns u and v of pixels from the registers, which are near ``u`` and ``v``, 8.24."""
+    return lift((a & 0xFF) << 16 | b >> 16, u), lift((b & 0xFFFF) << 8, v, 255)
 
 
 def begun(u: int, v: int) -> tuple[int, int]:
@@ -33,9 +39,9 @@ def begun(u: int, v: int) -> tuple[int, int]:
     return b, a & 0xFFFF00FF
 
 
-def lift(x: int, near: int, hidden: int = 0) -> int:
-    """Extends x, 8.16, to the 16.16 number, modulo 2^32, that is nearest to ``near``, which has 24
+def lift(x: np.ndarray, near: np.ndarray, hidden: int = 0) -> np.ndarray:
+    """Extends x, 8.16, to the 16.16 numbers, modulo 2^32, that are nearest to ``near``, which has 24
     fraction bits. The result may be up to ``hidden`` above x."""
-    near >>= 8
+    near = near >> 8
     x = near + (x - near + (1 << 23) & 0xFFFFFF) - (1 << 23)
-    return min(max(near, x), x + hidden) & M32
+    return np.minimum(np.maximum(near, x), x + hidden) & M32

@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from tmap.base.cubics import NEAR, fits
-from tmap.base.fixed import M32, mul_div, signed
+from tmap.base.fixed import M32, counted, mul_div, signed
 from tmap.setup import far
 
 #: By setting: the error that cubics may make, the most that lines are raised by, units of 1/65536 texel; the pixels
@@ -147,8 +147,9 @@ def line(p, k: Constants, left: int, right: int, y: int) -> Line:
                 abs(far_x - k.left) + y - k.top, y - k.top, k)
 
 
-def differences(u: int, r: int, factors: tuple[int, int, int]) -> tuple[int, int, int]:
-    """Returns the first, second and third difference of a piece, 8.24, modulo 2^32."""
+def differences(u: np.ndarray, r: np.ndarray, factors: tuple[int, int, int]) -> tuple[np.ndarray, ...]:
+    """Returns the first, second and third differences of pieces, 8.24, modulo 2^32. Factors are longs, and r is at most
+    2^31, as q is not below the least: no product exceeds 62 bits."""
     d1, d2, d3 = (r * n >> 32 for n in factors)
     b = signed(u * d1 >> 24)
     c = b * d2 >> 32
@@ -156,30 +157,27 @@ def differences(u: int, r: int, factors: tuple[int, int, int]) -> tuple[int, int
     return b + c + d, 2 * c + 6 * d, 6 * d
 
 
-def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
-    """Returns u and v of the line's pixels, 16.16 modulo 2^32."""
-    k, uv = each.constants, ([], [])
-    for _, pixels, q in each.pieces:
-        r = (1 << 30 + k.bits) // q
-        for to, base, c in zip(uv, k.k, each.c):
-            u = signed(c * r >> k.shift)
-            at, (d1, d2, d3) = base + (u << 8), differences(u, r, k.factors)
-            for _ in range(pixels):
-                to.append(at >> 8 & M32)
-                at, d1, d2 = at + d1, d1 + d2, d2 + d3
-    if k.leftwards:
-        for to in uv:
-            to.reverse()
-    return np.array(uv[0]), np.array(uv[1])
+def coordinates(lines: list[Line]) -> list[np.ndarray]:
+    """Returns u and v of the pixels of a polygon's lines, one after the other, 16.16 modulo 2^32."""
+    k = lines[0].constants
+    counts, q, cu, cv = np.array([(pixels, q, *each.c) for each in lines for _, pixels, q in each.pieces]).T
+    r = (1 << 30 + k.bits) // q
+    n = counted(counts)
+    pairs, triples = n * (n - 1) >> 1, n * (n - 1) * (n - 2) // 6
+    found = []
+    for base, c in zip(k.k, (cu, cv)):
+        u = signed(c * r >> k.shift)
+        at, *steps = (np.repeat(each, counts) for each in (base + (u << 8), *differences(u, r, k.factors)))
+        found.append(at + n * steps[0] + pairs * steps[1] + triples * steps[2] >> 8 & M32)
+    return far.in_order(lines, *found)
 
 
-def bound(each: Line) -> float:
-    """Returns the largest error of a line's u or v, in 1/65536 texel: what cubics may be off and what cuts of
-    differences and of their factors add; that of q's steps; a unit of r and of U; of C those of ``far``'s."""
-    k = each.constants
+def bounds(lines: list[Line]) -> np.ndarray:
+    """Returns the largest errors of the u or v of a polygon's lines, in 1/65536 texel: what cubics may be off and what
+    cuts of differences and of their factors add; that of q's steps; a unit of r and of U; of C those of ``far``'s."""
+    k = lines[0].constants
     tolerance, _, _, cuts = WAYS[k.setting]
-    q = each.q
-    c = max(abs(n) for n in each.c) + OFF_C
+    q, way, c = np.array([(each.q, each.way, max(abs(n) for n in each.c) + OFF_C) for each in lines]).T
     u = c / 2.0**(k.shift + 1 - k.bits) / q * 2.0**31
-    return (tolerance + cuts + 2 + u / 2**24 + u * (each.way / 2 + 2) / q + c / 2.0**k.shift
+    return (tolerance + cuts + 2 + u / 2**24 + u * (way / 2 + 2) / q + c / 2.0**k.shift
             + OFF_C * 2.0**(30 - k.shift))

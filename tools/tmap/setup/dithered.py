@@ -17,7 +17,7 @@ MOVES = np.array([[(-1, -3), (3, -1)], [(-3, 1), (1, 3)]], np.int64)
 MOST = 3 / 8
 
 
-def moves(left: int, right: int, y: int) -> tuple[np.ndarray, np.ndarray]:
-    """Returns the moves of u and v for the pixels left to right - 1 of line y, 16.16."""
-    moved = MOVES[y & 1, np.arange(left, right) & 1] * EIGHTH
+def moves(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Returns the moves of u and v for pixels, 16.16."""
+    moved = MOVES[y & 1, x & 1] * EIGHTH
     return moved[:, 0], moved[:, 1]

@@ -4,7 +4,9 @@ and the routines they call, c/polygon/edges.c."""
 from dataclasses import dataclass
 from functools import cached_property
 
-from tmap.base.fixed import ONE, ceil16, mul_div
+import numpy as np
+
+from tmap.base.fixed import ONE, Number, ceil16, mul_div
 
 EDGE_ERROR = 1024  # how far an edge's x may be beyond its vertices, pixels, 16.16
 
@@ -42,12 +44,18 @@ class Edge:
         width, height = self.extent
         return self.upper[0] + mul_div(width, (self.top << 16) - self.upper[1], height)
 
-    def at(self, line: int) -> int:
-        """Returns x on a line, 16.16, rounded at the line ``top`` and in every step."""
+    def at(self, line: Number) -> Number:
+        """Returns x on a line, or on several, 16.16, rounded at the line ``top`` and in every step."""
         return self.first + (line - self.top) * self.slope
 
-    def column(self, line: int) -> int:
-        """Returns the first pixel at or right of the edge."""
+    @cached_property
+    def columns(self) -> np.ndarray:
+        """``column`` of all its lines."""
+        return self.column(np.arange(self.top, self.end))
+
+    def column(self, line: Number) -> Number:
+        """Returns the first pixel at or right of the edge, on a line or on several. Products of coordinates within
+        2^30 fit int64."""
         if not self.exact:
             return ceil16(self.at(line))
         (x, y, *_), (width, height) = self.upper, self.extent

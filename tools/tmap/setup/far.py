@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tmap.base.fixed import M32, cut_quotient, signed, step_swapped, swap
+from tmap.base.fixed import M32, counted, cut_quotient, signed, step_swapped, swap
 from tmap.setup import chain
 from tmap.setup.perspective import steepness
 
@@ -36,6 +36,7 @@ BITS, BITS_COARSE = 5, 1
 DOWN = 2048
 REACH = 192
 TABLE = [((1 << 29) + i) // (2 * i + 1) for i in range(LOWEST, LOWEST + COUNT)]
+TABLE_ARRAY = np.array(TABLE)
 OFF_PART, OFF_CORNERS, OFF_WORD, OFF_LINES, OFF = 21, 32, 1024, 4, 8
 
 
@@ -268,41 +269,58 @@ def reciprocal_at(index: int) -> int:
     return TABLE[index - LOWEST]
 
 
-def bound(each: Line) -> float:
-    """Returns the largest error of a line's u or v against S / q of its planes, at the ends of its pieces,
-    in 1/65536 texel: those of q's index (half of 1, and the steps' cuts), of r (half of 1), of C (the steps'
+def bounds(lines: list[Line]) -> np.ndarray:
+    """Returns the largest errors of the u or v of a polygon's lines against S / q of its planes, at the ends of their
+    pieces, in 1/65536 texel: those of q's index (half of 1, and the steps' cuts), of r (half of 1), of C (the steps'
     cuts, and half a word; if it is coarse, only times what r has changed); a unit per pixel for u's
     steps and V's overflow, and 8 for K and the start."""
-    k, most = each.constants, 0.0
+    k = lines[0].constants
     scale = 2.0**(k.coarse - 4)  # units of 1 in C r
-    for piece in each.pieces:
-        up = 2.0**piece.shift / 65536
-        down = k.down + each.down + OFF_LINES
-        c = (max(abs(n) for n in each.c) + down) * up + 1
-        cut = (each.way + piece.at + 2 * piece.pixels) * up
-        if piece.is_first:
-            first = reciprocal_at(piece.begin)
-        for i in (piece.begin, piece.end):
-            r = reciprocal_at(i)
-            most = max(most, scale * (c * r * ((0.5 + cut) / i + 0.5 / r) + (first - r if k.coarse else r) / 2
-                                      + r * down * up))
-    return each.n + 8 + most
+    pieces = [piece for each in lines for piece in each.pieces]
+    counts = [len(each.pieces) for each in lines]
+    at, pixels, shift, begin, end, is_first = np.array(
+        [(p.at, p.pixels, p.shift, p.begin, p.end, p.is_first) for p in pieces]).T
+    ways, downs, cs = (np.repeat(each, counts) for each in np.array(
+        [(each.way, each.down, max(abs(n) for n in each.c)) for each in lines]).T)
+    up = (1 << shift) / 65536
+    down = k.down + downs + OFF_LINES
+    c = (cs + down) * up + 1
+    cut = (ways + at + 2 * pixels) * up
+    r = TABLE_ARRAY[np.array([begin, end]) - LOWEST]
+    first = r[0][np.maximum.accumulate(np.where(is_first, np.arange(len(pieces)), 0))]
+    off = scale * (c * r * ((0.5 + cut) / np.array([begin, end]) + 0.5 / r)
+                   + (first - r if k.coarse else r) / 2 + r * down * up)
+    most = np.maximum.reduceat(off.max(axis=0), np.cumsum([0, *counts[:-1]]))
+    return np.array([each.n for each in lines]) + 8 + np.maximum(most, 0.0)
 
 
-def coordinates(each: Line) -> tuple[np.ndarray, np.ndarray]:
-    """Returns u and v of the line's pixels, 16.16 modulo 2^32; see ``chain.piece``."""
-    k, us, vs = each.constants, [], []
-    for piece in each.pieces:
-        old, r = reciprocal_at(piece.begin), reciprocal_at(piece.end)
-        if piece.is_first:
-            cs, words = [signed(c << piece.shift) for c in each.c], each.words(piece.shift)
-            at = [base + (c * old >> 8 << k.coarse - COARSE if k.coarse else w * old << 4)
-                  for base, c, w in zip(k.k, cs, words)]
-            state = chain.begun(*at)
-        du, dv = (w * (r - old) * (16 // piece.pixels) << k.coarse for w in words)
-        state, at, u, v = chain.piece(state, at, du, dv, min(each.n + 1 - piece.at, piece.pixels))
-        us += u
-        vs += v
-    if k.leftwards:
-        us.reverse(), vs.reverse()
-    return np.array(us), np.array(vs)
+def coordinates(lines: list[Line]) -> tuple[np.ndarray, np.ndarray]:
+    """Returns u and v of the pixels of a polygon's lines, one after the other, 16.16 modulo 2^32; see ``chain``."""
+    k, b, a, pieces = lines[0].constants, [], [], []
+    for each in lines:
+        for piece in each.pieces:
+            old, r = reciprocal_at(piece.begin), reciprocal_at(piece.end)
+            if piece.is_first:
+                cs, words = [signed(c << piece.shift) for c in each.c], each.words(piece.shift)
+                at = [base + (c * old >> 8 << k.coarse - COARSE if k.coarse else w * old << 4)
+                      for base, c, w in zip(k.k, cs, words)]
+                state = chain.begun(*at)
+            du, dv = (w * (r - old) * (16 // piece.pixels) << k.coarse for w in words)
+            count = min(each.n + 1 - piece.at, piece.pixels)
+            state = chain.piece(state, du, dv, count, b, a)
+            pieces.append((count, *at, du, dv))
+            at = [at[0] + count * du, at[1] + count * dv]
+    count, u, v, du, dv = np.array(pieces).T
+    steps = counted(count)
+    near = (np.repeat(at, count) + steps * np.repeat(step, count) for at, step in ((u, du), (v, dv)))
+    return in_order(lines, *chain.values(np.array(b), np.array(a), *near))
+
+
+def in_order(lines: list[Line], *drawn: np.ndarray) -> list[np.ndarray]:
+    """Returns values of lines' pixels from left to right, given in drawing order."""
+    if not lines[0].constants.leftwards:
+        return list(drawn)
+    counts = np.array([each.n + 1 for each in lines])
+    ends = np.cumsum(counts)
+    order = np.repeat(2 * ends - counts - 1, counts) - np.arange(ends[-1])
+    return [each[order] for each in drawn]

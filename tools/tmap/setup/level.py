@@ -4,10 +4,11 @@ Those by reciprocals: tmap.setup.level_reciprocal."""
 
 import numpy as np
 
-from tmap.base.fixed import M32, cut_quotient, signed
+from tmap.base.fixed import M32, counted, signed
 from tmap.build import layout
 from tmap.setup import level_reciprocal
-from tmap.setup.perspective import Perspective, steepness, way
+from tmap.setup.perspective import Perspective, cut_quotients, steepness, way
+from tmap.setup.texturing import Line
 
 STEEP_2_22 = 1 << 22
 MAP = 0xFFFFFF  # 256 texels
@@ -60,11 +61,11 @@ def is_chained(p: Perspective, width: int, setting: str) -> bool:
     return bool(p.q.dx or p.q.dy) and width <= way(setting).chain
 
 
-def level_step(gradient: int, q: int) -> int:
+def level_steps(gradient: np.ndarray, q: np.ndarray) -> np.ndarray:
     """Returns gradient / q rounded up; 0 if it does not fit 32 bits, being divided as one less if it is above 0."""
     up = gradient > 0
-    found = cut_quotient(gradient - up, q)
-    return found + up if found == signed(found) else 0
+    found = cut_quotients(gradient - up, q)
+    return np.where(found == signed(found), found + up, 0)
 
 
 def bends(p: Perspective, lines, width: int) -> bool:
@@ -76,37 +77,47 @@ def bends(p: Perspective, lines, width: int) -> bool:
                for k, (line, n) in enumerate((line, line.right - 1 - line.left) for line in lines))
 
 
-def regained(c: int, high: int, n: int) -> int:
-    """Returns what is added to a step so that n of them make up for what the range takes from the first pixel's
+def regained(c: np.ndarray, high: int, n: np.ndarray) -> np.ndarray:
+    """Returns what is added to steps so that n of them make up for what the range takes from the first pixel's
     value c, and a part of a unit more; 0 if that is nothing, or if c does not fit 32 bits."""
-    return (c - high) // n + 1 if n and high < c < 1 << 31 else 0
+    return np.where((n > 0) & (high < c) & (c < 1 << 31), (c - high) // np.maximum(n, 1) + 1, 0)
 
 
 def level_line(p: Perspective, left: int, right: int, y: int) -> list[tuple[int, int]]:
-    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded. From a
+    """Returns u of a level line's first pixel and its step, 16.16, and v's; right is excluded."""
+    (u, v), (du, dv) = (each.tolist()[0] for each in level_lines(p, *(np.array([n]) for n in (left, right, y))))
+    return [(u, du), (v, dv)]
+
+
+def level_lines(p: Perspective, left: np.ndarray, right: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Returns u and v of level lines' first pixels, and their steps, 16.16; right is excluded. From a
     first pixel that is held below the range's end, lines lead to the last one's value all the same. In a chain u goes a
     unit up where v goes down, with or without that."""
     if p.inverse:
-        return level_reciprocal.line(p, left, y)
+        made = np.array([level_reciprocal.line(p, *at) for at in zip(left.tolist(), y.tolist())])
+        return made[:, :, 0], made[:, :, 1]
     n = right - 1 - left
     more = [regained(c, high, n) for c, high in zip(p.quotients(left, y)[1], p.high)]
     q, starts = p.divided(left, y)
     if p.tilt:
-        q = max(q + (n * p.tilt >> 8), p.least)
-    du, dv = (level_step(signed(plane.dx, 64) - ((start - base) * p.tilt >> 8), q)
+        q = np.maximum(q + (n * p.tilt >> 8), p.least)
+    # what is over 2^63 is far from fitting, with any sign
+    du, dv = (level_steps(signed(plane.dx, 64) - ((start - base) * p.tilt >> 8), q)
               for start, base, plane in zip(starts, p.base, (p.s, p.t)))
-    du += p.chained and (dv | dv + more[1]) >> 23 & 1
-    return [(start, signed(step + n)) for start, step, n in zip(starts, (du, dv), more)]
+    du += p.chained & (dv | dv + more[1]) >> 23 & 1
+    return np.stack(starts, 1), np.stack([signed(step + n) for step, n in zip((du, dv), more)], 1)
 
 
-def level(p: Perspective, left: int, right: int, y: int) -> list[np.ndarray]:
-    """Returns u and v of a level line's pixels, 16.16 modulo 2^32; right is excluded."""
-    k = np.arange(right - left, dtype=np.int64)
-    (u, du), (v, dv) = level_line(p, left, right, y)
+def level(p: Perspective, lines: list[Line], ys: list[int]) -> list[np.ndarray]:
+    """Returns u and v of the pixels of level lines, one after the other, 16.16 modulo 2^32."""
+    counts = [line.right - line.left for line in lines]
+    k = counted(counts)
+    ends = np.array([(line.left, line.right) for line in lines]).T
+    (u, v), (du, dv) = (np.repeat(each, counts, axis=0).T for each in level_lines(p, *ends, np.array(ys)))
     return [u + k * du + (wraps(v, dv, k) if p.chained else 0) & M32, v + k * dv & M32]
 
 
-def wraps(v: int, dv: int, k: np.ndarray) -> np.ndarray:
+def wraps(v: np.ndarray, dv: np.ndarray, k: np.ndarray) -> np.ndarray:
     """Returns the units that the chain's u has gone up after k steps: one for each time that v has wrapped at
     256, or less if it has done so downwards. v, dv: 16.16."""
     return (v & MAP) + k * signed(dv & MAP, 24) >> 24

@@ -96,6 +96,10 @@ class Plane:
         """Returns the value x pixels right of (i, j) and y lines below it."""
         return signed(self.at + x * self.dx + y * self.dy, 64)
 
+    def values(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Returns ``value`` of several pixels, int64, which is modulo 2^64 too."""
+        return self.at + x * self.dx + y * self.dy
+
 
 @dataclass
 class Corners:
@@ -143,16 +147,16 @@ class Perspective:
                    for plane in (self.q, self.s, self.t))
         return replace(self, q=q, s=s, t=t, i=y, j=x, tilt=0, chained=False, inverse=None)
 
-    def quotients(self, x: int, y: int) -> tuple[int, list[int]]:
-        """Returns q at a pixel, at least ``least``, and u and v, less their bases, divided by it."""
+    def quotients(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
+        """Returns q at pixels, at least ``least``, and u and v, less their bases, divided by it."""
         at = x - self.i, y - self.j
-        q = max(self.q.value(*at) >> 32, self.least)
-        return q, [cut_quotient(plane.value(*at), q) for plane in (self.s, self.t)]
+        q = np.maximum(self.q.values(*at) >> 32, self.least)
+        return q, [cut_quotients(plane.values(*at), q) for plane in (self.s, self.t)]
 
-    def divided(self, x: int, y: int) -> tuple[int, list[int]]:
-        """Returns q at a pixel, and u and v within their ranges."""
+    def divided(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, list[np.ndarray]]:
+        """Returns q at pixels, and u and v within their ranges."""
         q, found = self.quotients(x, y)
-        return q, [base + min(max(c, low), high) for base, c, low, high in zip(self.base, found, self.low, self.high)]
+        return q, [base + c.clip(low, high) for base, c, low, high in zip(self.base, found, self.low, self.high)]
 
 
 @dataclass
@@ -250,6 +254,12 @@ def perspective(vertices, corners, box) -> Perspective | None:
                        is_sure=all(map(is_sure, errors)))
 
 
+def cut_quotients(n: np.ndarray, d: np.ndarray) -> np.ndarray:
+    """Returns n / d cut towards zero, d > 0."""
+    found = n // d
+    return found + ((n < 0) & (found * d != n))
+
+
 def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
     """Returns the weights of both ends of a line of n steps: n times one is below 2^31."""
     up = 31 - max(q0, q1).bit_length()
@@ -258,12 +268,19 @@ def weights(q0: int, q1: int, n: int) -> tuple[int, int]:
 
 def ends(p: Perspective, left: int, right: int, y: int, raised: int = 0) -> Ends:
     """Returns the line's ends; right is excluded. ``raised``: units by which u and v are raised."""
-    (q0, (u, v)), (q1, (u1, v1)) = (p.divided(x, y) for x in (left, right - 1))
-    line = Ends(left, right - 1 - left, u + raised & M32, v + raised & M32)
-    if line.n:
-        line.du, line.dv = signed(u1 - u), signed(v1 - v)
-        line.first, line.last = weights(q0, q1, line.n)
-    return line
+    return all_ends(p, np.array([left]), np.array([right]), np.array([y]), raised)[0]
+
+
+def all_ends(p: Perspective, lefts: np.ndarray, rights: np.ndarray, ys: np.ndarray, raised: int = 0) -> list[Ends]:
+    """Returns ``ends`` of several lines."""
+    (q0, (u, v)), (q1, (u1, v1)) = (p.divided(x, ys) for x in (lefts, rights - 1))
+    n = rights - 1 - lefts
+    made = [Ends(*line) for line in zip(*(each.tolist() for each in (
+        lefts, n, u + raised & M32, v + raised & M32, signed(u1 - u), signed(v1 - v))))]
+    for line, *q in zip(made, q0.tolist(), q1.tolist()):
+        if line.n:
+            line.first, line.last = weights(*q, line.n)
+    return made
 
 
 def lg(x: int, table: list[int]) -> int:

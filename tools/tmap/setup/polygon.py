@@ -13,11 +13,11 @@ from tmap.base.fixed import M32, ONE, mul, signed
 from tmap.setup import afar, cubic, far, level_reciprocal, snapped
 from tmap.setup.clip import clip, frame_window
 from tmap.setup.edges import Edge, Sides, measure, side
-from tmap.setup.level import bends, columns_are_cheaper, is_chained, is_even, is_level, level, tilt_of
-from tmap.setup.perspective import (PIECES, Q_ONE, Perspective, coordinates as perspective_coordinates, ends,
-                                    perspective, raise_of, way)
+from tmap.setup.level import bends, columns_are_cheaper, is_chained, is_even, is_level, tilt_of
+from tmap.setup.perspective import PIECES, Q_ONE, Perspective, perspective, way
 from tmap.setup.shading import LIT, Shading, level_of, light_lines, shading
-from tmap.setup.spans import coordinates, stays_in_row
+from tmap.setup.spans import stays_in_row
+from tmap.setup.stepped import Stepped, stepped_of
 from tmap.setup.texturing import (CUT, Line, Settings, Texturing, along, edge_starts, longest,
                                   plane, raised, ramp_point, scanline_line)
 from tmap.setup.tolerance import coarser, is_flat
@@ -27,6 +27,7 @@ FAR = 16384 << 16
 INSET = ONE // 16  # see c/drawing/material.c
 ON_PLANE = 3 * INSET // 4
 STEEP_4, STEEP_256 = 4 << 16, 256 << 16
+HELD = ("gouraud", "arbitrary")  # mappers whose lines are held in a range
 EDGES_32 = 4096  # texels a pixel times lines
 
 
@@ -59,34 +60,19 @@ class Polygon:
         return self.constants and afar.model_of(self.constants).line(self.perspective, self.constants,
                                                                      line.left, line.right, y)
 
-    def coordinates(self, line: Line, y: int):
-        """Returns u and v of the pixels of a line at y, int64, 16.16 modulo 2^32."""
-        if not self.perspective:
-            return coordinates(line, self.mapper, y)
-        if self.columns:
-            return self.columns.crossed(y, range(line.left, line.right))
-        if self.is_level:
-            return level(self.perspective, line.left, line.right, y)
-        record = self.record(line, y)
-        if record:
-            return afar.model_of(self.constants).coordinates(record)
-        return perspective_coordinates(ends(self.perspective, line.left, line.right, y,
-                                            raise_of(self.exact)), self.exact)
-
-    def crossed(self, x: int, lines: range):
-        """Returns u and v at pixel x of some lines."""
-        pairs = []
-        for y in lines:
-            line = self.lines[y - self.top]
-            if not line.left <= x < line.right:
-                raise ValueError(f"column {y} has no pixel on line {x}")
-            pairs.append([values[x - line.left] for values in self.stepped[y - self.top]])
-        return np.array(pairs, np.int64).reshape(-1, 2).T
+    @cached_property
+    def records(self) -> list:
+        """``record`` of all lines."""
+        return [self.record(line, y) for y, line in enumerate(self.lines, self.top)]
 
     @cached_property
-    def stepped(self) -> list:
-        """u and v of the pixels of all lines."""
-        return [self.coordinates(line, y) for y, line in enumerate(self.lines, self.top)]
+    def stepped(self) -> Stepped:
+        """u and v of all pixels."""
+        return stepped_of(self)
+
+    def coordinates(self, y: int) -> tuple[np.ndarray, np.ndarray]:
+        """Returns u and v of the pixels of line y, int64, 16.16 modulo 2^32."""
+        return self.stepped.line(y - self.top)
 
     @property
     def pixels(self) -> int:
@@ -117,13 +103,11 @@ def plane_range(vertices, t: Texturing) -> tuple[list[int], list[int]]:
 def held_range(vertices, settings: Settings, size: tuple[int, int] | None, t: Texturing | None,
                steep: bool):
     """Returns (low, high) of u and of v if lines must be held in a range; else None."""
-    low, high = ([f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max))
-    if settings.mapper == "gouraud":
-        ranges = [(low[0] & ~0xFFFF, high[0] | 0xFFFF), (0, 0)]
-    elif settings.mapper == "arbitrary":
-        ranges = [(0, (side << 16) - 1) for side in size]
-    else:
+    if settings.mapper not in HELD:
         return None
+    low, high = ([f(v[k] for v in vertices) for k in (2, 3)] for f in (min, max))
+    ranges = ([(low[0] & ~0xFFFF, high[0] | 0xFFFF), (0, 0)] if settings.mapper == "gouraud" else
+              [(0, (side << 16) - 1) for side in size])
     inset = INSET
     if len(vertices) > 3 and not steep:  # the plane need not pass through all of them
         inset, (low, high) = ON_PLANE, plane_range(vertices, t)
@@ -186,8 +170,7 @@ class Outline:
         _, top, _, bottom = self.box
         lefts, rights = (side(self.vertices, self.sides.corners[0], direction, top, bottom, exact, upright)
                          for direction in (self.sides.direction, -self.sides.direction))
-        left, right = ([edge.column(y) for edge in edges for y in range(edge.top, edge.end)]
-                       for edges in (lefts, rights))
+        left, right = (first_columns(edges).tolist() for edges in (lefts, rights))
         lines = [Line(max(a, 0), min(b, width)) for a, b in zip(left, right)]
         return Polygon(top, lines, None, lefts, rights, textured)
 
@@ -205,15 +188,18 @@ def outline_of(vertices, width: int, height: int, settings: Settings) -> Outline
     return Outline(corners, vertices, sides) if sides else None
 
 
-def plane_lines(polygon: Polygon, columns: list[int], settings: Settings) -> None:
-    """Sets u, v and steps of each line by the polygon's steps; ``columns``: the lines' first pixels
-    before the frame cuts them."""
-    t = polygon.texturing
+def first_columns(edges: list[Edge]) -> np.ndarray:
+    """Returns the first pixels of the lines of a side, before the frame cuts them."""
+    return np.concatenate([edge.columns for edge in edges]) if edges else np.zeros(0, np.int64)
+
+
+def plane_lines(polygon: Polygon, settings: Settings) -> None:
+    """Sets u, v and steps of each line by the polygon's steps."""
+    t, dudx, dvdx = polygon.texturing, polygon.texturing.dudx & M32, polygon.texturing.dvdx & M32
     starts = [start for edge in polygon.left_edges for start in edge_starts(t, edge, settings)]
-    for line, column, (u, v) in zip(polygon.lines, columns, starts):
+    for line, column, (u, v) in zip(polygon.lines, first_columns(polygon.left_edges).tolist(), starts):
         cut = line.left - column
-        line.u, line.v = u + cut * t.dudx & M32, v + cut * t.dvdx & M32
-        line.dudx, line.dvdx = t.dudx & M32, t.dvdx & M32
+        line.u, line.v, line.dudx, line.dvdx = u + cut * dudx & M32, v + cut * dvdx & M32, dudx, dvdx
 
 
 def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settings,
@@ -230,9 +216,10 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
             if settings.gradients == "plane" else longest(vertices, corners, box, settings)
         if polygon.texturing is None:
             return False
-        columns = [edge.column(y) for edge in polygon.left_edges for y in range(edge.top, edge.end)]
-        plane_lines(polygon, columns, settings)
+        plane_lines(polygon, settings)
         groups = [polygon.lines]  # all with the same steps
+    if settings.mapper not in HELD:
+        return True
     for lines in groups:
         ranges = held_range(vertices, settings, size, polygon.texturing,
                             is_steep(settings, lines[0].dudx, lines[0].dvdx, len(polygon.lines)))

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from tmap.base.fixed import signed
+from tmap.base.fixed import counted, signed
 from tmap.setup.texturing import Line, Settings, Texturing, plane
 
 LIT = ("lit", "lit_gouraud")  # mappers
@@ -46,6 +46,8 @@ def light_lines(lines: list[Line], top: int, light: Shading) -> None:
         line.dcdx = step
 
 
-def rows(line: Line) -> np.ndarray:
-    """Returns the light table's row at each pixel of a line."""
-    return line.c + np.arange(line.right - line.left, dtype=np.int64) * line.dcdx >> 16
+def rows(lines: list[Line]) -> np.ndarray:
+    """Returns the light table's row at each pixel of lines, one after the other."""
+    counts = [line.right - line.left for line in lines]
+    c, step = np.repeat([(line.c, line.dcdx) for line in lines], counts, axis=0).T
+    return c + counted(counts) * step >> 16

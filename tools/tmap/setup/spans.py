@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tmap.base.fixed import M32, signed
+from tmap.base.fixed import M32, counted, signed
 from tmap.setup.dithered import moves
 from tmap.setup.shading import LIT, rows
 from tmap.setup.texturing import CUT, Line
@@ -14,20 +14,27 @@ STEEP_32 = 32 << 16
 
 
 def coordinates(line: Line, mapper: str = "affine", y: int = 0) -> tuple[np.ndarray, np.ndarray]:
-    """Returns u and v of a line's pixels as the mapper steps them, int64, 16.16 modulo 2^32; ``y``:
-    the line's, used only by the mapper that moves points."""
-    n = np.arange(line.right - line.left, dtype=np.int64)
-    if line.chain:
-        return (line.chain[0] + n * line.chain[1] >> 24) & M32, \
-            line.v + n * signed(line.dvdx) & M32
-    start, cuts = (line.u, line.v), CUT.get(mapper, (0, 0))
+    """Returns ``coordinates_of`` a line at y."""
+    return coordinates_of([line], [y], mapper)
+
+
+def coordinates_of(lines: list[Line], ys: list[int], mapper: str) -> tuple[np.ndarray, np.ndarray]:
+    """Returns u and v of the pixels of lines, one after the other, as the mapper steps them, int64, 16.16 modulo 2^32;
+    ``ys``: the lines', used only by the mapper that moves points. All lines are chains or none."""
+    counts = [max(line.right - line.left, 0) for line in lines]
+    n = counted(counts)
+    if lines[0].chain:
+        made = np.array([(*line.chain, line.v, signed(line.dvdx)) for line in lines], np.int64)
+        chain, step, v, dv = np.repeat(made, counts, axis=0).T
+        return (chain + n * step >> 24) & M32, v + n * dv & M32
+    made = np.array([(line.u, line.v, signed(line.dudx), signed(line.dvdx)) for line in lines], np.int64)
     if mapper == "generated":  # the start's fraction is dropped
-        start = [(c & ~0xFFFF) + BIAS for c in start]
-    steps = (signed(line.dudx), signed(line.dvdx))
-    u, v = (((c >> cut) + n * (step >> cut)) << cut & M32
-            for c, step, cut in zip(start, steps, cuts))
+        made[:, :2] = (made[:, :2] & ~0xFFFF) + BIAS
+    uv, steps = np.repeat(made, counts, axis=0).T.reshape(2, 2, -1)
+    u, v = (((c >> cut) + n * (step >> cut)) << cut & M32 for c, step, cut in zip(uv, steps, CUT.get(mapper, (0, 0))))
     if mapper == "dithered":
-        u, v = (c + move & M32 for c, move in zip((u, v), moves(line.left, line.right, y)))
+        moved = moves(n + np.repeat([line.left for line in lines], counts), np.repeat(ys, counts))
+        u, v = (c + move & M32 for c, move in zip((u, v), moved))
     return u, v
 
 
@@ -71,18 +78,26 @@ def fetched(line: Line, mapper: str, size: tuple[int, int],
     return repeated(u, 256 if mapper == "gouraud" else size[0]), repeated(v, size[1])
 
 
-def pixels(line: Line, mapper: str, texture: np.ndarray | None,
-           light: np.ndarray | None = None, y: int = 0) -> np.ndarray:
-    """Returns a line's pixels. ``texture``: [v][u]; ``light``: [level][texel], or one level's row;
-    ``y``: as in ``coordinates``."""
+def fetched_by(lines: list[Line], mapper: str, size: tuple[int, int],
+               stepped: tuple[np.ndarray, np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
+    """Returns ``fetched`` of several lines, one after the other."""
+    if mapper != "generated":  # a pixel's texel depends on its u and v alone
+        return fetched(lines[0], mapper, size, stepped)
+    return tuple(map(np.concatenate, zip(*(fetched(line, mapper, size, stepped) for line in lines))))
+
+
+def pixels(lines: list[Line], mapper: str, texture: np.ndarray | None, light: np.ndarray | None,
+           stepped: tuple[np.ndarray, np.ndarray]) -> np.ndarray:
+    """Returns the pixels of lines, one after the other. ``texture``: [v][u]; ``light``: [level][texel], or one level's
+    row; ``stepped``: u and v."""
     size = (256, 1) if texture is None else texture.shape[::-1]
-    columns, rows_ = fetched(line, mapper, size, coordinates(line, mapper, y))
+    columns, rows_ = fetched_by(lines, mapper, size, stepped)
     if mapper == "gouraud":
         return columns
     texels = texture[rows_, columns]
-    return lit(line, texels, light) if mapper in LIT else texels
+    return lit(lines, texels, light) if mapper in LIT else texels
 
 
-def lit(line: Line, texels: np.ndarray, light: np.ndarray) -> np.ndarray:
-    """Returns a lit line's pixels from its texels; ``light``: as in ``pixels``."""
-    return light[rows(line), texels] if light.ndim == 2 else light[texels]
+def lit(lines: list[Line], texels: np.ndarray, light: np.ndarray) -> np.ndarray:
+    """Returns the pixels of lit lines from their texels; ``light``: as in ``pixels``."""
+    return light[rows(lines), texels] if light.ndim == 2 else light[texels]

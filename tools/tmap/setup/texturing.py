@@ -3,7 +3,9 @@ c/polygon/texturing.c and ramps.c."""
 
 from dataclasses import dataclass
 
-from tmap.base.fixed import (M32, ONE, ceil16, cut_quotient, mul, mul_div, quotient, signed, step,
+import numpy as np
+
+from tmap.base.fixed import (M32, ONE, Number, ceil16, cut_quotient, mul, mul_div, quotient, signed, step,
                              wide_mul)
 from tmap.setup.edges import Edge
 
@@ -280,8 +282,8 @@ def edge_shortfall(step: int, cut: int, lines: int, width: int, start: str) -> i
     return 0 if whole > STEEP_256 else (lines * line + (width + 1) * coarse >> 1) + 4 * whole + 4
 
 
-def on_plane(t: Texturing, column: int, line: int) -> tuple[int, int]:
-    """Returns u and v at a pixel."""
+def on_plane(t: Texturing, column: Number, line: Number) -> tuple[Number, Number]:
+    """Returns u and v at a pixel, or at several."""
     x, y = column - t.i, line - t.j
     return t.u + x * t.dudx + y * t.dudy, t.v + x * t.dvdx + y * t.dvdy
 
@@ -293,8 +295,8 @@ def along(edge: Edge) -> list[tuple[int, int, int]]:
     several = edge.end - edge.top > 1
     first = [edge.upper[k] + mul_div(whole[k], y, whole[1]) for k in (2, 3)]
     steps = [mul_div(whole[k], ONE, whole[1]) if several else 0 for k in (2, 3)]
-    return [(edge.at(line), *(f + n * d for f, d in zip(first, steps)))
-            for n, line in enumerate(range(edge.top, edge.end))]
+    n = np.arange(edge.end - edge.top)
+    return list(zip(edge.at(edge.top + n).tolist(), *((f + n * d).tolist() for f, d in zip(first, steps))))
 
 
 def ramp_point(edge: Edge, point: tuple[int, int, int]) -> tuple[int, int, int]:
@@ -307,14 +309,14 @@ def ramp_point(edge: Edge, point: tuple[int, int, int]) -> tuple[int, int, int]:
 
 def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int, int]]:
     """Returns u and v of an edge's lines at their first pixels, modulo 2^32."""
-    columns = [edge.column(line) for line in range(edge.top, edge.end)]
+    columns, n = edge.columns, np.arange(edge.end - edge.top)
     if settings.gradients == "plane" and settings.start == "subtexel":
-        return [on_plane(t, c, line) for line, c in enumerate(columns, edge.top)]
+        return list(zip(*(each.tolist() for each in on_plane(t, columns, edge.top + n))))
     x, slope = edge.at(edge.top), edge.slope
-    prestep = signed((columns[0] << 16) - x)
+    prestep = signed((int(columns[0]) << 16) - x)
     moves = [signed(t.dudx), signed(t.dvdx)]
     if settings.gradients == "plane":
-        first = [c - mul(m, prestep) for c, m in zip(on_plane(t, columns[0], edge.top), moves)]
+        first = [c - mul(m, prestep) for c, m in zip(on_plane(t, int(columns[0]), edge.top), moves)]
         steps = [d + mul(m, slope) for d, m in zip((t.dudy, t.dvdy), moves)]
     else:
         crossings = along(edge)
@@ -328,11 +330,8 @@ def edge_starts(t: Texturing, edge: Edge, settings: Settings) -> list[tuple[int,
     first = [raised(f, cut) for f, cut in zip(first, t.cuts)]
     first[0] |= t.wrap_bit
     steps = [raised(s, cut) for s, cut in zip(steps, t.cuts)]
-    starts = []
-    for n, column in enumerate(columns):
-        more = column - columns[0] - n * edge.whole if settings.start == "subtexel" else 0
-        starts.append(tuple(f + n * d + more * m for f, d, m in zip(first, steps, moves)))
-    return starts
+    more = columns - columns[0] - n * edge.whole if settings.start == "subtexel" else 0 * n
+    return list(zip(*((f + n * d + more * m).tolist() for f, d, m in zip(first, steps, moves))))
 
 
 def scanline_line(line: Line, left: tuple, right: tuple, truncated: bool) -> None:
