@@ -113,6 +113,7 @@ sdk: programs
 	@scripts/tmap sdk
 
 fuzz: programs
+	@scripts/setup second
 	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \
 	  $${FAMILY:+--family "$$FAMILY"} $${MACHINE:+--machine "$$MACHINE"}
 

@@ -14,6 +14,7 @@ from tmap.base.errors import UserError
 from tmap.corpus import hard_cases
 from tmap.fuzz import fuzz, polygons as fuzz_polygons, shrink
 from tmap.guest import guest_frames
+from tmap.guest.emulator import SECOND
 from tmap.scene_file import scene_file
 from tmap.scene_file.textures import IN_DEPTH
 from tmap.setup import edges
@@ -63,7 +64,8 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     reduced, printed with all details, and kept. Each round of reduction takes one boot, as drawing
     the polygons does."""
     boots, draw = [], guest_frames.draw
-    monkeypatch.setattr(fuzz, "draw", lambda *drawn, **how: boots.append(drawn) or draw(*drawn, **how))
+    monkeypatch.setattr(fuzz, "draw", lambda scenes, machine, **how: boots.append(machine) or draw(
+        scenes, machine, **how))
     monkeypatch.setattr(edges.Edge, "column", lambda edge, line: (edge.at(line) >> 16) + 1)
     monkeypatch.setattr(shrink, "ROUNDS", 3)
     monkeypatch.setattr(hard_cases, "FOUND", tmp_path / "found.json")
@@ -75,7 +77,7 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
                  "expected / found: ", "vertex 2: x ", "(0x", "slope ", "picture (expected, found",
                  "again: scripts/tmap fuzz --seed 1 --first 6", "kept as wrong_ceil"):
         assert part in text, f"{part!r} is missing in\n{text}"
-    assert len(boots) == 1 + shrink.ROUNDS
+    assert boots == (1 + shrink.ROUNDS) * [fuzz.MACHINE, SECOND]
     kept, = json.loads((tmp_path / "found.json").read_text())
     number = int(kept["sentence"].split("polygon ")[1].split(":")[0])
     assert kept["name"] == "wrong_ceil" and "seed 1" in kept["sentence"]
@@ -89,11 +91,21 @@ def test_faults_of_each_kind_are_told_apart() -> None:
     each = fuzz_polygons.polygon(SEED, 3)
     checked = fuzz.check(each, SEED, 0)
     good = {"result": checked.result, **dict(zip(("sum", "hash"), guest_frames.digest_of(checked.frame)))}
-    assert fuzz.compare(checked, good) is None
-    assert fuzz.compare(checked, good | {"result": 3}).kind == "refused"
-    assert fuzz.compare(checked, good | {"hash": 1}).kind == "differs"
+    right = {fuzz.MACHINE: good, SECOND: good}
+    assert fuzz.compare(checked, right) is None
+    assert fuzz.compare(checked, right | {SECOND: good | {"result": 3}}) == fuzz.Fault(
+        "refused", f"{SECOND}: the result is 3, not {checked.result}", SECOND)
+    assert fuzz.compare(checked, right | {fuzz.MACHINE: good | {"hash": 1}}).kind == "differs"
     checked.verdict.complaint = "too far"
-    assert fuzz.compare(checked, good) == fuzz.Fault("bound", "too far")
+    assert fuzz.compare(checked, right) == fuzz.Fault("bound", "too far")
+
+
+def test_both_processors_draw() -> None:
+    """All that the emulated A1200 draws the second one draws too; of its own blocks the A1200 draws a share."""
+    blocks = [(block, [fuzz_polygons.polygon(SEED, block * fuzz.BLOCK)], "addx") for block in range(fuzz.BLOCKS)]
+    first, second = (fuzz.draw_blocks(blocks, SEED, machine) for machine in (fuzz.MACHINE, SECOND))
+    assert [list(each) for each in first] == fuzz.BLOCKS * [[fuzz.MACHINE, SECOND]]
+    assert [list(each) for each in second] == [[SECOND, fuzz.MACHINE]] + (fuzz.BLOCKS - 1) * [[SECOND]]
 
 
 def test_a_crash_is_sought_by_halves(monkeypatch) -> None:

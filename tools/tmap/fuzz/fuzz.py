@@ -1,5 +1,5 @@
-"""``tmap fuzz``: random polygons drawn by the emulated 68020, each compared with the integer model
-bit for bit and, if its exact ideal is defined, with the derived bounds.
+"""``tmap fuzz``: random polygons drawn by the emulated 68020 and by the second processor, each compared with the
+integer model bit for bit and, if its exact ideal is defined, with the derived bounds.
 
 The guest draws blocks of polygons, one per frame, and returns a digest of each frame. A failing
 polygon is made simpler as long as it fails, and explained.
@@ -23,6 +23,7 @@ from tmap.build import layout
 from tmap.fuzz.families import ALL, again, named
 from tmap.fuzz.polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from tmap.fuzz.shrink import shrink
+from tmap.guest.emulator import SECOND
 from tmap.guest.guest_frames import draw, frame_of, is_models
 from tmap.ideal import bounds, planarity
 from tmap.model import model
@@ -73,28 +74,56 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
 
 @dataclass
 class Fault:
-    """A failing polygon. ``kind``: differs, bound, refused or crash."""
+    """A failing polygon. ``kind``: differs, bound, refused or crash; ``machine``: the one that fails, "" for all."""
 
     kind: str
     text: str
+    machine: str = ""
 
 
-def compare(checked: Checked, digest) -> Fault | None:
-    """Returns the fault of one polygon, or None."""
-    if int(digest["result"]) != checked.result:
-        return Fault("refused", f"the guest's result is {digest['result']}, not {checked.result}")
-    if not is_models(checked.frame, digest):
-        return Fault("differs", "the guest's frame is not the model's")
+def other_of(machine: str, block: int) -> str | None:
+    """Returns the processor that draws a block too: the second one or, for the first of BLOCKS of its blocks, the
+    emulated A1200's."""
+    if machine != SECOND:
+        return SECOND
+    return MACHINE if block % BLOCKS == 0 else None
+
+
+def draw_blocks(blocks: list[tuple[int, list[Fuzzed], str]], seed: int, machine: str) -> list[dict[str, np.ndarray]]:
+    """Returns the digests of polygons by machine, of each block: its number, some of its polygons, the form."""
+    found: list[dict[str, np.ndarray]] = [{} for _ in blocks]
+    others = {block: other_of(machine, block) for block, *_ in blocks}
+    for each in dict.fromkeys((machine, *others.values())):
+        part = [k for k, (block, *_) in enumerate(blocks) if each in (machine, others[block])]
+        if each and part:
+            scenes = [(scene(seed, block, some), form) for block, some, form in (blocks[k] for k in part)]
+            for k, digests in zip(part, draw(scenes, each, timed=False)):
+                found[k][each] = digests
+    return found
+
+
+def compare(checked: Checked, digests: dict) -> Fault | None:
+    """Returns the fault of one polygon, or None; ``digests``: by machine."""
+    for machine, digest in digests.items():
+        if int(digest["result"]) != checked.result:
+            return Fault("refused", f"{machine}: the result is {digest['result']}, not {checked.result}", machine)
+        if not is_models(checked.frame, digest):
+            return Fault("differs", f"{machine}: the guest's frame is not the model's", machine)
     if checked.verdict.complaint:
         return Fault("bound", checked.verdict.complaint)
     return None
+
+
+def of_polygon(digests: dict[str, np.ndarray], k: int) -> dict:
+    """Returns the digests of polygon ``k`` by machine."""
+    return {machine: some[k] for machine, some in digests.items()}
 
 
 def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
            machine: str) -> dict[int, Fault]:
     """Returns the faults of a block's polygons, by index; a crash is located by halves."""
     try:
-        digests, = draw([(scene(seed, block, polygons), form)], machine, timed=False)
+        digests, = draw_blocks([(block, polygons, form)], seed, machine)
     except UserError as error:
         if len(polygons) == 1:
             return {0: Fault("crash", str(error))}
@@ -102,8 +131,7 @@ def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
         first = faults(polygons[:middle], seed, block, form, machine)
         rest = faults(polygons[middle:], seed, block, form, machine)
         return first | {middle + k: fault for k, fault in rest.items()}
-    found = {k: compare(check(each, seed, block), digest)
-             for k, (each, digest) in enumerate(zip(polygons, digests))}
+    found = {k: compare(check(each, seed, block), of_polygon(digests, k)) for k, each in enumerate(polygons)}
     return {k: fault for k, fault in found.items() if fault}
 
 
@@ -168,18 +196,17 @@ def run_part(seed: int, numbers: range, machine: str, family: str = ALL) -> Tall
     polygons = {block: [polygon(seed, n, family) for n in part] for block, part in parts.items()}
     tally = Tally()
     try:
-        digests = draw([(scene(seed, block, some), form_of(block))
-                        for block, some in polygons.items()], machine, timed=False)
+        digests = draw_blocks([(block, some, form_of(block)) for block, some in polygons.items()], seed, machine)
     except UserError:  # a crash or a hang: block by block, then by halves
         for block, some in polygons.items():
             for k, fault in faults(some, seed, block, form_of(block), machine).items():
                 tally.failed[parts[block][k]] = fault
         return tally
     for (block, some), found in zip(polygons.items(), digests):
-        for number, each, digest in zip(parts[block], some, found):
+        for k, (number, each) in enumerate(zip(parts[block], some)):
             checked = check(each, seed, block)
             tally.add(each, checked)
-            fault = compare(checked, digest)
+            fault = compare(checked, of_polygon(found, k))
             if fault:
                 tally.failed[number] = fault
     polygon.cache_clear()
@@ -238,7 +265,8 @@ def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str
     """Returns the text that helps to find the cause."""
     block = number // BLOCK
     this = scene(seed, block, [each])
-    found = None if fault.kind in ("crash", "refused") else frame_of(this, form_of(block), machine)
+    found = (None if fault.kind in ("crash", "refused") else
+             frame_of(this, form_of(block), fault.machine or machine))
     return explain(this, 0, found, f"{named(seed, number, family)}, {form_of(block)}: {fault.text}",
                    again(seed, number, family, machine))
 
