@@ -3,7 +3,7 @@
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
 # What is made under the lock of `programs`, or beside it.
-OUTER := help run show demo scene-program bench accuracy polys profile report adf sdk fuzz test diff clean programs setup
+OUTER := help run show demo scene-program bench accuracy polys profile report adf sdk fuzz check test diff clean programs setup
 .PHONY: $(OUTER) built FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
@@ -73,6 +73,7 @@ help:
 	@echo 'make adf                                          a bootable disk for real Amigas: build/adf'
 	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
 	@echo 'make fuzz [SEED=N] [COUNT=N] [FAMILY=perspective] random polygons against model and bounds'
+	@echo 'make check                                        tests of what you changed, a sample of others: a minute'
 	@echo 'make test                                         run all tests'
 	@echo 'make diff A=DIR B=DIR                             compare two runs'
 	@echo 'make programs [CC68K=gcc|vbcc]                    build the Amiga programs only'
@@ -122,6 +123,10 @@ fuzz: programs
 test:
 	@scripts/setup second & second=$$!; $(MAKE) programs && wait $$second && \
 	  .deps/venv/bin/python -m pytest -q -n 2 --dist loadfile --no-loadscope-reorder tests
+
+# A change's own tests, and a sample of the others.
+check:
+	@scripts/setup second & second=$$!; $(MAKE) programs && wait $$second && $(PYTHON) -m tests.helpers.check
 
 diff:
 	@test -n "$$A" -a -n "$$B" || { echo 'make diff: say which: A=DIR B=DIR' >&2; exit 2; }

@@ -27,12 +27,8 @@ ALL_IN_C = [IN_C,
                 ("c/plain", "a pass in C", n64.IN_C),
                 ("c/plain", "a pass in C", glide.IN_C),
                 ("c/screen", "in C", screen.IN_C)) for name in names)]
-#: No trial can call these: three_draw calls routines whose addresses its plan has, and C, and deep_draw C; the frames
-#: of tests/polygon and the fuzzer draw by them. triangle_outline takes a routine's address, and
-#: texturing_gentle_from memory from the stack; polygon_outline and texturing_gentle end with them.
-UNCALLED = {"deep_draw", "three_draw", "three_run", "three_one", "triangle_outline", "texturing_gentle_from"}
 CONTRACTS = {c.name: c for c in [*contracts.kernels(paths.ROOT / "src68k"), *ALL_IN_C]
-             if c.name not in UNCALLED}
+             if c.name not in checker.UNCALLED}
 ROOMS = [importlib.import_module(f"{trials.__name__}.{room.name}")
          for room in pkgutil.iter_modules(trials.__path__)]
 PROCESSORS = (checker.MACHINE, SECOND)
