@@ -236,5 +236,6 @@ $(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
 
 # Not without the lock: another make may be writing them.
 ifneq ($(filter-out $(OUTER),$(MAKECMDGOALS)),)
--include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(C_OBJECTS) $(ASM_OBJECTS) $(LAYOUT_CHECK) build/gen/headers.o)
+-include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(OBJECTS) $(QUIT_OBJECT) $(KERNEL_TABLE) $(OWNERS_TABLE) $(LAYOUT_CHECK) \
+  build/gen/headers.o)
 endif

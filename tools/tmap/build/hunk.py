@@ -78,11 +78,13 @@ def reloc32(offsets: dict[int, list[int]]) -> bytes:
 
 def symbol_map(elf: ELFFile) -> str:
     """Returns a line for each symbol of the code: offset in hexadecimal, name."""
-    code = elf.get_section_index(".text")
-    names = sorted((symbol["st_value"], symbol.name)
-                   for symbol in elf.get_section_by_name(".symtab").iter_symbols()
-                   if symbol["st_shndx"] == code and symbol.name
-                   and not COMPILER_LABEL.match(symbol.name))
+    code, table = elf.get_section_index(".text"), elf.get_section_by_name(".symtab")
+    texts = elf.get_section(table["sh_link"]).data()
+    # Read here: of 600,000 symbols, constants of assembly most of them, pyelftools would make objects.
+    found = ((value, texts[at:texts.index(0, at)].decode())
+             for at, value, _, _, _, section in struct.iter_unpack(">IIIBBH", table.data())
+             if section == code and at)
+    names = sorted(each for each in found if not COMPILER_LABEL.match(each[1]))
     return "".join(f"{value:08x} {name}\n" for value, name in names)
 
 
