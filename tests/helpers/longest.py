@@ -2,7 +2,7 @@
 
 #: The files that take most processor time, longest first, so that neither process ends long before
 #: the other.
-LONGEST = """accuracy/bench accuracy/hard_cases kernels/kernels product/scene_program polygon/renderers
+LONGEST = """accuracy/bench accuracy/hard_cases kernels/kernels product/scene_program product/repeatable polygon/renderers
     polygon/runs mesh/once mesh/meshes screen/demo accuracy/fuzz polygon/hosts accuracy/bounds
     screen/show guest/shared_pages guest/guest_input polygon/polygons glide/tiles glide/polygons
     n64/polygons polygon/lowering polygon/wide glide/scenes n64/vectors n64/scenes compiler/run

@@ -1,5 +1,6 @@
 """The versions that made a result: emulator, commit, compiler."""
 
+import functools
 import subprocess
 
 from tmap.base.paths import BUILD, ROOT
@@ -11,6 +12,14 @@ def commit() -> str:
     done = subprocess.run(["git", "describe", "--always", "--dirty"], cwd=ROOT,
                           capture_output=True, text=True)
     return done.stdout.strip() or "unknown"
+
+
+@functools.cache
+def commit_seconds() -> int:
+    """Returns the commit's date in seconds since 1970, so that the same tree makes the same products; a date in 2001
+    outside git."""
+    done = subprocess.run(["git", "show", "-s", "--format=%ct"], cwd=ROOT, capture_output=True, text=True)
+    return int(done.stdout) if done.stdout.strip() else 10**9
 
 
 def compiler() -> str:

@@ -5,7 +5,6 @@ holds no system files: all that Startup-Sequence uses is in the Kickstart ROM.
 """
 
 import os
-import subprocess
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -24,6 +23,7 @@ from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, PROGRAMS, ROOT
 from tmap.bench import owner
 from tmap.build import elf_object
+from tmap.guest.provenance import commit_seconds
 from tmap.run import demo
 
 VOLUME = "tmap020"
@@ -78,11 +78,9 @@ def boot_code() -> bytes:
 
 
 def commit_time() -> TimeStamp:
-    """Returns the date of all files: the commit's, so that the same tree gives the same image."""
-    done = subprocess.run(["git", "show", "-s", "--format=%ct"], cwd=ROOT, capture_output=True,
-                          text=True)
+    """Returns the date of all files."""
     stamp = TimeStamp()
-    stamp.from_secs(int(done.stdout) if done.stdout.strip() else 10**9)
+    stamp.from_secs(commit_seconds())
     return stamp
 
 

@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import tarfile
 from dataclasses import dataclass
+from gzip import GzipFile
 from pathlib import Path
 
 from tmap.base import c_lists
@@ -21,6 +22,7 @@ from tmap.base.errors import UserError
 from tmap.base.paths import BUILD, ROOT
 from tmap.build import contracts, elf_object, hunk, hunk_object
 from tmap.build.elf_object import Section
+from tmap.guest.provenance import commit_seconds
 from tmap.product import sdk_include
 
 #: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
@@ -230,12 +232,19 @@ def make(out: Path) -> int:
     return len(routines)
 
 
+def without_maker(member: tarfile.TarInfo) -> tarfile.TarInfo:
+    """Gives a file of the archive the commit's date and nobody's name."""
+    member.mtime, member.uid, member.gid, member.uname, member.gname = commit_seconds(), 0, 0, "", ""
+    member.mode = 0o755 if member.isdir() else 0o644
+    return member
+
+
 def command(out: Path) -> int:
     """``tmap sdk``: makes the folder, and an archive of it beside it."""
     count = make(out)
     archive = out.with_name(f"{ARCHIVE}-sdk.tar.gz")
-    with tarfile.open(archive, "w:gz") as tar:
-        tar.add(out, f"{ARCHIVE}-sdk")
+    with GzipFile(archive, "wb", mtime=commit_seconds()) as packed, tarfile.open(fileobj=packed, mode="w") as tar:
+        tar.add(out, f"{ARCHIVE}-sdk", filter=without_maker)
     print(f"{out}: {count} routines; {out / 'README.txt'} says how to link them\n"
           f"{archive}: the same, packed")
     return 0
