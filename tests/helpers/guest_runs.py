@@ -68,11 +68,13 @@ def draw(asked: list[Asked], machine: str = "a1200-fast", timed: bool = False) -
     return drawn
 
 
-def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast") -> list[np.ndarray]:
+def check(what: str, asked: Asked, drawn: Drawn, machine: str = "a1200-fast",
+          expected: list[np.ndarray] | None = None) -> list[np.ndarray]:
     """Asserts that all frames are the model's; returns the model's frames. To say how the first
-    wrong one differs, it is drawn once more."""
+    wrong one differs, it is drawn once more. ``expected``: the model's frames, if they are known."""
     __tracebackhide__ = True
-    expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
+    if expected is None:
+        expected = [model.render(asked.scene, number) for number in range(asked.scene.frames)]
     guest_frames.require_models(expected, drawn.digests, f"{what}, {asked.way}, {machine}",
                                 (asked.scene, asked.way.removeprefix("FORM "), machine))
     return expected
@@ -84,8 +86,10 @@ def check_all(asked: dict[str, Asked], machine: str = "a1200-fast",
     more than ``colours`` colours."""
     __tracebackhide__ = True
     drawn = dict(zip(asked, draw([*asked.values()], machine), strict=True))
+    models: dict[int, list[np.ndarray]] = {}  # one scene may be drawn in several ways
     for name, each in asked.items():
-        for number, frame in enumerate(check(name, each, drawn[name], machine)):
+        models[id(each.scene)] = check(name, each, drawn[name], machine, models.get(id(each.scene)))
+        for number, frame in enumerate(models[id(each.scene)]):
             found = len(np.unique(frame))
             assert found > colours, f"{name}, frame {number}: {found} colours"
     return drawn

@@ -228,9 +228,10 @@ def two_planes(case: Case, what: str, first: Case, second: Case) -> list[str]:
     for y in both[0].keys() & both[1].keys():
         a, b = both[0][y], both[1][y]
         left, right = max(a.left, b.left), min(a.right, b.right)
+        stepped = [(line.left, model.coordinates(line)) for line in (a, b)] if left < right else []
         for i in (left, right - 1) if left < right else ():
             for k, plane in enumerate(exact):
-                found = [int(model.coordinates(line)[k][i - line.left]) for line in (a, b)]
+                found = [int(values[k][i - start]) for start, values in stepped]
                 away = abs(model.signed(found[1] - found[0]))
                 room = 0.0
                 if planes[0] != planes[1]:

@@ -1,7 +1,6 @@
 """What sets z for tested faces: the pixels of faces that are drawn, and no fewer faces than may hide them."""
 
 import random
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -104,28 +103,29 @@ def random_scene(rng: random.Random, once: bool) -> str:
     return text
 
 
-def scenes_of(tmp_path: Path, count: int) -> dict[str, Scene]:
-    rng = random.Random("z")
-    return {f"number {k}": make(tmp_path, random_scene(rng, bool(k % 2))) for k in range(count)}
+@pytest.fixture(scope="module")
+def scenes(tmp_path_factory) -> dict[str, Scene]:
+    rng, folder = random.Random("z"), tmp_path_factory.mktemp("scenes")
+    return {f"number {k}": make(folder, random_scene(rng, bool(k % 2))) for k in range(16)}
 
 
-def test_random_scenes_are_the_models(tmp_path) -> None:
-    assert_models(scenes_of(tmp_path, 16))
+def test_random_scenes_are_the_models(scenes) -> None:
+    assert_models(scenes)
 
 
-def test_random_scenes_show_the_nearest_faces(tmp_path) -> None:
-    for name, scene in scenes_of(tmp_path, 16).items():
+def test_random_scenes_show_the_nearest_faces(scenes) -> None:
+    for name, scene in scenes.items():
         for number in range(scene.frames):
             wrong = np.argwhere(visible.wrong(scene, number))
             assert not len(wrong), f"{name}, frame {number}: (y, x) {wrong[:8].tolist()}, {len(wrong)} in all"
 
 
 @pytest.mark.parametrize("name", ("keep", "movers", "random"))
-def test_what_is_left_out_would_change_nothing(tmp_path, monkeypatch, name: str) -> None:
+def test_what_is_left_out_would_change_nothing(scenes, monkeypatch, name: str) -> None:
     """The picture is that of z filled by all faces that meet a tested one's part of the frame."""
-    scenes = scenes_of(tmp_path, 8) if name == "random" else {name: compile_scene(SCENES / f"{name}.toml")}
+    some = [*scenes.values()][:8] if name == "random" else [compile_scene(SCENES / f"{name}.toml")]
     fill = depths.Depths.fill
-    for scene in scenes.values():
+    for scene in some:
         numbers = range(0, scene.frames, max(1, scene.frames // 6))
         right = [model.render(scene, number) for number in numbers]
         with monkeypatch.context() as patch:

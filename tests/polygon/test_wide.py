@@ -115,14 +115,14 @@ def test_spans_by_the_rules(drawn, pixels):
     picture; so is the picture with no rule followed, on the other machine, and in the plain
     forms."""
     asked, done = drawn[pixels, "addx"]
-    guest_runs.check(pixels, asked, done)
+    right = guest_runs.check(pixels, asked, done)
     for number, (figure, spans) in enumerate(zip(done.figures, spans_of(pixels), strict=True)):
         found = set(figure["spans"])
         assert set() < found <= spans, f"frame {number}: {found}, not {spans}"
     for form in ("swap", "c"):
-        guest_runs.check(pixels, *drawn[pixels, form])
+        guest_runs.check(pixels, *drawn[pixels, form], expected=right)
     asked, done = drawn[pixels, "a1200"]
-    guest_runs.check(pixels, asked, done, "a1200")
+    guest_runs.check(pixels, asked, done, "a1200", right)
     assert done.spans == {f"{KINDS[pixels]}_{'addx_' * (pixels == 'chunky')}wrap"}
 
 

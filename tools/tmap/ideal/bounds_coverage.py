@@ -93,7 +93,8 @@ def across(vertices, i: int, j: int) -> float:
     return best
 
 
-def pixels_of(vertices, polygon: model.Polygon | None, lines: range, width: int, height: int) -> tuple[np.ndarray, ...]:
+def pixels_of(vertices, polygon: model.Polygon | None, lines: range, width: int,
+              height: int) -> tuple[np.ndarray, ...]:
     """Returns the first pixel and the end of what is drawn on some lines, and of a convex polygon's exact pixels."""
     drawn, exact = np.zeros((2, 2, len(lines)), np.int64)
     if polygon:
@@ -134,7 +135,8 @@ def wrong_line(vertices, polygon: model.Polygon | None, settings: Settings, y: i
                pixels: list[range]) -> str:
     """A text on the first pixel of a line that is too far from its edge, or "". ``pixels``: drawn ones, exact ones."""
     clipped = 2 * UNIT if settings.clip == "vertices" and not settings.has_exact_edges else 0.0
-    edges = [edge for edge in (*polygon.left_edges, *polygon.right_edges) if edge.top <= y < edge.end] if polygon else []
+    every = (*polygon.left_edges, *polygon.right_edges) if polygon else ()
+    edges = [edge for edge in every if edge.top <= y < edge.end]
     allowed = 0.0 if settings.has_exact_edges else max((edge_bound(edge, y) for edge in edges), default=0.0)
     exact = ideal.extents(vertices)(y) if y in range(*exact_lines(vertices, height)) else ()
     for i in sorted(set(pixels[0]) ^ set(pixels[1])):

@@ -25,8 +25,8 @@ def is_near(middle: np.ndarray, below, above, side) -> np.ndarray:
 
 
 def far_rows(rows: Rows, texels: np.ndarray, values: np.ndarray, errors: np.ndarray, side, allowed) -> np.ndarray:
-    """Returns which rows ``judge`` would complain about. Its arguments, over the rows' pixels; ``side`` and ``allowed``,
-    below and above, for each row, or one for all."""
+    """Returns which rows ``judge`` would complain about. Its arguments, over the rows' pixels; ``side`` and
+    ``allowed``, below and above, for each row, or one for all."""
     spread = [each if np.ndim(each) == 0 else rows.spread(each) for each in (*allowed, side)]
     return rows.some(~is_near(texels + 0.5 - values * UNIT + errors, *spread))
 

@@ -42,6 +42,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, lru_cache, partial
+from itertools import repeat
 from typing import TypeVar
 
 import numpy as np
@@ -351,12 +352,13 @@ def texel_errors(vertices, polygon: Polygon) -> Iterator[tuple[str, int, int, fl
     """Yields (coordinate, pixel, line, error, bound) of u and v, stepped to the ends of every
     line, in texels; no error may be below 0. Along a line both are linear, so the ends have the
     largest errors."""
-    plane = polygon.texturing
-    exact = [plane_of(vertices, k) for k in (2, 3)]
-    for y, line in enumerate(polygon.lines, polygon.top):
-        if line.right <= line.left:
-            continue
-        for name, coordinate, found, cut in zip("uv", exact, model.coordinates(line), plane.cuts):
-            for k, i in ((0, line.left), (-1, line.right - 1)):
-                yield (name, i, y, coordinate.error(int(found[k]), i, y),
-                       coordinate.bound(i, y, plane, cut))
+    plane, stepped = polygon.texturing, polygon.stepped
+    drawn, = np.nonzero(np.diff(stepped.starts))
+    first, last, y = stepped.starts[drawn], stepped.starts[drawn + 1] - 1, drawn + polygon.top
+    left = np.array([polygon.lines[k].left for k in drawn.tolist()], np.int64)
+    for name, key, found, cut in zip("uv", (2, 3), (stepped.u, stepped.v), plane.cuts):
+        exact = plane_of(vertices, key)
+        for at in (first, last):
+            i = left + at - first
+            errors, bounds = exact.errors_at(found[at], i, y), exact.bound(i, y, plane, cut)
+            yield from zip(repeat(name), *(each.tolist() for each in (i, y, errors, bounds)))

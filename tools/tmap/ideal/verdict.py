@@ -39,9 +39,10 @@ class Verdict:
         self.complain(other.complaint)
 
 
-def add_errors(errors: np.ndarray, below: np.ndarray, above: np.ndarray, at: Callable, out: Verdict) -> None:
-    """Adds pixels' errors to a verdict; ``below``, ``above``: how far they may be; ``at``: returns the name of the value
-    and the pixel of an index."""
+def add_errors(errors: np.ndarray, below: np.ndarray, above: np.ndarray, at: Callable,
+               out: Verdict) -> None:
+    """Adds pixels' errors to a verdict; ``below``, ``above``: how far they may be; ``at``: returns the name of the
+    value and the pixel of an index."""
     most, k = np.maximum(below, above), int(abs(errors).argmax())
     out.note(abs(errors[k]), most[k])
     bound = np.where(errors >= 0, above, below)

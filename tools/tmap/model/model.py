@@ -47,7 +47,8 @@ def draw(frame: np.ndarray, polygon: Polygon, texture: np.ndarray | None, colour
     counts = [line.right - line.left for line in lines]
     ys = np.repeat([y for y, _ in drawn], counts)
     xs = np.repeat([line.left for line in lines], counts) + counted(counts)
-    stepped = polygon.stepped if polygon.textured else None
+    # columns of outlines that cross themselves cover other pixels than their lines do
+    stepped = polygon.stepped if polygon.textured and not polygon.columns else None
     if polygon.perspective:
         texels = frame[ys, xs]
         if not polygon.columns:
