@@ -81,6 +81,9 @@ struct perspective_plan {
     int32 steep;                        /* lines_bend: the magnitude of q.hi's growth a pixel, rounded up */
     int32 bend;                         /* curves: PERSPECTIVE_BEND_...; else 0 */
     struct perspective_line *to;
+    uint8 *row;                         /* level_draw: pixel -EDGE_BIAS of the first line; */
+    int32 pitch;                        /* bytes from line to line or, if columns are drawn, from pixel to pixel; */
+    const uint8 *map;                   /* MAP_PAGE */
 };
 
 /* One line of n + 1 pixels. Pixel k has the weight weight + k dweight and shows u + du * part, with
@@ -112,6 +115,8 @@ void perspective_lines(const struct perspective_plan *plan);
 int32 lines_bend(const struct perspective_plan *plan, int32 width);
 void level_lines(const struct perspective_plan *plan, struct scanline_step *steps);
 int32 level_reciprocal(const struct perspective_plan *plan, struct scanline_step *steps);
+int32 level_draw(const struct perspective_plan *plan);
+int32 level_draw_upright(const struct perspective_plan *plan);
 void span_affine_upright(const struct span_plan *plan);
 void span_affine_level(const struct span_plan *plan);
 void span_affine_level_upright(const struct span_plan *plan);
