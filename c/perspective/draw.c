@@ -227,13 +227,14 @@ static void set_tilt(struct perspective_plan *plan, const struct number64 *grows
     plan->tilt = (int32)(grows->hi << 8 | grows->lo >> 24);
 }
 
-/* Returns 1 if columns are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three
+/* Returns 1 if columns of a shape are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three
    quarters or so. */
-static int32 columns_are_cheaper(const struct setup *s, int32 width, int32 height)
+static int32 columns_are_cheaper(const struct setup *s, int32 shape, int32 width, int32 height)
 {
     const int32 quarters = s->count == 3 ? 2 : 3;
+    const int32 column = shape == SHAPE_STRAIGHT ? PERSPECTIVE_COLUMN_TILTED : PERSPECTIVE_COLUMN;
 
-    return PERSPECTIVE_TURN + width * (PERSPECTIVE_COLUMN - (ways[s->setting].saved * height * quarters >> 2))
+    return PERSPECTIVE_TURN + width * (column - (ways[s->setting].saved * height * quarters >> 2))
          < PERSPECTIVE_LINE * height;
 }
 
@@ -243,7 +244,7 @@ static inline int32 has_columns(struct setup *s, int32 width, int32 height)
     struct perspective_plan *plan = s->perspective;
     const int32 shape = shape_of(s, &plan->q.dy, height, 0, PERSPECTIVE_ONE);
 
-    if (!shape || !columns_are_cheaper(s, width, height))
+    if (!shape || !columns_are_cheaper(s, shape, width, height))
         return 0;
     if (shape == SHAPE_STRAIGHT) {
         set_tilt(plan, &plan->q.dy);

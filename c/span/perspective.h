@@ -39,13 +39,14 @@ enum perspective_constants {
     PERSPECTIVE_SPARE_PIXEL = 1020,
     PERSPECTIVE_SPARE_FINE = 376,
     PERSPECTIVE_SPARE_PIECES = 1 << 20,     /* all that fits */
-    /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 800 and 22 a pixel, a line from
-       550 and 38 (EVERY16), 40, 70 or 90. */
+    /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 500, or 1,000 if its depth is
+       not the same all along it, and 19 a pixel, a line from 550 and 26 (EVERY16), 29, 67 or 87. */
     PERSPECTIVE_TURN = 6000,
-    PERSPECTIVE_COLUMN = 800,
+    PERSPECTIVE_COLUMN = 500,
+    PERSPECTIVE_COLUMN_TILTED = 1000,
     PERSPECTIVE_LINE = 550,
-    PERSPECTIVE_SAVED_EVERY16 = 16,
-    PERSPECTIVE_SAVED_EVERY8 = 18,
+    PERSPECTIVE_SAVED_EVERY16 = 7,
+    PERSPECTIVE_SAVED_EVERY8 = 10,
     PERSPECTIVE_SAVED_PIXEL = 48,
     PERSPECTIVE_SAVED_FINE = 68,
     /* Units by which lines are raised to make up for rounding. A fraction of the way from end to
