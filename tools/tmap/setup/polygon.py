@@ -243,17 +243,15 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
 
 def set_level(polygon: Polygon, deep: Perspective, width: int, off: int, least: int,
               settings: Settings) -> str:
-    """Returns the shape of lines of so many pixels that are drawn as if they were affine, and sets the tilt: "level", or
-    "straight" from their first pixels to their last; else "". ``off``: how far they may be if their depth is constant;
-    ``least``: q of the longest."""
+    """Returns how lines of so many pixels are drawn as if affine, "level" or "straight", and sets the tilt; else "".
+    ``off``: how far they may be if their depth is constant; ``least``: q of the longest."""
     if is_level(deep, width, polygon.setting, off):
         return "level"
     if polygon.setting not in PIECES or polygon.setting != settings.perspective:
         return ""
     if settings.has_exact_edges and is_even(deep, width, polygon.setting):
         return "level"
-    tilt = tilt_of(deep, width, least)
-    deep.tilt = tilt or 0
+    deep.tilt = (tilt := tilt_of(deep, width, least)) or 0
     return "" if tilt is None else "straight"
 
 
