@@ -24,8 +24,8 @@
         pea     inverse_lines(pc)
         xdef    inverse_begin,_inverse_begin
 ; Finds what the lines of a plan have in common. In: a6 the plan, a4 room for inverse_sizeof bytes. Out: d0 1, or 0 if
-; the numbers do not fit; there, K, what C is stepped by to a line whose x is the last one's, inverse_up, q and its growth;
-; a0 the table, d1 its end, a5 x from which C is counted, a2 2^shift - 1, d2 C of u, d3 C of v, d7 dC of u. Keeps a3.
+; the numbers do not fit; there, K, C's step to a line whose x is the last one's, inverse_up, q and its growth; a0 the
+; table, d1 its end, a5 x from which C is counted, a2 2^shift - 1, d2 C of u, d3 C of v, d7 dC of u. Keeps a3.
 _inverse_begin
 inverse_begin
         ; q's growth: d6 = 32 bits of it, shifted left by d5; and q of the line that is farthest
