@@ -6,10 +6,10 @@
 ; out:     d0  int32              1; 0 if the numbers do not fit: nothing is drawn
 ; reads:   the plan, left and last of its lines, the map
 ; writes:  the pixels of the lines, nothing else
-; formats: level_reciprocal's and span_affine_level's; 8-bit texels and pixels. Lines of the table begin less than 32,768
-;          pixels apart
+; formats: level_reciprocal's and span_affine_level's; 8-bit texels and pixels. Lines of the table begin less than
+;          32,768 pixels apart
 ; error:   theirs
-; cost:    about 150 cycles a line less than level_reciprocal and span_affine_level
+; cost:    50 to 75 cycles a line less than level_reciprocal and span_affine_level or span_affine_level_upright
 
         routine level_draw,a0
         save_all
