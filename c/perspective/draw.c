@@ -227,8 +227,8 @@ static void set_tilt(struct perspective_plan *plan, const struct number64 *grows
     plan->tilt = (int32)(grows->hi << 8 | grows->lo >> 24);
 }
 
-/* Returns 1 if columns of a shape are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three
-   quarters or so. */
+/* Returns 1 if columns of a shape are cheaper than lines. Of the box, a half of a triangle's is filled, of others'
+   three quarters or so. */
 static int32 columns_are_cheaper(const struct setup *s, int32 shape, int32 width, int32 height)
 {
     const int32 quarters = s->count == 3 ? 2 : 3;

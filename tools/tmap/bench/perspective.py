@@ -184,7 +184,8 @@ def draw_trial(arena: Arena, ground: Ground, deep: Perspective, lines, width: in
     """``reciprocal_trial`` of lines that are drawn, chained; ``upright``: as columns. ``pitch``: in bytes."""
     along, down = (pitch, 1) if upright else (1, pitch)
     plan_at = plan_of(arena, deep, "every16", len(lines), dict(lines=scanlines(arena, lines), to=0),
-                      dict(row=ground.frame_at - BIAS * along, map=ground.map_at), width=width, spare=spare, pitch=pitch)
+                      dict(row=ground.frame_at - BIAS * along, map=ground.map_at), width=width, spare=spare,
+                      pitch=pitch)
     writes, deep = [], replace(deep, inverse=level_reciprocal.find(deep, len(lines), width, spare))
     for k, (left, right, y) in enumerate(lines):
         if deep.inverse and right > left:
