@@ -49,6 +49,7 @@ int32 columns_draw(struct setup *s)
     int32 next;
 
     frame.width = s->frame->height;
+    frame.pixel_bytes = 1;
     turned.frame = &frame;
     turned.box.left = s->box.top;
     turned.box.right = s->box.bottom;

@@ -105,9 +105,9 @@ static int32 changes(const struct perspective_plan *plan)
     return (plan->q.dx.hi | plan->q.dx.lo | plan->q.dy.hi | plan->q.dy.lo) != 0;
 }
 
-/* Returns 1 if it has made lines without a tilt by a reciprocal each. Their first pixels are not clamped: edges must be
-   exact. */
-static int32 made_by_reciprocals(const struct setup *s, struct scanline_step *steps)
+/* Prepares lines without a tilt for a reciprocal each. Returns 0 if they are made without. Their first pixels are not
+   clamped: edges must be exact. */
+static int32 by_reciprocals(const struct setup *s)
 {
     struct perspective_plan *plan = s->perspective;
 
@@ -115,10 +115,11 @@ static int32 made_by_reciprocals(const struct setup *s, struct scanline_step *st
         return 0;
     plan->width = s->box.right - s->box.left;
     plan->spare = ways[s->setting].spare - (plan->width << plan->chained);
-    return level_reciprocal(plan, steps);
+    return 1;
 }
 
-span_routine *perspective_make_level(const struct setup *s, struct scanline_step *steps, struct span_plan *lines)
+/* Counts lines of s->level, and sets what they have in common. Returns 0 if they are only counted. */
+static int32 begin_level(const struct setup *s)
 {
     struct perspective_plan *plan = s->perspective;
 
@@ -131,8 +132,14 @@ span_routine *perspective_make_level(const struct setup *s, struct scanline_step
         plan->v += ways[s->setting].raise;
     }
     plan->chained = changes(plan) && s->box.right - s->box.left <= ways[s->setting].chain;
-    if (!made_by_reciprocals(s, steps))
-        level_lines(plan, steps);
+    return 1;
+}
+
+/* Sets a plan of the lines that are made. Returns the routine that draws it. */
+static span_routine *plan_level(const struct setup *s, const struct scanline_step *steps, struct span_plan *lines)
+{
+    const struct perspective_plan *plan = s->perspective;
+
     lines->lines = plan->lines;
     lines->count = plan->count;
     lines->row = s->span.row;
@@ -144,13 +151,38 @@ span_routine *perspective_make_level(const struct setup *s, struct scanline_step
     return plan->chained ? span_affine_level_upright : span_affine_upright;
 }
 
+span_routine *perspective_make_level(const struct setup *s, struct scanline_step *steps, struct span_plan *lines)
+{
+    struct perspective_plan *plan = s->perspective;
+
+    if (!begin_level(s))
+        return 0;
+    if (!by_reciprocals(s) || !level_reciprocal(plan, steps))
+        level_lines(plan, steps);
+    return plan_level(s, steps, lines);
+}
+
 void perspective_draw_level(const struct setup *s, struct scanline_step *steps)
 {
+    struct perspective_plan *plan = s->perspective;
     struct span_plan lines;
-    span_routine *const routine = perspective_make_level(s, steps, &lines);
 
-    if (routine)
-        routine(&lines);
+    if (!begin_level(s))
+        return;
+    if (by_reciprocals(s)) {
+        if (plan->chained && is_narrow(s)) {
+            plan->row = s->span.row;
+            plan->pitch = s->span.pitch;
+            plan->map = s->span.map;
+            if ((s->level == LEVEL_LINES ? level_draw : level_draw_upright)(plan))
+                return;
+        } else if (level_reciprocal(plan, steps)) {
+            plan_level(s, steps, &lines)(&lines);
+            return;
+        }
+    }
+    level_lines(plan, steps);
+    plan_level(s, steps, &lines)(&lines);
 }
 
 /* Returns 1 if lines of so many pixels, on which q grows so, may be drawn as if their depth were constant: they
@@ -195,13 +227,14 @@ static void set_tilt(struct perspective_plan *plan, const struct number64 *grows
     plan->tilt = (int32)(grows->hi << 8 | grows->lo >> 24);
 }
 
-/* Returns 1 if columns are cheaper than lines. Of the box, a half of a triangle's is filled, of others' three
-   quarters or so. */
-static int32 columns_are_cheaper(const struct setup *s, int32 width, int32 height)
+/* Returns 1 if columns of a shape are cheaper than lines. Of the box, a half of a triangle's is filled, of others'
+   three quarters or so. */
+static int32 columns_are_cheaper(const struct setup *s, int32 shape, int32 width, int32 height)
 {
     const int32 quarters = s->count == 3 ? 2 : 3;
+    const int32 column = shape == SHAPE_STRAIGHT ? PERSPECTIVE_COLUMN_TILTED : PERSPECTIVE_COLUMN;
 
-    return PERSPECTIVE_TURN + width * (PERSPECTIVE_COLUMN - (ways[s->setting].saved * height * quarters >> 2))
+    return PERSPECTIVE_TURN + width * (column - (ways[s->setting].saved * height * quarters >> 2))
          < PERSPECTIVE_LINE * height;
 }
 
@@ -211,7 +244,7 @@ static inline int32 has_columns(struct setup *s, int32 width, int32 height)
     struct perspective_plan *plan = s->perspective;
     const int32 shape = shape_of(s, &plan->q.dy, height, 0, PERSPECTIVE_ONE);
 
-    if (!shape || !columns_are_cheaper(s, width, height))
+    if (!shape || !columns_are_cheaper(s, shape, width, height))
         return 0;
     if (shape == SHAPE_STRAIGHT) {
         set_tilt(plan, &plan->q.dy);

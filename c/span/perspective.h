@@ -39,13 +39,14 @@ enum perspective_constants {
     PERSPECTIVE_SPARE_PIXEL = 1020,
     PERSPECTIVE_SPARE_FINE = 376,
     PERSPECTIVE_SPARE_PIECES = 1 << 20,     /* all that fits */
-    /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 800 and 22 a pixel, a line from
-       550 and 38 (EVERY16), 40, 70 or 90. */
+    /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 500, or 1,000 if its depth is
+       not the same all along it, and 19 a pixel, a line from 550 and 26 (EVERY16), 29, 67 or 87. */
     PERSPECTIVE_TURN = 6000,
-    PERSPECTIVE_COLUMN = 800,
+    PERSPECTIVE_COLUMN = 500,
+    PERSPECTIVE_COLUMN_TILTED = 1000,
     PERSPECTIVE_LINE = 550,
-    PERSPECTIVE_SAVED_EVERY16 = 16,
-    PERSPECTIVE_SAVED_EVERY8 = 18,
+    PERSPECTIVE_SAVED_EVERY16 = 7,
+    PERSPECTIVE_SAVED_EVERY8 = 10,
     PERSPECTIVE_SAVED_PIXEL = 48,
     PERSPECTIVE_SAVED_FINE = 68,
     /* Units by which lines are raised to make up for rounding. A fraction of the way from end to
@@ -81,6 +82,9 @@ struct perspective_plan {
     int32 steep;                        /* lines_bend: the magnitude of q.hi's growth a pixel, rounded up */
     int32 bend;                         /* curves: PERSPECTIVE_BEND_...; else 0 */
     struct perspective_line *to;
+    uint8 *row;                         /* level_draw: pixel -EDGE_BIAS of the first line; */
+    int32 pitch;                        /* bytes from line to line or, if columns are drawn, from pixel to pixel; */
+    const uint8 *map;                   /* MAP_PAGE */
 };
 
 /* One line of n + 1 pixels. Pixel k has the weight weight + k dweight and shows u + du * part, with
@@ -112,6 +116,8 @@ void perspective_lines(const struct perspective_plan *plan);
 int32 lines_bend(const struct perspective_plan *plan, int32 width);
 void level_lines(const struct perspective_plan *plan, struct scanline_step *steps);
 int32 level_reciprocal(const struct perspective_plan *plan, struct scanline_step *steps);
+int32 level_draw(const struct perspective_plan *plan);
+int32 level_draw_upright(const struct perspective_plan *plan);
 void span_affine_upright(const struct span_plan *plan);
 void span_affine_level(const struct span_plan *plan);
 void span_affine_level_upright(const struct span_plan *plan);

@@ -5,7 +5,7 @@
 
         xref    _main,_file_save,clock_start,clock_stop,start
 
-PROFILE_WORDS           equ     131072  ; of code: 256 KB
+PROFILE_WORDS           equ     147456  ; of code: 288 KB
 PROFILE_PERIOD          equ     101     ; E-clocks: 2,020 cycles; a prime, so that no loop keeps step
 VECTOR_LEVEL_2          equ     $68
 
@@ -13,7 +13,7 @@ VECTOR_LEVEL_2          equ     $68
 ;
 ; out:     d0  int32  what main returns
 ; formats: a long for each word of the code from `start` on: how often the next instruction was there
-; error:   code after the first 256 KB is not counted; an interrupt waits for the end of an instruction, and
+; error:   code after the first 288 KB is not counted; an interrupt waits for the end of an instruction, and
 ;          takes some 40 bytes of the instruction cache
 ; cost:    some 200 cycles a count
         routine profile_main

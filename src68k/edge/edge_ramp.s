@@ -20,20 +20,20 @@ up      macro
 .up\@
         endm
 
-; \1 = \1 / d0, 16.16, d0 one pixel or more: the quotient fits. Uses d7.
+; \1 = \1 / d3, 16.16, d3 one pixel or more: the quotient fits. Uses d7.
 over_width macro
         swap    \1
         move.w  \1,d7
         ext.l   d7
         clr.w   \1
-        divs.l  d0,d7:\1
+        divs.l  d3,d7:\1
         up      \1
         endm
 
-; \1 = \1 and \2 times d3, 16.16. Uses d0/d7.
+; \1 = \1 and \2 times d6, 16.16. Uses d0/d7.
 move_on macro
         move.l  \2,d0
-        muls.l  d3,d7:d0
+        muls.l  d6,d7:d0
         move.w  d7,d0
         swap    d0
         add.l   d0,\1
@@ -80,37 +80,44 @@ turn    macro
         mulu.w  #scanline_sizeof,d0
         lea     (a4,d0.l),a5
 
-.line   moveq   #0,d3
-        move.w  scanline_left(a4),d3
-        cmp.w   scanline_last(a4),d3
-        bgt     .next
-        sub.w   #EDGE_BIAS,d3           ; column of the first pixel
-        movem.l ramp_x(a1),d4-d6
-        movem.l ramp_x(a2),d0-d2
-        sub.l   d5,d1                   ; u1 - u0
-        sub.l   d6,d2
+        ; d0 x  d1 u  d2 v of the left side  d3 x  d4 u  d5 v of the right one, less those  d6 the first pixel
+.line   move.w  scanline_left(a4),d6
+        cmp.w   scanline_last(a4),d6
+        bgt     .empty
+        movem.l ramp_x(a1),d0-d2/d4-d6
+        add.l   d0,d4
+        add.l   d1,d5
+        add.l   d2,d6
+        movem.l d4-d6,ramp_x(a1)        ; on the next line
+        movem.l ramp_x(a2),d3-d7/a0
+        add.l   d3,d6
+        add.l   d4,d7
+        adda.l  d5,a0
+        movem.l d6-d7/a0,ramp_x(a2)
+        moveq   #0,d6
+        move.w  scanline_left(a4),d6
+        sub.w   #EDGE_BIAS,d6           ; its column
+        sub.l   d1,d4                   ; u1 - u0
+        sub.l   d2,d5
         tst.l   ramp_plan_truncated(a6)
         bne     .truncated
-        swap    d3
-        sub.l   d4,d3                   ; from the crossing to the pixel's centre
-        sub.l   d4,d0                   ; x1 - x0
-        cmp.l   #$10000,d0
+        swap    d6
+        sub.l   d0,d6                   ; from the crossing to the pixel's centre
+        sub.l   d0,d3                   ; x1 - x0
+        cmp.l   #$10000,d3
         blt     .narrow
-.wide   over_width d1
-        over_width d2
-        move_on d5,d1
-        move_on d6,d2
+.wide   over_width d4
+        over_width d5
+        move_on d1,d4
+        move_on d2,d5
 
-.start  move.l  d1,(a3)
-        move.l  d2,4(a3)
+.start  move.l  d4,(a3)+
+        move.l  d5,(a3)+
         tst.l   ramp_plan_packed(a6)
         beq     .plain
-        pack_start d5,d6,d4,a4
+        pack_start d1,d2,d3,a4
 
-.next   addq.l  #scanline_step_sizeof,a3
-        lea     scanline_sizeof(a4),a4
-        down    a1
-        down    a2
+.next   lea     scanline_sizeof(a4),a4
         cmpa.l  a5,a4
         bne     .line
         turn    a1
@@ -120,62 +127,67 @@ turn    macro
         addq.l  #4,sp
         return_all
 
-.plain  move.w  d5,scanline_start0(a4)
-        swap    d5
-        move.w  d5,scanline_start1(a4)
-        move.l  d6,scanline_start2(a4)
+.empty  addq.l  #scanline_step_sizeof,a3
+        down    a1
+        down    a2
         bra     .next
 
-.narrow cmp.l   #-$40000000,d0          ; an overflow: sides at both ends of the range
+.plain  move.w  d1,scanline_start0(a4)
+        swap    d1
+        move.w  d1,scanline_start1(a4)
+        move.l  d2,scanline_start2(a4)
+        bra     .next
+
+.narrow cmp.l   #-$40000000,d3          ; an overflow: sides at both ends of the range
         blt.s   .widest                 ; have drifted further apart
-        tst.l   d3
+        tst.l   d6
         bpl.s   .right_of_left
-        moveq   #0,d3
+        moveq   #0,d6
 .right_of_left
-        cmp.l   d0,d3
+        cmp.l   d3,d6
         ble.s   .left_of_right
-        move.l  d0,d3
+        move.l  d3,d6
 .left_of_right
-        tst.l   d0
+        tst.l   d3
         ble.s   .no_width
-        muls.l  d3,d7:d1
-        divs.l  d0,d7:d1
-        add.l   d1,d5
-        muls.l  d3,d7:d2
-        divs.l  d0,d7:d2
-        add.l   d2,d6
+        muls.l  d6,d7:d4
+        divs.l  d3,d7:d4
+        add.l   d4,d1
+        muls.l  d6,d7:d5
+        divs.l  d3,d7:d5
+        add.l   d5,d2
 .no_width
-        moveq   #0,d1
-        moveq   #0,d2
+        moveq   #0,d4
+        moveq   #0,d5
         bra     .start
 
-.widest move.l  #$7fffffff,d0
+.widest move.l  #$7fffffff,d3
         bra     .wide
 
 .truncated
         move.l  #$ffff,d7
-        add.l   d7,d4
-        swap    d4
-        ext.l   d4                      ; ceil of the left side
         add.l   d7,d0
         swap    d0
-        ext.l   d0
-        sub.l   d4,d0                   ; pixels of the whole line, up to 32,769
+        ext.l   d0                      ; ceil of the left side
+        add.l   d7,d3
+        swap    d3
+        ext.l   d3
+        sub.l   d0,d3                   ; pixels of the whole line, up to 32,769
         ble.s   .no_pixels
-        divsl.l d0,d7:d1
-        up      d1
-        divsl.l d0,d7:d2
-        up      d2
+        divsl.l d3,d7:d4
+        up      d4
+        divsl.l d3,d7:d5
+        up      d5
         bra.s   .cut
 .no_pixels
-        moveq   #0,d1
-        moveq   #0,d2
-.cut    sub.w   d4,d3
-        ext.l   d3                      ; pixels cut off at the left
-        move.l  d1,d0
-        muls.l  d3,d0
-        add.l   d0,d5
-        move.l  d2,d0
-        muls.l  d3,d0
-        add.l   d0,d6
+        moveq   #0,d4
+        moveq   #0,d5
+.cut    sub.w   d0,d6
+        ext.l   d6                      ; pixels cut off at the left
+        move.l  d4,d0
+        muls.l  d6,d0
+        add.l   d0,d1
+        move.l  d5,d0
+        muls.l  d6,d0
+        add.l   d0,d2
         bra     .start

@@ -21,7 +21,13 @@
         lea     -inverse_sizeof(sp),sp
         movea.l sp,a4
         movea.l a1,a3
-
+        pea     inverse_lines(pc)
+        xdef    inverse_begin,_inverse_begin
+; Finds what the lines of a plan have in common. In: a6 the plan, a4 room for inverse_sizeof bytes. Out: d0 1, or 0 if
+; the numbers do not fit; there, K, C's step to a line whose x is the last one's, inverse_up, q and its growth; a0 the
+; table, d1 its end, a5 x from which C is counted, a2 2^shift - 1, d2 C of u, d3 C of v, d7 dC of u. Keeps a3.
+_inverse_begin
+inverse_begin
         ; q's growth: d6 = 32 bits of it, shifted left by d5; and q of the line that is farthest
         movem.l perspective_plan_q+screen_plane_dy(a6),d0-d1
         move.l  d0,inverse_sign(a4)
@@ -109,10 +115,7 @@
         bgt     .not
         shifted perspective_plan_s+screen_plane_dx(a6),d7
 
-        ; a0 line  a1 steps  a2 2^shift - 1  a3 the table's end  a4 x  a5 x if the side goes on  a6 dC of u
-        ; d0:d1 q  d2 C of u  d3 C of v  d4 R
-        movea.l a3,a1
-        movem.l inverse_q(a4),d0-d1
+        move.l  d7,inverse_u+inverse_dc(a4)
         moveq   #0,d6
         move.l  d6,inverse_whole(a4)
         move.l  d6,inverse_u+inverse_step(a4)
@@ -124,9 +127,23 @@
         movea.l perspective_plan_lines(a6),a0
         movea.l perspective_plan_left(a6),a5
         lea     EDGE_BIAS(a5),a5
-        move.l  perspective_plan_count(a6),d6
-        mulu.w  #scanline_sizeof,d6
-        lea     (a0,d6.l),a3
+        move.l  perspective_plan_count(a6),d1
+        mulu.w  #scanline_sizeof,d1
+        add.l   a0,d1
+        moveq   #1,d0
+        rts
+.not    moveq   #0,d0
+        rts
+
+inverse_lines
+        tst.l   d0
+        beq     .done
+
+        ; a0 line  a1 steps  a2 2^shift - 1  a3 the table's end  a4 x  a5 x if the side goes on  a6 dC of u
+        ; d0:d1 q  d2 C of u  d3 C of v  d4 R
+        movea.l a3,a1
+        movea.l d1,a3
+        movem.l inverse_q(sp),d0-d1
         movea.l d7,a6
         bra.s   .line
 
@@ -183,9 +200,6 @@
 
 .empty  addq.l  #scanline_step_sizeof,a1
         bra.s   .next
-
-.not    moveq   #0,d0
-        bra     .done
 
 ; Finds K and C of u or v. In: a0 the plan's base and limits, a5 the plane of s or t, a1 the frame's part, d5, d6: q's
 ; growth, d7: the farthest line. Out: Z if they fit. Uses d0-d4/a2.

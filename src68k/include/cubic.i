@@ -122,20 +122,23 @@ cubic_lines macro
         endc
         subq.w  #1,d0
         cmp.w   d0,d7
-        bls.s   .inside
-        move.w  d0,d7
-.inside ext.l   d7
+        bhs.s   .ends
+        move.l  d7,d0
+        addq.w  #1,d0
+        ext.l   d0
+        mulu.l  cubic_dq(sp),d0
+        add.l   d6,d0
+        move.l  d0,cubic_from_q(sp)     ; of the next piece
+        bra.s   .inside
+.ends   move.w  d0,d7
+.inside
         movem.l cubic_top(sp),d0-d1
         divu.l  d6,d0:d1
         movem.l cubic_shift(sp),d4-d5
         cubic_value d2,u
         cubic_value d3,v
-        move.l  d7,d0
+        tst.w   d7
         beq     .single
-        addq.l  #1,d0
-        mulu.l  cubic_dq(sp),d0
-        add.l   d6,d0
-        move.l  d0,cubic_from_q(sp)
 
         ; the terms: a2, d5, d6 of u  a3, d0, d4 of v
         move.l  d1,d4

@@ -12,7 +12,7 @@ inverse_k equ   0                       ; with the plan's base and INVERSE_RAISE
 inverse_c equ   4                       ; 64 bits, at the plan's left
 inverse_step equ 4                      ; then: of C to the next line, if it is `whole` pixels further right,
 inverse_more equ 8                      ; and if it is one more
-inverse_dc equ  12                      ; v only
+inverse_dc equ  12
 inverse_part equ 16
 
 ; On the stack.

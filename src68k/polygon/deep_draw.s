@@ -103,9 +103,11 @@ bent    macro
 .lines  tst.l   deep_exact(a6)
         beq.s   .find
         steep   dy
+        move.l  #PERSPECTIVE_COLUMN,d3
         cmp.l   d4,d2
         ble.s   .columns
         bent    d7,#Q_ONE,.find
+        move.l  #PERSPECTIVE_COLUMN_TILTED,d3
 .columns
         move.w  deep_saved+2(a6),d0
         mulu.w  d7,d0
@@ -117,7 +119,7 @@ bent    macro
         add.l   d2,d0                   ; three quarters of the box
 .halves lsr.l   #2,d0
         neg.l   d0
-        add.l   #PERSPECTIVE_COLUMN,d0
+        add.l   d3,d0
         muls.l  d6,d0
         add.l   #PERSPECTIVE_TURN,d0
         move.w  #PERSPECTIVE_LINE,d1

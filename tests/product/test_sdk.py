@@ -52,7 +52,7 @@ IN_C = {"_deep_rest", "_far_lengths", "_far_spans", "_kind_spans", "_three_rest"
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
 #: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
 #: linked.
-MOST = {"spans": 1_500, "example": 86_000, "triangles": 116_000}
+MOST = {"spans": 1_500, "example": 88_000, "triangles": 118_000}
 #: Names of sections, by linker: of code, and of tables.
 SECTIONS = {"vlink": {Hunk.HUNK_CODE: "CODE", Hunk.HUNK_DATA: "DATA"},
             "gcc": {Hunk.HUNK_CODE: ".text", Hunk.HUNK_DATA: ".data"}}

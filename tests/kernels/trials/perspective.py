@@ -164,9 +164,10 @@ def level_trial(rng, is_held: bool = False) -> Trial:
     return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
 
 
-def reciprocal_trial(rng) -> Trial:
-    """Lines of a depth of their own, seen anyhow, with gaps; many a trial's numbers do not fit."""
-    lines, deep = lines_and_planes((0, -5, 1, 2, 300), rng)
+def reciprocal_trial(rng, drawn: str = "") -> Trial:
+    """Lines of a depth of their own, seen anyhow, with gaps; many a trial's numbers do not fit. ``drawn``: "lines" or
+    "columns", which are drawn too."""
+    lines, deep = lines_and_planes((0, -5, 1, 2, 15, 16, 17, 33, 300), rng)
     count, width = len(lines), 1200
     if rng.integers(4):  # a plane in space: s and t are between their limits at two lines' left, 1.0 or less deep
         ends = [int(2.0 ** rng.uniform(rng.integers(16, 30), 30)) << 32 for _ in range(2)]
@@ -176,7 +177,11 @@ def reciprocal_trial(rng) -> Trial:
             plane.at, plane.dy = at[0], (at[1] - at[0]) // max(count - 1, 1)
             plane.dx = any_size(rng, 40)
         deep.q.dx = any_size(rng, 20) * int(rng.integers(2))
-    deep.chained, spare = bool(rng.integers(2)), int(rng.choice([50, 500, 1 << 20]))
+    deep.chained, spare = bool(rng.integers(2) or drawn), int(rng.choice([50, 500, 1 << 20]))
+    if drawn:
+        upright, memory = drawn == "columns", Memory(int(rng.integers(1 << 30)))
+        return perspective.draw_trial(memory, picture_ground(), deep, lines, width, spare, 8 if upright else 1280,
+                                      upright, f"{count} {drawn}, {spare} spare, {deep}")
     return perspective.reciprocal_trial(Memory(), deep, lines, width, spare, f"{count} lines, {spare} spare, {deep}")
 
 
@@ -220,7 +225,7 @@ def trials() -> list[Trial]:
             *(ranges_trial(rng) for _ in range(60)),
             *(corners_trial(rng) for _ in range(60)),
             *(level_trial(rng, held) for held in (False, True) for _ in range(60)),
-            *(reciprocal_trial(rng) for _ in range(160)),
+            *(reciprocal_trial(rng, drawn) for drawn in ("", "lines", "columns") for _ in range(160)),
             *(bend_trial(rng) for _ in range(80)),
             *(lines_trial(setting, rng) for setting in every for _ in range(40)),
             *(span_trial(setting, ends, reach, rng) for setting in spans for ends in Q_ENDS

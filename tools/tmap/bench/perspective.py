@@ -16,7 +16,7 @@ from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.setup.edges import measure
 from tmap.setup import level_reciprocal
-from tmap.setup.level import level_line
+from tmap.setup.level import level, level_line
 from tmap.setup.perspective import (CURVES, EXACT, Ends, Perspective, coordinates, ends, enough,
                                     perspective, steepness, way, weights)
 from tmap.setup.scanline import pack
@@ -107,18 +107,19 @@ def span_case(setting: str, ratio: int, *wide_and_length: int):
                           partial(span_trial, setting), *wide)
 
 
-def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int], **more: int) -> int:
-    """Puts a struct perspective_plan into an arena; ``more``: of its fields."""
-    fields = {}
+def plan_of(arena, deep: Perspective, setting: str, count: int, pointers: dict[str, int],
+            far: dict[str, int] | None = None, **more: int) -> int:
+    """Puts a struct perspective_plan into an arena; ``more``: of its fields; ``far``: its row and map."""
+    fields, unread = {}, dict(width=0, spare=0, pitch=0) | ({} if far else dict(row=0, map=0))
     for key, plane in (("q", deep.q), ("s", deep.s), ("t", deep.t)):
         fields[key] = list(b"".join((n % (1 << 64)).to_bytes(8, "big")
                                     for n in (plane.at, plane.dx, plane.dy)))
     limits = {f"{c}_{end}": value for end, pair in (("low", deep.low), ("high", deep.high))
               for c, value in zip("uv", pair)}
-    return arena.struct("perspective_plan", pointers, count=count, left=deep.i, q_low=deep.least, q_high=deep.most,
+    return arena.struct("perspective_plan", pointers, far, count=count, left=deep.i, q_low=deep.least, q_high=deep.most,
                         gentle=deep.gentle, tilt=deep.tilt, chained=int(deep.chained),
                         steep=steepness(deep.q.dx) + 1, u=deep.base[0], v=deep.base[1], bend=way(setting).bend,
-                        **fields, **limits, **dict(width=0, spare=0) | more)
+                        **fields, **limits, **unread | more)
 
 
 def polygon_lines():
@@ -176,6 +177,24 @@ def reciprocal_trial(arena: Arena, deep: Perspective, lines, width: int, spare: 
             writes += fields(steps_at + 8 * k, "scanline_step", {"dudx": dudx, "dvdx": dvdx})
     return Trial(Case("level_reciprocal", arena, pointers={"a0": plan_at, "a1": steps_at}), title,
                  writes=writes, outputs={"d0": int(bool(deep.inverse))})
+
+
+def draw_trial(arena: Arena, ground: Ground, deep: Perspective, lines, width: int, spare: int, pitch: int,
+               upright: bool, title: str = "") -> Trial:
+    """``reciprocal_trial`` of lines that are drawn, chained; ``upright``: as columns. ``pitch``: in bytes."""
+    along, down = (pitch, 1) if upright else (1, pitch)
+    plan_at = plan_of(arena, deep, "every16", len(lines), dict(lines=scanlines(arena, lines), to=0),
+                      dict(row=ground.frame_at - BIAS * along, map=ground.map_at), width=width, spare=spare,
+                      pitch=pitch)
+    writes, deep = [], replace(deep, inverse=level_reciprocal.find(deep, len(lines), width, spare))
+    for k, (left, right, y) in enumerate(lines):
+        if deep.inverse and right > left:
+            at, (u, v) = ground.frame_at + k * down + left * along, level(deep, left, right, y)
+            seen = ground.picture[v >> 16 & 255, u >> 16 & 255]
+            writes += [Write(at + j * along, seen[j:j + 1].tobytes(), far=True) for j in range(len(seen))] \
+                if upright else [Write(at, seen.tobytes(), far=True)]
+    return Trial(Case("level_draw_upright" if upright else "level_draw", arena, pointers={"a0": plan_at},
+                      far=ground.arena), title, writes=writes, outputs={"d0": int(bool(deep.inverse))})
 
 
 def reciprocal_case():

@@ -48,11 +48,12 @@ def tilt_of(p: Perspective, width: int, least: int) -> int | None:
     return signed(p.q.dx, 64) >> 24
 
 
-def columns_are_cheaper(setting: str, count: int, width: int, height: int) -> bool:
-    """Returns true if columns cost fewer cycles than lines; ``count``: of vertices, by which more or less of the box
-    is filled."""
+def columns_are_cheaper(setting: str, shape: str, count: int, width: int, height: int) -> bool:
+    """Returns true if columns of a shape, "level" or "straight", cost fewer cycles than lines; ``count``: of vertices,
+    by which more or less of the box is filled."""
     cost = layout.load().constants
-    column = cost["PERSPECTIVE_COLUMN"] - (way(setting).saved * height * (2 if count == 3 else 3) >> 2)
+    column = cost["PERSPECTIVE_COLUMN_TILTED" if shape == "straight" else "PERSPECTIVE_COLUMN"]
+    column -= (way(setting).saved * height * (2 if count == 3 else 3) >> 2)
     return cost["PERSPECTIVE_TURN"] + width * column < cost["PERSPECTIVE_LINE"] * height
 
 

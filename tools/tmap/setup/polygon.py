@@ -229,18 +229,17 @@ def set_texturing(polygon: Polygon, vertices, outline: Outline, settings: Settin
 
 
 def set_level(polygon: Polygon, deep: Perspective, width: int, off: int, least: int,
-              settings: Settings) -> bool:
-    """Returns true, and sets the tilt, if lines of so many pixels are drawn as if they were affine. ``off``: how far
-    they may be if their depth is constant; ``least``: q of the longest."""
+              settings: Settings) -> str:
+    """Returns how lines of so many pixels are drawn as if affine, "level" or "straight", and sets the tilt; else "".
+    ``off``: how far they may be if their depth is constant; ``least``: q of the longest."""
     if is_level(deep, width, polygon.setting, off):
-        return True
+        return "level"
     if polygon.setting not in PIECES or polygon.setting != settings.perspective:
-        return False
+        return ""
     if settings.has_exact_edges and is_even(deep, width, polygon.setting):
-        return True
-    tilt = tilt_of(deep, width, least)
-    deep.tilt = tilt or 0
-    return tilt is not None
+        return "level"
+    deep.tilt = (tilt := tilt_of(deep, width, least)) or 0
+    return "" if tilt is None else "straight"
 
 
 def turned_of(polygon: Polygon, vertices, box, size: tuple[int, int],
@@ -255,7 +254,8 @@ def turned_of(polygon: Polygon, vertices, box, size: tuple[int, int],
     deep.base = tuple(b + way(polygon.setting).raised for b in deep.base)
     width, height = box[2] - box[0], box[3] - box[1]
     deep.chained = is_chained(deep, height, polygon.setting)
-    if not columns_are_cheaper(polygon.setting, len(vertices), width, height) or not set_level(polygon, deep, height, 0, Q_ONE, settings):
+    shape = set_level(polygon, deep, height, 0, Q_ONE, settings)
+    if not shape or not columns_are_cheaper(polygon.setting, shape, len(vertices), width, height):
         return None
     return deep, turned, sides
 
@@ -281,7 +281,7 @@ def set_perspective(polygon: Polygon, vertices, outline: Outline, settings: Sett
     polygon.perspective, polygon.setting, polygon.straight = deep, setting, straight
     polygon.exact = afar.exact_setting(deep, setting, settings)
     deep.chained = is_chained(deep, width, setting)
-    polygon.is_level = straight or set_level(polygon, deep, width, way(setting).off, deep.least, settings)
+    polygon.is_level = straight or bool(set_level(polygon, deep, width, way(setting).off, deep.least, settings))
     polygon.constants = afar.constants(deep, outline.box, setting, settings) if narrow else None
     is_short = afar.takes_short(deep, width, polygon.constants)
     polygon.is_level = polygon.is_level and not is_short

@@ -1,0 +1,196 @@
+; Draws lines of one depth each as level_reciprocal makes them, and each as soon as it is made.
+;
+; \1: right for lines of the frame, or down for columns.
+
+        include "level_reciprocal.i"
+
+        xref    inverse_begin
+
+; On the stack, behind what inverse_begin has found.
+draw_end        equ     inverse_sizeof          ; of the table
+draw_map        equ     inverse_sizeof+4        ; mm00
+draw_cut        equ     inverse_sizeof+8        ; 2^shift - 1
+draw_step       equ     inverse_sizeof+12       ; bytes to the next line's first pixel, if C's step is inverse_step,
+draw_more       equ     inverse_sizeof+16       ; and if it is inverse_more
+draw_pitch      equ     inverse_sizeof+20
+draw_sizeof     equ     inverse_sizeof+24
+
+PIXELS_RIGHT    equ     16                      ; a round
+PIXELS_DOWN     equ     8
+
+; The steps of C of \1, u or v, to lines whose x is d1 further right than the last one's, and C = \2 of the first of
+; them. Uses d2.
+turn_c  macro
+        move.l  inverse_\1+inverse_dc(sp),d2
+        muls.l  d1,d2
+        move.l  d2,inverse_\1+inverse_step(sp)
+        adda.l  d2,\2
+        add.l   inverse_\1+inverse_dc(sp),d2
+        move.l  d2,inverse_\1+inverse_more(sp)
+        endm
+
+; Draws the plan a0.
+level_lines_draw macro
+        movea.l a0,a6
+        lea     -draw_sizeof(sp),sp
+        movea.l sp,a4
+        jsr     inverse_begin
+        tst.l   d0
+        beq     .done
+        move.l  d1,draw_end(sp)
+        move.l  a2,draw_cut(sp)
+        move.l  perspective_plan_map(a6),draw_map(sp)
+        movem.l inverse_q(sp),d5-d6
+        movea.l d2,a4
+        move.l  a5,d1                   ; x
+        movea.l d3,a5
+        movea.l perspective_plan_pitch(a6),a3
+        movea.l perspective_plan_row(a6),a6
+        move.w  scanline_left(a0),d0
+        move.w  scanline_last(a0),d7
+        move.l  a3,draw_pitch(sp)
+        lea     1(a3),a1
+        move.l  a1,draw_more(sp)
+        ifc     '\1','right'
+        adda.l  d1,a6
+        suba.l  a3,a6
+        move.l  a3,draw_step(sp)
+        lea     .pixels_end-12(pc),a3
+        else
+        move.l  a3,d2
+        muls.l  d1,d2
+        adda.l  d2,a6
+        subq.l  #1,a6
+        moveq   #1,d2
+        move.l  d2,draw_step(sp)
+        endc
+        sub.w   d0,d1
+        neg.w   d1
+        bra.s   .moved
+
+        ; a0 line  a1 pixel  a3 right: where rounds end, down: the pitch  a4 C of u  a5 C of v  a6 the first pixel
+        ; d5:d6 q
+.line   move.w  scanline_left(a0),d0
+        move.w  scanline_last(a0),d7
+        move.w  d0,d1
+        sub.w   scanline_left-scanline_sizeof(a0),d1
+        sub.w   inverse_whole+2(sp),d1
+.moved  bne     .more
+        adda.l  inverse_u+inverse_step(sp),a4
+        adda.l  inverse_v+inverse_step(sp),a5
+        adda.l  draw_step(sp),a6
+.begin  lea     scanline_sizeof(a0),a0
+        sub.w   d0,d7
+        bmi     .next
+
+        ; d2 R; u and v
+        move.l  draw_cut(sp),d1
+        moveq   #-1,d2
+        divu.l  d5,d1:d2
+        move.l  a4,d1
+        muls.l  d2,d0:d1
+        add.l   inverse_u+inverse_k(sp),d0
+        move.l  a5,d1
+        muls.l  d2,d3:d1
+        add.l   inverse_v+inverse_k(sp),d3
+        moveq   #0,d1
+        move.b  d3,d1
+        ror.l   #8,d1                   ; v---
+        lsr.l   #8,d3                   ; .Vv
+        swap    d0                      ; uuUU
+        move.b  d0,d1                   ; v--U
+        move.w  d3,d0                   ; uuVv
+
+        ; their steps, as chain_steps, in d3 and d2
+        move.l  d2,d4
+        muls.l  inverse_u+inverse_dc(sp),d3:d4
+        add.l   inverse_up(sp),d3
+        muls.l  inverse_v+inverse_dc(sp),d4:d2
+        addq.l  #1,d4
+        moveq   #0,d2
+        move.b  d4,d2
+        ror.l   #8,d2                   ; v---
+        movea.l d2,a2
+        lsr.l   #8,d4                   ; .Vv
+        swap    d3                      ; uuUU
+        move.b  d3,d2                   ; v--U
+        clr.w   d3                      ; uu--
+        ext.l   d4
+        add_below d3,d4,d2,b            ; uuVv
+
+        movea.l a6,a1
+        ifc     '\1','right'
+        moveq   #PIXELS_RIGHT-1,d4
+        and.w   d7,d4
+        neg.w   d4
+        lsr.w   #4,d7
+        add.l   a2,d1
+        lea     (a3,d4.w*4),a2
+        lea     (a2,d4.w*8),a2
+        else
+        moveq   #PIXELS_DOWN-1,d4
+        or.w    d7,d4
+        sub.w   d7,d4
+        lsr.w   #3,d7
+        add.l   a2,d1
+        lea     .pixels(pc,d4.w*2),a2
+        lea     (a2,d4.w*4),a2
+        lea     (a2,d4.w*8),a2
+        endc
+        move.l  draw_map(sp),d4
+        jmp     (a2)
+.pixels
+        ifc     '\1','right'
+        rept    PIXELS_RIGHT
+        texel_next d3,d2
+        draw
+        endr
+        else
+        rept    PIXELS_DOWN
+        texel_next d3,d2
+        movea.l d4,a2
+        move.b  (a2),(a1)
+        adda.l  a3,a1
+        endr
+        endc
+.pixels_end
+        dbra    d7,.pixels
+.next   add.l   inverse_dq+number64_lo(sp),d6
+        move.l  inverse_dq(sp),d0
+        addx.l  d0,d5
+        cmpa.l  draw_end(sp),a0
+        bne     .line
+        moveq   #1,d0
+.done   lea     draw_sizeof(sp),sp
+        return_all
+
+.more   subq.w  #1,d1
+        bne.s   .turn
+        adda.l  inverse_u+inverse_more(sp),a4
+        adda.l  inverse_v+inverse_more(sp),a5
+        adda.l  draw_more(sp),a6
+        bra     .begin
+
+.turn   addq.w  #1,d1                   ; at a vertex
+        ext.l   d1
+        add.l   inverse_whole(sp),d1
+        move.l  d1,inverse_whole(sp)
+        turn_c  u,a4
+        turn_c  v,a5
+        ifc     '\1','right'
+        add.l   draw_pitch(sp),d1
+        move.l  d1,draw_step(sp)
+        adda.l  d1,a6
+        addq.l  #1,d1
+        move.l  d1,draw_more(sp)
+        else
+        move.l  a3,d2
+        muls.l  d1,d2
+        addq.l  #1,d2
+        move.l  d2,draw_step(sp)
+        adda.l  d2,a6
+        add.l   a3,d2
+        move.l  d2,draw_more(sp)
+        endc
+        bra     .begin
+        endm
