@@ -5,7 +5,7 @@
 
         xref    _main,_file_save,clock_start,clock_stop,start
 
-PROFILE_WORDS           equ     131072  ; of code: 256 KB
+PROFILE_WORDS           equ     147456  ; of code: 288 KB
 PROFILE_PERIOD          equ     101     ; E-clocks: 2,020 cycles; a prime, so that no loop keeps step
 VECTOR_LEVEL_2          equ     $68
 
