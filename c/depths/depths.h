@@ -95,6 +95,9 @@ static inline int32 depth_parts_meet(const struct rectangle *a, const struct rec
     return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
 }
 
+/* Returns 1 if all pixels in the box of a tested polygon have a z that is nearer than the polygon. */
+int32 depths_hide(const struct depths *depths, const struct vertex *vertices, int32 count);
+
 /* Returns 1 if all tested faces in a part are before the plane of q of a plan, whose `at` is at pixel -EDGE_BIAS of the
    frame's first line. */
 int32 depths_are_before(const struct depths *depths, const struct depth_part *part, const struct depth_plan *plan);

@@ -160,3 +160,30 @@ void depths_clear(const struct depths *depths)
     plan.colour = (uint32)DEPTH_FAR;
     span_fill_32(&plan);
 }
+
+/* q of a pixel is above the greatest of the corners by its plane's error at most, which is less than what these differ
+   by, or all pixels have one q between them; by as much again where rounded corners are off the plane; and by half a
+   unit for each further pixel of a line. */
+int32 depths_hide(const struct depths *depths, const struct vertex *v, int32 count)
+{
+    struct depth_part part;
+    const struct rectangle *const box = &part.box;
+    const int32 width = depths->aside.width, half = depths->near_plane >> 1;
+    const int32 *row;
+    int32 most, columns;
+
+    if (!depth_part_set(&part, &depths->aside, v, count))
+        return 1;
+    most = mul_div(half, 1 << 30, part.near);
+    most += 2 * (most - mul_div(half, 1 << 30, part.far)) + DEPTH_OFF_LEAST + width;
+    columns = box->right - box->left;
+    row = &depths->z[box->top * width + box->left];
+    for (int32 lines = box->bottom - box->top; lines > 0; lines--, row += width) {
+        const int32 *z = row;
+
+        for (int32 left = columns; left > 0; left--)
+            if (*z++ <= most)
+                return 0;
+    }
+    return 1;
+}

@@ -82,7 +82,8 @@ enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct sce
         struct polygon polygon;
         enum polygon_result result;
 
-        if (!mesh_face_polygon(&polygon, scene, face))
+        if (!mesh_face_polygon(&polygon, scene, face)
+            || (!renderer->counts && depths_hide(scene->depths, polygon.vertices, polygon.count)))
             continue;
         if (material->mapper == MAPPER_KEYED)
             depths_blank(renderer, scene->depths, &polygon, material);
