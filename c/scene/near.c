@@ -67,7 +67,8 @@ static uint16 count_of(const struct scene_node *node, const struct mesh_box *box
 }
 
 /* Makes the boxes of a tree, those of a node's front and back before its own. */
-static void make_boxes(struct mesh_box *boxes, const struct scene_node *root, const struct near_slot *slots, int32 shift)
+static void make_boxes(struct mesh_box *boxes, const struct scene_node *root, const struct near_slot *slots,
+                       int32 shift)
 {
     for (uint32 i = nodes_of(root); i > 0; i--) {
         const struct scene_node *node = &root[i - 1];
@@ -98,7 +99,7 @@ static uint32 larger(uint32 most, int32 coordinate)
 struct places {
     struct scene_point *points;
     uint32 count;
-    struct mesh_point *scratch; /* of a point: `outside`, the next of its chain; of a mesh's: `spare`, its number here */
+    struct mesh_point *scratch; /* outside: of a point here, the next of its chain; spare: of a mesh's, its number here */
     uint32 chains[CHAINS];      /* the last point of each, plus 1 */
 };
 
@@ -139,8 +140,8 @@ static void copy_corners(struct scene_corner *to, const struct scene *scene, con
     }
 }
 
-/* Puts the faces of a tree's instances into its slots, and sets *corners and *points behind its own; returns the greatest
-   magnitude of a coordinate. */
+/* Puts the faces of a tree's instances into its slots, and sets *corners and *points behind its own; returns the
+   greatest magnitude of a coordinate. */
 static uint32 fill_slots(struct near_slot *slots, const struct scene *scene, int32 tree, struct scene_corner **corners,
                          struct scene_point **points)
 {

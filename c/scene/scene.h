@@ -31,7 +31,7 @@ struct scene_near {
     struct scene_corner *corners;       /* copies of those of trees' instances, one after the other */
     struct scene_point *points; /* those of each tree, each place once */
     uint32 stamp;               /* of the tree that was drawn last */
-    int32 is_still;             /* 1: all instances of a tree are in the same frames, in which their views are the same */
+    int32 is_still;             /* 1: all instances of a tree are in the same frames, with the same views */
 };
 
 struct scene {
