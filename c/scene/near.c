@@ -99,7 +99,7 @@ static uint32 larger(uint32 most, int32 coordinate)
 struct places {
     struct scene_point *points;
     uint32 count;
-    struct mesh_point *scratch; /* outside: of a point here, the next of its chain; spare: of a mesh's, its number here */
+    struct mesh_point *scratch; /* outside: the next in a chain; spare: a mesh point's number here */
     uint32 chains[CHAINS];      /* the last point of each, plus 1 */
 };
 
