@@ -226,7 +226,7 @@ static enum polygon_result draw_visible(struct setup *s)
     return result;
 }
 
-static enum polygon_result draw_whole(struct renderer *renderer, const struct polygon *polygon,
+enum polygon_result coverage_draw_met(struct renderer *renderer, const struct polygon *polygon,
                                       const struct material *material)
 {
     enum polygon_result result;
@@ -235,7 +235,7 @@ static enum polygon_result draw_whole(struct renderer *renderer, const struct po
     if (!is_polygon(polygon))
         return POLYGON_FEW;
     if (is_fan(renderer, polygon, material))
-        return polygon_fan(draw_whole, renderer, polygon, material);
+        return polygon_fan(coverage_draw_met, renderer, polygon, material);
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);
     result = plan_set_up(&s);
@@ -249,5 +249,5 @@ enum polygon_result coverage_draw(struct renderer *renderer, const struct polygo
     if (!renderer->only_counts
         && coverage_hides(renderer->coverage, renderer->frame, polygon->vertices, polygon->count))
         return POLYGON_EMPTY;
-    return draw_whole(renderer, polygon, material);
+    return coverage_draw_met(renderer, polygon, material);
 }

@@ -73,6 +73,9 @@ int32 coverage_hides_box(const struct coverage *coverage, const struct frame *fr
 /* Draws what of a polygon renderer->coverage does not hide, as polygon_draw would draw it whole, and covers it. */
 polygon_routine coverage_draw;
 
+/* The same without a test whether all of its box is hidden. */
+polygon_routine coverage_draw_met;
+
 /* Returns 1 if all pixels of the frame that vertices' box has are covered. */
 int32 coverage_hides(const struct coverage *coverage, const struct frame *frame,
                      const struct vertex *vertices, int32 count);

@@ -83,10 +83,20 @@ void depths_clear(const struct depths *depths);
 /* Sets a polygon's part of the frame and its depths; returns 0 if none of the frame is in it. */
 int32 depth_part_set(struct depth_part *part, const struct frame *frame, const struct vertex *vertices, int32 count);
 
+/* The same of a box around places on the screen; its depths are left as they are. */
+int32 depth_part_place(struct depth_part *part, const struct frame *frame, fix16 x_low, fix16 x_high, fix16 y_low,
+                       fix16 y_high);
+
+/* Returns 1 if a polygon in a part may hide a tested face: depths_fill fills no other. */
+int32 depths_meet(const struct depths *depths, const struct depth_part *own, int32 is_ordered);
+
 static inline int32 depth_parts_meet(const struct rectangle *a, const struct rectangle *b)
 {
     return a->left < b->right && b->left < a->right && a->top < b->bottom && b->top < a->bottom;
 }
+
+/* Returns 1 if all pixels in the box of a tested polygon have a z that is nearer than the polygon. */
+int32 depths_hide(const struct depths *depths, const struct vertex *vertices, int32 count);
 
 /* Returns 1 if all tested faces in a part are before the plane of q of a plan, whose `at` is at pixel -EDGE_BIAS of the
    frame's first line. */

@@ -11,10 +11,21 @@ void depths_begin(struct depths *depths)
     depths->corners_count = 0;
 }
 
+int32 depth_part_place(struct depth_part *part, const struct frame *frame, fix16 x_low, fix16 x_high, fix16 y_low,
+                       fix16 y_high)
+{
+    struct rectangle *box = &part->box;
+
+    box->left = outline_most((x_low >> 16) - 1, 0);
+    box->right = outline_least((x_high >> 16) + 2, frame->width);
+    box->top = outline_most((y_low >> 16) - 1, 0);
+    box->bottom = outline_least((y_high >> 16) + 2, frame->height);
+    return box->left < box->right && box->top < box->bottom;
+}
+
 int32 depth_part_set(struct depth_part *part, const struct frame *frame, const struct vertex *v, int32 count)
 {
     fix16 x_low = v->x, x_high = x_low, y_low = v->y, y_high = y_low;
-    struct rectangle *box = &part->box;
 
     part->near = part->far = v->w;
     part->lacks = 0;
@@ -32,11 +43,17 @@ int32 depth_part_set(struct depth_part *part, const struct frame *frame, const s
         else if (v->w > part->far)
             part->far = v->w;
     }
-    box->left = outline_most((x_low >> 16) - 1, 0);
-    box->right = outline_least((x_high >> 16) + 2, frame->width);
-    box->top = outline_most((y_low >> 16) - 1, 0);
-    box->bottom = outline_least((y_high >> 16) + 2, frame->height);
-    return box->left < box->right && box->top < box->bottom;
+    return depth_part_place(part, frame, x_low, x_high, y_low, y_high);
+}
+
+int32 depths_meet(const struct depths *depths, const struct depth_part *own, int32 is_ordered)
+{
+    const struct depth_part *part = depths->parts;
+
+    for (int32 left = depths->count; left > 0; left--, part++)
+        if (depth_parts_meet(&own->box, &part->box) && (!is_ordered || part->far >= own->near))
+            return 1;
+    return 0;
 }
 
 static void join(struct depth_part *to, const struct depth_part *part)
@@ -142,4 +159,31 @@ void depths_clear(const struct depths *depths)
     plan.pitch = depths_pitch(depths);
     plan.colour = (uint32)DEPTH_FAR;
     span_fill_32(&plan);
+}
+
+/* q of a pixel is above the greatest of the corners by its plane's error at most, which is less than what these differ
+   by, or all pixels have one q between them; by as much again where rounded corners are off the plane; and by half a
+   unit for each further pixel of a line. */
+int32 depths_hide(const struct depths *depths, const struct vertex *v, int32 count)
+{
+    struct depth_part part;
+    const struct rectangle *const box = &part.box;
+    const int32 width = depths->aside.width, half = depths->near_plane >> 1;
+    const int32 *row;
+    int32 most, columns;
+
+    if (!depth_part_set(&part, &depths->aside, v, count))
+        return 1;
+    most = mul_div(half, 1 << 30, part.near);
+    most += 2 * (most - mul_div(half, 1 << 30, part.far)) + DEPTH_OFF_LEAST + width;
+    columns = box->right - box->left;
+    row = &depths->z[box->top * width + box->left];
+    for (int32 lines = box->bottom - box->top; lines > 0; lines--, row += width) {
+        const int32 *z = row;
+
+        for (int32 left = columns; left > 0; left--)
+            if (*z++ <= most)
+                return 0;
+    }
+    return 1;
 }

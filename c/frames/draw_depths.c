@@ -26,6 +26,39 @@ static int32 is_beyond(const struct mesh_face *face, fix16 w)
     return 1;
 }
 
+/* Returns 1 if all corners of a face are inside all borders, and its box meets no part where it may hide a tested one:
+   its vertices need not be made. */
+static int32 is_beside(const struct mesh_face *face, const struct depths *depths, int32 is_ordered)
+{
+    const struct mesh_placed *placed = face->placed;
+    const struct scene_corner *corner = &placed->corners[face->face->corner];
+    const struct mesh_point *p = &placed->points[corner->point];
+    fix16 x_low = p->screen_x, x_high = x_low, y_low = p->screen_y, y_high = y_low;
+    struct depth_part part;
+
+    if (placed->view16 || p->outside)
+        return 0;
+    part.near = p->w;
+    for (int32 left = (int32)face->face->corners - 1; left > 0; left--) {
+        corner++;
+        p = &placed->points[corner->point];
+        if (p->outside)
+            return 0;
+        if (p->screen_x < x_low)
+            x_low = p->screen_x;
+        else if (p->screen_x > x_high)
+            x_high = p->screen_x;
+        if (p->screen_y < y_low)
+            y_low = p->screen_y;
+        else if (p->screen_y > y_high)
+            y_high = p->screen_y;
+        if (p->w < part.near)
+            part.near = p->w;
+    }
+    return !depth_part_place(&part, &depths->aside, x_low, x_high, y_low, y_high)
+        || !depths_meet(depths, &part, is_ordered);
+}
+
 void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face,
                       int32 is_ordered)
 {
@@ -33,7 +66,8 @@ void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, cons
     struct polygon polygon;
 
     for (; face && depths->count; face = face->next)
-        if (!(is_ordered && is_beyond(face, depths->far)) && mesh_face_polygon(&polygon, scene, face))
+        if (!(is_ordered && is_beyond(face, depths->far)) && !is_beside(face, depths, is_ordered)
+            && mesh_face_polygon(&polygon, scene, face))
             depths_fill(renderer, depths, &polygon, face->placed->material, is_ordered);
 }
 
@@ -48,7 +82,8 @@ enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct sce
         struct polygon polygon;
         enum polygon_result result;
 
-        if (!mesh_face_polygon(&polygon, scene, face))
+        if (!mesh_face_polygon(&polygon, scene, face)
+            || (!renderer->counts && depths_hide(scene->depths, polygon.vertices, polygon.count)))
             continue;
         if (material->mapper == MAPPER_KEYED)
             depths_blank(renderer, scene->depths, &polygon, material);

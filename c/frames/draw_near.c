@@ -8,8 +8,8 @@ struct near_tree {
     struct near_walk walk;      /* first: is_hidden casts */
     const struct scene *scene;
     const struct renderer *renderer;
-    struct mesh_point *points;  /* memory that is left */
-    struct mesh_attributes *attributes;
+    struct mesh_point *points;
+    struct mesh_attributes *attributes; /* memory that is left */
     struct mesh_face *faces;
     struct mesh_placed *placed; /* of the first instance; mesh is 0 if the frame lacks it, points until it is needed */
     uint32 first, count;        /* its number; instances */
@@ -17,20 +17,6 @@ struct near_tree {
     struct near_face face;
     struct mesh_face *seen;
 };
-
-enum { PLACE_VALUES = 15 };     /* of a view: factors, moves, eye */
-
-/* Returns 1 if two views have the same factors, moves and eye, which come first. */
-static int32 same_place(const struct scene_view *a, const struct scene_view *b)
-{
-    const int32 *one = &a->xx, *other = &b->xx;
-
-    for (int32 left = PLACE_VALUES / 5; left > 0; left--, one += 5, other += 5)
-        if (one[0] != other[0] || one[1] != other[1] || one[2] != other[2] || one[3] != other[3]
-            || one[4] != other[4])
-            return 0;
-    return 1;
-}
 
 /* Sets mesh, view and points of the instances that are in the frame; returns 0 if their views differ. */
 static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
@@ -51,7 +37,7 @@ static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
         placed->mesh = &scene->meshes[instance->mesh];
         placed->view = &scene->views[instance->view + age];
         placed->points = 0;
-        if (tree->walk.view && !same_place(tree->walk.view, placed->view))
+        if (!scene->near->is_still && tree->walk.view && !scene_same_place(tree->walk.view, placed->view))
             return 0;
         tree->walk.view = placed->view;
     }
@@ -99,15 +85,18 @@ static void begin_walk(struct near_tree *tree, int32 root)
     near_set_borders(walk, walk->boxes[root].shift);
     near_set_view(&tree->face, &walk->frame, walk->view);
     tree->face.stamp = ++scene->near->stamp;
-    tree->face.points = 0;
+    tree->face.gaps = scene->coverage->rows;
+    tree->face.points = tree->points;
+    tree->face.from = tree->slots->points;
 }
 
-/* Sets the rest of an instance whose first face is to be drawn. */
-static void begin_instance(struct near_tree *tree, struct mesh_placed *placed, const struct scene_instance *instance)
+/* Sets the rest of the instance in a slot, whose first face is to be drawn. */
+static void begin_instance(struct near_tree *tree, struct mesh_placed *placed, const struct near_slot *slot)
 {
     const struct scene *const scene = tree->scene;
+    const struct scene_instance *const instance = &scene->instances[slot->instance];
 
-    placed->corners = &scene->corners[placed->mesh->corner];
+    placed->corners = slot->corners - slot->face->corner;
     placed->material = &scene->drawn[instance->material];
     placed->view16 = 0;
     placed->places = 0;
@@ -116,21 +105,17 @@ static void begin_instance(struct near_tree *tree, struct mesh_placed *placed, c
     if (instance->flags & MESH_FOG)
         mesh_set_fog(&placed->fog, instance);
     placed->points = tree->points;
-    tree->points += placed->mesh->points;
+    if (instance->flags & (MESH_ENVIRONMENT | MESH_LIT)) {
+        placed->attributes = tree->attributes;
+        mesh_make_attributes(tree->attributes, &scene->normals[placed->mesh->normal], (int32)placed->mesh->normals,
+                             instance, placed->view);
+        tree->attributes += placed->mesh->normals;
+    }
 }
 
-/* Lets mesh_near_face take an instance's points. */
-static void choose(struct near_tree *tree, struct mesh_placed *placed, const struct near_slot *slot)
-{
-    if (!placed->points)
-        begin_instance(tree, placed, &tree->scene->instances[slot->instance]);
-    tree->face.points = placed->points;
-    tree->face.corners = placed->corners;
-    tree->face.from = &tree->scene->points[placed->mesh->point];
-}
-
-/* Draws what is visible of the face in a slot, which is seen from the front. */
-static enum polygon_result draw_slot(struct renderer *renderer, struct near_tree *tree, const struct near_slot *slot)
+/* Draws what is visible of the face in a slot, some of whose points are outside of borders. */
+static enum polygon_result draw_slot(struct renderer *renderer, struct near_tree *tree, const struct near_slot *slot,
+                                     uint32 outside)
 {
     const struct scene *const scene = tree->scene;
     const uint32 instance = slot->instance - tree->first;
@@ -140,21 +125,12 @@ static enum polygon_result draw_slot(struct renderer *renderer, struct near_tree
 
     if (instance >= tree->count || !placed->mesh)
         return POLYGON_EMPTY;
-    if (tree->face.points != placed->points || !placed->points)
-        choose(tree, placed, slot);
-    tree->face.face = slot->face;
-    if (mesh_near_face(&tree->face) == NEAR_HIDDEN)
-        return POLYGON_EMPTY;
-    if (placed->flags & (MESH_ENVIRONMENT | MESH_LIT) && !placed->attributes) {
-        placed->attributes = tree->attributes;
-        mesh_make_attributes(tree->attributes, &scene->normals[placed->mesh->normal], (int32)placed->mesh->normals,
-                             &scene->instances[slot->instance], placed->view);
-        tree->attributes += placed->mesh->normals;
-    }
+    if (!placed->points)
+        begin_instance(tree, placed, slot);
     face->face = slot->face;
     face->placed = placed;
     scene->coverage->shown = 0;
-    result = mesh_draw_face(renderer, scene, face, coverage_draw);
+    result = mesh_draw_face(renderer, scene, face, outside & MESH_NEAR ? coverage_draw : coverage_draw_met);
     if (scene->coverage->shown || result > POLYGON_EMPTY) {
         face->next = tree->seen;
         tree->seen = face;
@@ -191,12 +167,12 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
     coverage_begin(coverage, renderer->frame);
     renderer->coverage = coverage;
     while (coverage->open && !coverage->overflow && (node = mesh_near(&tree.walk)) != 0) {
-        const struct near_slot *slot;
+        int32 found;
 
         tree.face.slots = &tree.slots[node->slot];
         tree.face.slot = &tree.face.slots[node->slots];
-        while (coverage->open && !coverage->overflow && (slot = mesh_near_seen(&tree.face)) != 0) {
-            const enum polygon_result result = draw_slot(renderer, &tree, slot);
+        while (coverage->open && !coverage->overflow && (found = mesh_near_face(&tree.face)) != NEAR_NONE) {
+            const enum polygon_result result = draw_slot(renderer, &tree, tree.face.slot, (uint32)found);
 
             if (result > POLYGON_EMPTY)
                 *refused = result;

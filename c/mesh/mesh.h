@@ -18,7 +18,7 @@ enum mesh_outside {
 /* A point in camera space, and on the screen if it is inside all borders. */
 struct mesh_point {
     fix16 x, y, w;              /* w: z, the depth */
-    fix16 screen_x, screen_y;   /* written where outside is 0 */
+    fix16 screen_x, screen_y;   /* written where outside is 0; by mesh_near_face unless it has MESH_NEAR */
     uint32 outside;             /* enum mesh_outside, ored */
     uint32 stamp, spare;        /* mesh_near_face's; 32 bytes: an index is a shift */
 };

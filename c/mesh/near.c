@@ -90,7 +90,11 @@ void near_set_view(struct near_face *plan, const struct near_frame *frame, const
     plan->near_plane = frame->near_plane;
     plan->middle_x = frame->width << 15;
     plan->middle_y = frame->height << 15;
-    plan->view = view;
+    plan->eye_x = view->eye_x;
+    plan->eye_y = view->eye_y;
+    plan->eye_z = view->eye_z;
+    plan->right = frame->width - 1;
+    plan->bottom = frame->height - 1;
 }
 
 /* A coordinate of points in the camera's space, 16.16. */

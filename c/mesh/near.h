@@ -2,14 +2,16 @@
 #ifndef NEAR_H
 #define NEAR_H
 
+#include "coverage/coverage.h"
 #include "mesh/mesh.h"
 #include "polygon/edges.h"
 
 enum near_constants {
     NEAR_BORDERS = 5,
     NEAR_FACTOR_BITS = 13,      /* fraction bits of a border's factors */
-    NEAR_HIDDEN = -1,           /* mesh_near_face: not seen */
-    NEAR_TESTED = 8             /* slots of a half space that is worth a look whether it is hidden */
+    NEAR_NONE = -1,             /* mesh_near_face: no face is left */
+    NEAR_FAR = 16383,           /* pixels: beyond every frame */
+    NEAR_TESTED = 30             /* slots of a half space that is worth a look whether it is hidden */
 };
 
 /* Around the faces of a node and of all nodes of its front and back, rounded outwards: in units of
@@ -31,6 +33,8 @@ struct box_border {
 struct near_slot {
     const struct scene_face *face;
     uint32 instance;
+    const struct scene_corner *corners; /* of the face: their points are numbers of the tree's */
+    const struct scene_point *points;   /* the tree's: each place once; 16 bytes */
 };
 
 /* What a walk's borders and rectangles are derived from. */
@@ -61,31 +65,30 @@ struct near_row {
     int32 x, y, z;              /* 2.30 */
 };
 
-/* Points of a view, transformed where a face needs them. */
+/* The faces of a view that may be visible; their points are transformed where one needs them. */
 struct near_face {
     struct near_row rows[3];
     int32 shifts[2];            /* 16 + guard, 16 - guard */
     fix16 near_plane, middle_x, middle_y;
-    const struct scene_view *view;
+    fix16 eye_x, eye_y, eye_z;
+    int32 right, bottom;        /* the frame's last column and line */
+    struct gap *const *gaps;    /* of each of its lines the first */
     uint32 stamp;               /* of points that are transformed already */
     const struct near_slot *slot;       /* behind the next one */
     const struct near_slot *slots;      /* the last one */
-    const struct scene_face *face;
-    const struct scene_point *from;     /* its mesh's first */
+    const struct scene_point *from;     /* the tree's first */
     struct mesh_point *points;
-    const struct scene_corner *corners;
 };
 
 /* src68k/mesh: contracts there. */
 const struct scene_node *mesh_near(struct near_walk *walk);
-const struct near_slot *mesh_near_seen(struct near_face *plan);
-int32 mesh_near_face(const struct near_face *plan);
+int32 mesh_near_face(struct near_face *plan);
 
 /* Sets the borders of a walk, whose view and frame are set, for boxes of a shift: a face in a box that is outside one
    has no pixel in the frame. */
 void near_set_borders(struct near_walk *walk, int32 shift);
 
-/* Sets rows, shifts, near plane, middle and view. */
+/* Sets rows, shifts, near plane, middle, eye, right and bottom. */
 void near_set_view(struct near_face *plan, const struct near_frame *frame, const struct scene_view *view);
 
 /* Sets *to to pixels, right and bottom included, that have all of a box's faces. Returns 0 if part of the box may be

@@ -4,7 +4,11 @@
 #include "scene/scene.h"
 #include "system/system.h"
 
-enum { BOX_MOST = 32766 };      /* a coordinate of a box, rounded down */
+enum {
+    BOX_MOST = 32766,           /* a coordinate of a box, rounded down */
+    PLACE_VALUES = 15,          /* of a view: factors, moves, eye */
+    CHAINS = 256
+};
 
 static uint32 nodes_of(const struct scene_node *root)
 {
@@ -32,13 +36,12 @@ static void include(struct mesh_box *box, const struct mesh_box *other)
 }
 
 /* Takes the corners of a face into a box. */
-static void include_face(struct mesh_box *box, const struct scene *scene, const struct near_slot *slot)
+static void include_face(struct mesh_box *box, const struct near_slot *slot)
 {
-    const struct scene_mesh *mesh = &scene->meshes[scene->instances[slot->instance].mesh];
-    const struct scene_corner *corner = &scene->corners[mesh->corner + slot->face->corner];
+    const struct scene_corner *corner = slot->corners;
 
     for (uint32 i = slot->face->corners; i; i--, corner++) {
-        const struct scene_point *p = &scene->points[mesh->point + corner->point];
+        const struct scene_point *p = &slot->points[corner->point];
         struct mesh_box at;
 
         at.low_x = (int16)(p->x >> box->shift);
@@ -64,8 +67,8 @@ static uint16 count_of(const struct scene_node *node, const struct mesh_box *box
 }
 
 /* Makes the boxes of a tree, those of a node's front and back before its own. */
-static void make_boxes(struct mesh_box *boxes, const struct scene *scene, const struct scene_node *root,
-                       const struct near_slot *slots, int32 shift)
+static void make_boxes(struct mesh_box *boxes, const struct scene_node *root, const struct near_slot *slots,
+                       int32 shift)
 {
     for (uint32 i = nodes_of(root); i > 0; i--) {
         const struct scene_node *node = &root[i - 1];
@@ -77,7 +80,7 @@ static void make_boxes(struct mesh_box *boxes, const struct scene *scene, const 
         box->slots = count_of(node, box);
         for (uint32 k = 0; k < node->slots; k++)
             if (slots[node->slot + k].face)
-                include_face(box, scene, &slots[node->slot + k]);
+                include_face(box, &slots[node->slot + k]);
         if (node->front)
             include(box, box + 1);
         if (node->back)
@@ -92,55 +95,163 @@ static uint32 larger(uint32 most, int32 coordinate)
     return size > most ? size : most;
 }
 
-/* Puts the faces of a tree's instances into its slots; returns the greatest magnitude of a coordinate. */
-static uint32 fill_slots(struct near_slot *slots, const struct scene *scene, int32 tree)
+/* Places of a tree's points while each is looked for among those before it. */
+struct places {
+    struct scene_point *points;
+    uint32 count;
+    struct mesh_point *scratch; /* outside: the next in a chain; spare: a mesh point's number here */
+    uint32 chains[CHAINS];      /* the last point of each, plus 1 */
+};
+
+/* Returns the number of a place among the points, which has it from now on. */
+static uint32 number_of(struct places *places, const struct scene_point *p)
+{
+    const uint32 mixed = (uint32)p->x * 5 + (uint32)p->y * 3 + (uint32)p->z;
+    uint32 *const chain = &places->chains[(mixed ^ mixed >> 8 ^ mixed >> 16) % CHAINS];
+    struct scene_point *to = &places->points[places->count];
+
+    for (uint32 i = *chain; i; i = places->scratch[i - 1].outside) {
+        const struct scene_point *other = &places->points[i - 1];
+
+        if (other->x == p->x && other->y == p->y && other->z == p->z)
+            return i - 1;
+    }
+    to->x = p->x;
+    to->y = p->y;
+    to->z = p->z;
+    places->scratch[places->count].outside = *chain;
+    *chain = ++places->count;
+    return places->count - 1;
+}
+
+/* Copies the corners of an instance's mesh, with numbers of the tree's points. */
+static void copy_corners(struct scene_corner *to, const struct scene *scene, const struct scene_mesh *mesh,
+                         struct places *places)
+{
+    const struct scene_corner *from = &scene->corners[mesh->corner];
+
+    for (uint32 i = 0; i < mesh->points; i++)
+        places->scratch[i].spare = number_of(places, &scene->points[mesh->point + i]);
+    for (uint32 i = mesh->corners; i; i--, to++, from++) {
+        to->point = (uint16)places->scratch[from->point].spare;
+        to->normal = from->normal;
+        to->s = from->s;
+        to->t = from->t;
+    }
+}
+
+/* Puts the faces of a tree's instances into its slots, and sets *corners and *points behind its own; returns the
+   greatest magnitude of a coordinate. */
+static uint32 fill_slots(struct near_slot *slots, const struct scene *scene, int32 tree, struct scene_corner **corners,
+                         struct scene_point **points)
 {
     const struct scene_instance *o = scene->instances;
+    struct places places;
     uint32 most = 0;
 
+    places.points = *points;
+    places.count = 0;
+    places.scratch = scene->work.points;
+    for (int32 i = 0; i < CHAINS; i++)
+        places.chains[i] = 0;
     for (uint32 i = 0; i < scene->header->instances; i++, o++) {
         const struct scene_mesh *mesh = &scene->meshes[o->mesh];
-        const struct scene_point *p = &scene->points[mesh->point];
         const struct scene_slot *slot = &scene->slots[o->slot];
 
         if (o->tree != tree)
             continue;
+        copy_corners(*corners, scene, mesh, &places);
         for (uint32 k = 0; k < mesh->faces; k++, slot++) {
-            slots[slot->slot].face = &scene->faces[mesh->face + k];
-            slots[slot->slot].instance = i;
+            struct near_slot *const to = &slots[slot->slot];
+
+            to->face = &scene->faces[mesh->face + k];
+            to->instance = i;
+            to->corners = &(*corners)[to->face->corner];
         }
-        for (uint32 k = mesh->points; k; k--, p++)
-            most = larger(larger(larger(most, p->x), p->y), p->z);
+        *corners += mesh->corners;
     }
+    for (uint32 i = slots_of(&scene->nodes[tree]); i; i--)
+        slots[i - 1].points = *points;
+    for (; places.count; places.count--, ++*points)
+        most = larger(larger(larger(most, (*points)->x), (*points)->y), (*points)->z);
     return most;
+}
+
+int32 scene_same_place(const struct scene_view *a, const struct scene_view *b)
+{
+    const int32 *one = &a->xx, *other = &b->xx;
+
+    for (int32 left = PLACE_VALUES / 5; left > 0; left--, one += 5, other += 5)
+        if (one[0] != other[0] || one[1] != other[1] || one[2] != other[2] || one[3] != other[3]
+            || one[4] != other[4])
+            return 0;
+    return 1;
+}
+
+/* Returns 1 if all instances of each tree have the same frames and views. */
+static int32 are_still(const struct scene *scene)
+{
+    const struct scene_instance *o = scene->instances, *first = o;
+
+    for (uint32 i = scene->header->instances; i; i--, o++) {
+        if (o->tree != first->tree || o->before != first->before)
+            first = o;
+        if (o->tree < 0 || o == first)
+            continue;
+        if (o->first_frame != first->first_frame || o->views != first->views)
+            return 0;
+        for (uint32 k = 0; k < o->views; k++)
+            if (!scene_same_place(&scene->views[o->view + k], &scene->views[first->view + k]))
+                return 0;
+    }
+    return 1;
+}
+
+/* Makes the tables; slots, corners, points: how many all trees have. Returns 0 if memory is short. */
+static int32 make_tables(struct scene_near *near, uint32 nodes, uint32 slots, uint32 corners, uint32 points)
+{
+    return mem_alloc(&near->boxes, (int32)(nodes * sizeof *near->boxes), MEMORY_ANY)
+        && mem_alloc(&near->slots, (int32)(slots * sizeof *near->slots), MEMORY_ANY)
+        && mem_alloc(&near->corners, (int32)(corners * sizeof *near->corners), MEMORY_ANY)
+        && mem_alloc(&near->points, (int32)(points * sizeof *near->points), MEMORY_ANY);
 }
 
 int32 scene_make_near(struct scene *scene)
 {
     const uint32 nodes = scene->header->nodes;
-    struct scene_near *near;
-    uint32 slots = 0;
+    const struct scene_instance *o = scene->instances;
+    struct scene_corner *corner;
+    struct scene_point *point;
+    struct near_slot *slot;
+    uint32 slots = 0, corners = 0, points = 0;
 
     scene->near = 0;
     if (!scene->is_once || !nodes)
         return 1;
     for (uint32 root = 0; root < nodes; root += nodes_of(&scene->nodes[root]))
         slots += slots_of(&scene->nodes[root]);
-    if (!mem_alloc(&scene->near, sizeof *near, MEMORY_ANY))
+    for (uint32 i = 0; i < scene->header->instances; i++, o++)
+        if (o->tree >= 0) {
+            if (i && o[-1].tree == o->tree && o[-1].before != o->before)
+                return 1;       /* its points are not all in memory at once */
+            corners += scene->meshes[o->mesh].corners;
+            points += scene->meshes[o->mesh].points;
+        }
+    if (!mem_alloc(&scene->near, sizeof *scene->near, MEMORY_ANY)
+        || !make_tables(scene->near, nodes, slots, corners, points))
         return 0;
-    near = scene->near;
-    if (!mem_alloc(&near->boxes, (int32)(nodes * sizeof *near->boxes), MEMORY_ANY)
-        || !mem_alloc(&near->slots, (int32)(slots * sizeof *near->slots), MEMORY_ANY))
-        return 0;
-    slots = 0;
+    scene->near->is_still = are_still(scene);
+    corner = scene->near->corners;
+    point = scene->near->points;
+    slot = scene->near->slots;
     for (uint32 root = 0; root < nodes; root += nodes_of(&scene->nodes[root])) {
-        const uint32 most = fill_slots(&near->slots[slots], scene, (int32)root);
+        const uint32 most = fill_slots(slot, scene, (int32)root, &corner, &point);
         int32 shift = 0;
 
         while (most >> shift > BOX_MOST)
             shift++;
-        make_boxes(&near->boxes[root], scene, &scene->nodes[root], &near->slots[slots], shift);
-        slots += slots_of(&scene->nodes[root]);
+        make_boxes(&scene->near->boxes[root], &scene->nodes[root], slot, shift);
+        slot += slots_of(&scene->nodes[root]);
     }
     return 1;
 }

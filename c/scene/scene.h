@@ -28,7 +28,10 @@ struct scene_scratch {
 struct scene_near {
     struct mesh_box *boxes;     /* one a node */
     struct near_slot *slots;    /* of all trees */
+    struct scene_corner *corners;       /* copies of those of trees' instances, one after the other */
+    struct scene_point *points; /* those of each tree, each place once */
     uint32 stamp;               /* of the tree that was drawn last */
+    int32 is_still;             /* 1: all instances of a tree are in the same frames, with the same views */
 };
 
 struct scene {
@@ -159,6 +162,9 @@ int32 scene_make_coverage(struct scene *scene);
 /* near.c. Makes the tables by which trees are walked from the nearest face on, if pixels are drawn once; returns 0 if
    memory is short. Trees must be checked. */
 int32 scene_make_near(struct scene *scene);
+
+/* Returns 1 if two views have the same factors, moves and eye. */
+int32 scene_same_place(const struct scene_view *a, const struct scene_view *b);
 
 /* levels.c. Sets the materials whose maps have levels; what these draw is counted for them. */
 void scene_make_levels(struct scene *scene);

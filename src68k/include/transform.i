@@ -37,7 +37,8 @@ point_screen macro
         endm
 
 ; Transforms the point at a0, which is moved on, to the mesh_point at a2, which is moved to its outside; d4 = that. a1:
-; three rows; \1 at a4 has near_plane, middle_x and middle_y; \2: 16 + guard, 16 - guard. Uses d0-d7/a3/a6.
+; three rows; \1 at a4 has near_plane, middle_x and middle_y; \2: 16 + guard, 16 - guard. \3: the label of code that
+; goes on at a2's screen_x of a point outside borders d4, or nothing. Uses d0-d7/a3/a6.
 transform_point macro
         movem.l (a0)+,d5-d7
         lsl.l   #2,d5
@@ -74,16 +75,22 @@ transform_point macro
         add.w   #MESH_BELOW,d4
 .below\@
         tst.w   d4
+        ifb     \3
         bne.s   .outside\@
+        else
+        bne     \3
+        endc
         movem.l \2,d5-d6
         move.l  d2,d3
         lsr.l   #1,d3
         point_screen a3,\1_middle_x
         point_screen a6,\1_middle_y
         move.l  d4,(a2)
+        ifb     \3
         bra.s   .done\@
 .outside\@
         addq.l  #8,a2
         move.l  d4,(a2)
 .done\@
+        endc
         endm

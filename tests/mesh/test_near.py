@@ -114,4 +114,4 @@ def test_instances_that_lack_or_differ(tmp_path) -> None:
 def test_memory_is_taken_where_pixels_are_drawn_once(tmp_path) -> None:
     scene = make(tmp_path, tree(random.Random(3), False, 5))
     once, painter = (memory.tree_bytes(replace(scene, once=each)) for each in (1, 0))
-    assert once[:2] == painter and len(once) == 5
+    assert once[:2] == painter and len(once) == 7

@@ -6,8 +6,10 @@ import numpy as np
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.mesh import ONE, UNIT, number, points_of, scene, view
 from tmap.bench.mesh import walk_trial
-from tmap.bench.mesh_batches import Near, near_face_trial, near_trial, seen_trial, vertices_trial
+from tmap.bench.mesh_batches import vertices_trial
+from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial
+from tmap.bench.visible import Faces, Near, near_face_trial, near_trial
 
 
 def tree(rng, count: int) -> list[list[int]]:
@@ -57,25 +59,30 @@ def near_trials(rng) -> list[Trial]:
     return made
 
 
-def seen_trials(rng) -> list[Trial]:
-    made = []
-    for k, count in enumerate((1, 2, 5, 12) * 8):
-        faces = [None if rng.integers(6) == 0 else
-                 [0, 0, 0, -1] if rng.integers(8) == 0 and k % 2 else
-                 [*(number(rng, UNIT) for _ in range(3)), number(rng, (1 << 30 + k % 2) - 1)] for _ in range(count)]
-        made.append(seen_trial(Memory(), faces, eye(rng), f"{count} slots, number {k}"))
-    return made
-
-
 def near_face_trials(rng) -> list[Trial]:
-    """Faces some of whose points are transformed before; the same point at two corners too."""
+    """Faces some of whose points are transformed before; the same point at two corners too; slots without a face, faces
+    seen from the back and normals of two zeros; lines without gaps and with some."""
     made = []
-    for k, count in enumerate((3, 4, 5, 32) * 10):
-        corners = rng.integers(0, 12, count).tolist()
+    for k, count in enumerate((1, 2, 5, 12) * 20):
+        about, row = scene(rng), view(rng)
+        faces = []
+        for _ in range(count):
+            normal = [number(rng, UNIT) * int(rng.integers(3) > 0) for _ in range(3)]
+            distance = -1 if not any(normal) else number(rng, (1 << 30 + k % 2) - 1)
+            corners = rng.integers(0, 12, int(rng.choice((3, 4, 5, 32)))).tolist()
+            faces.append(None if rng.integers(6) == 0 else
+                         ([0, 0, 0, -1] if rng.integers(3) == 0 else [*normal, distance], corners))
         stamped = (rng.integers(3, size=12) < k % 4).tolist()
-        made.append(near_face_trial(Memory(), scene(rng), points_of(rng, 12), stamped, corners, view(rng),
-                                    f"{count} corners, number {k}"))
+        gaps = [gaps_of(rng, about.width) if k // 4 % 3 else [] for _ in range(about.height)]
+        made.append(near_face_trial(Memory(), about, Faces(faces, points_of(rng, 12), stamped, row, gaps),
+                                    f"{count} slots, number {k}"))
     return made
+
+
+def gaps_of(rng, width: int) -> list[tuple[int, int]]:
+    """Up to three gaps of a line."""
+    ends = np.sort(rng.choice(width, 2 * int(rng.integers(0, 4)), replace=False)) + BIAS
+    return [(int(first), int(last)) for first, last in zip(ends[::2], ends[1::2])]
 
 
 def vertices_trials(rng) -> list[Trial]:
@@ -90,5 +97,5 @@ def vertices_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    return [trial for seed, make in enumerate((walk_trials, near_trials, seen_trials, near_face_trials, vertices_trials))
+    return [trial for seed, make in enumerate((walk_trials, near_trials, near_face_trials, vertices_trials))
             for trial in make(np.random.default_rng(81 + seed))]

@@ -1,18 +1,15 @@
-"""Calls of the routines that make batches of triangles from faces: mesh_gather, mesh_link; of those that walk a tree from
-its nearest faces on: mesh_near, mesh_near_seen, mesh_near_face; mesh_vertices."""
+"""Calls of the routines that make batches of triangles from faces: mesh_gather, mesh_link; mesh_vertices."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
 from tmap.bench.examples.example import longs
-from tmap.bench.mesh import ABOUT, COUNT, outside, shade_of, table, view
-from tmap.bench.trial import Trial, Write, anything, fields, long_write
+from tmap.bench.mesh import COUNT, shade_of, table
+from tmap.bench.trial import Trial, Write, anything, fields
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
-from tmap.model import mesh, trees
 from tmap.scene_file.meshes import ENVIRONMENT, LIT
-from tmap.scene_file.scene_file import records
 from tmap.setup import shading, snapped
 
 
@@ -146,152 +143,6 @@ def gather_case(mapper: str):
     return trial.row(COUNT)
 
 
-@dataclass
-class Near:
-    """A walk of mesh_near. ``borders``: of each the places in a box (0 to 5: low x, y, z, high x, y, z), the factors and
-    the limit; ``node``: where it goes on, or None; ``steps``: nodes and the first ones of their farther half spaces."""
-
-    nodes: list[list[int]]
-    boxes: list[list[int]]
-    borders: list[tuple[tuple[int, ...], tuple[int, ...], int]]
-    eye: list[int]
-    node: int | None = 0
-    steps: list[tuple[int, int | None]] = field(default_factory=list)
-
-    def is_outside(self, node: int) -> bool:
-        """Returns true if a node's box is outside a border."""
-        return any(sum(self.boxes[node][k] * factor for k, factor in zip(at, factors)) < limit
-                   for at, factors, limit in self.borders)
-
-    def next(self) -> int | None:
-        """Goes on to the next node with slots."""
-        while self.node is not None or self.steps:
-            if self.node is None:
-                found, self.node = self.steps.pop()
-                if self.nodes[found][7]:
-                    return found
-                continue
-            number, self.node = self.node, None
-            *_, front, back, _, slots = self.nodes[number]
-            if self.is_outside(number):
-                continue
-            if not front and not back:
-                if slots:
-                    return number
-                continue
-            ways = [number + 1 if front else None, number + 1 + front if back else None]
-            if not trees.is_in_front(self.nodes[number], self.eye):
-                ways.reverse()
-            self.node = ways[0]
-            self.steps.append((number, ways[1]))
-        return None
-
-
-def eye_view(arena: Arena, eye: list[int]) -> int:
-    """Appends a view of which only the eye counts."""
-    return table(arena, "scene_view", [[*[0] * 12, *eye, *[0] * 10]])
-
-
-def near_trial(arena: Arena, walk: Near, title: str = "") -> Trial:
-    """The next node of a walk, which goes on."""
-    shape, node_size = layout.load().struct("near_walk").fields, layout.load().struct("scene_node").size
-    nodes = table(arena, "scene_node", walk.nodes)
-    boxes = table(arena, "mesh_box", [[*box, 0, 0] for box in walk.boxes])
-    borders = records([[n for pair in zip([2 * k for k in at], factors) for n in pair] + [limit]
-                       for at, factors, limit in walk.borders], layout.load().struct("box_border"))
-    def places() -> list[int | None]:
-        return [None if number is None else nodes + node_size * number for step in walk.steps for number in step]
-    room, before = 2 * len(walk.nodes), places()
-    steps = arena.add(longs([place or 0 for place in before] + [0] * (room - len(before))), name="steps")
-    arena.pointers += [steps + 4 * k for k, place in enumerate(before) if place is not None]
-    pointers = {"last": steps + 4 * len(before), "steps": steps, "nodes": nodes, "boxes": boxes,
-                "view": eye_view(arena, walk.eye)}
-    numbers = {"is_hidden": 0, "borders": list(borders), "frame": [0] * 16}
-    if walk.node is None:
-        numbers["node"] = 0
-    else:
-        pointers["node"] = nodes + node_size * walk.node
-    plan = arena.struct("near_walk", pointers, **numbers)
-    found, after = walk.next(), places()
-    writes = [long_write(steps + 4 * k, 0) if place is None else Write(steps + 4 * k, longs((place,)), pointer=True)
-              for k, place in enumerate(after)]
-    writes += [anything(steps + 4 * len(after), 4 * (room - len(after)))] if len(after) < room else []
-    writes += [Write(plan + shape["last"]["offset"], longs((steps + 4 * len(after),)), pointer=True)]
-    writes += [long_write(plan + shape["node"]["offset"], 0) if walk.node is None else Write(
-        plan + shape["node"]["offset"], longs((nodes + node_size * walk.node,)), pointer=True)]
-    case = Case("mesh_near", arena, pointers={"a0": plan})
-    if found is None:
-        return Trial(case, title, {"d0": 0}, writes=writes)
-    return Trial(case, title, near_ends={"d0": nodes + node_size * found}, writes=writes)
-
-
-def near_case():
-    """COUNT nodes one in front of the other, inside all borders: the last one has a slot."""
-    nodes = [[1 << 29, 1 << 28, -1 << 29, -7 << 16, COUNT - k - 1, 0, 0, int(k == COUNT - 1)] for k in range(COUNT)]
-    walk = Near(nodes, [[0] * 6] * COUNT, [((0, 1, 2), (1, 1, 1), 0)] * 5, [3 << 16, 5 << 16, 4 << 16])
-    return near_trial(Arena(), walk).row(COUNT)
-
-
-def face_plan(arena: Arena, pointers: dict[str, int], **numbers) -> int:
-    """Appends a struct near_face."""
-    shape = layout.load().struct("near_face")
-    blank = {name: 0 if each["count"] == 1 else [0] * each["count"] for name, each in shape.fields.items()
-             if name not in pointers}
-    return arena.struct("near_face", pointers, **blank | numbers)
-
-
-def seen_trial(arena: Arena, faces: list[list[int] | None], eye: list[int], title: str = "") -> Trial:
-    """The last slot whose face is seen. ``faces``: of each slot normal and distance, or None."""
-    rows = table(arena, "scene_face", [[*(face or [0] * 4), 0, 3] for face in faces])
-    face_size, size = (layout.load().struct(name).size for name in ("scene_face", "near_slot"))
-    slots = arena.add(b"".join(longs((rows + face_size * k if face else 0, k)) for k, face in enumerate(faces)),
-                      name="slots")
-    arena.pointers += [slots + size * k for k, face in enumerate(faces) if face]
-    plan = face_plan(arena, {"slot": slots + size * len(faces), "slots": slots, "view": eye_view(arena, eye)})
-    view = [*[0] * 12, *eye]
-    seen = [k for k, face in enumerate(faces) if face and mesh.is_seen(face, view)]
-    end = slots + size * (seen[-1] if seen else 0)
-    case = Case("mesh_near_seen", arena, pointers={"a0": plan})
-    writes = fields(plan, "near_face", {}, {"slot": end})
-    return Trial(case, title, near_ends={"d0": end}, writes=writes) if seen else \
-        Trial(case, title, {"d0": 0}, writes=writes)
-
-
-def seen_case():
-    """COUNT faces from the back."""
-    return seen_trial(Arena(), [[-1 << 29, -1 << 28, -1 << 29, 0]] * COUNT, [3 << 16, 5 << 16, 4 << 16]).row(COUNT)
-
-
-def near_face_trial(arena: Arena, about, points, stamped, corners, row, title: str = "") -> Trial:
-    """A face, ``corners``: numbers of its points; ``stamped``: true for the points that are transformed."""
-    known, size = layout.load(), layout.load().struct("mesh_point").size
-    made = mesh.transform(about, points, row)
-    outsides = [outside(p, about.near_plane) for p in made]
-    to = arena.add(b"".join(longs((0, 0, 0, 0, 0, borders, 5, 0) if is_known else [7] * 8)
-                            for borders, is_known in zip(outsides, stamped)), name="points")
-    rows = records([[row[9 + k], 1 << 31, *row[3 * k:3 * k + 3]] for k in range(3)], known.struct("near_row"))
-    plan = face_plan(arena, {
-        "view": table(arena, "scene_view", [row]), "points": to, "from": table(arena, "scene_point", points),
-        "face": table(arena, "scene_face", [[0, 0, 0, -1, 1, len(corners)]]),
-        "corners": table(arena, "scene_corner", [(number, 0, 0, 0) for number in (0, *corners)])},
-        rows=list(rows), shifts=[16 + about.guard, 16 - about.guard], near_plane=about.near_plane,
-        middle_x=about.width << 15, middle_y=about.height << 15, stamp=5)
-    writes = []
-    for number in sorted({number for number in corners if not stamped[number]}):
-        p, at = made[number], to + size * number
-        writes += [Write(at, longs((p.x, p.y, p.w, *(p.screen or ())))), long_write(at + 20, outsides[number]),
-                   long_write(at + 24, 5)]
-    used = [outsides[number] for number in corners]
-    result = known.constants["NEAR_HIDDEN"] if np.bitwise_and.reduce(used) else int(np.bitwise_or.reduce(used))
-    return Trial(Case("mesh_near_face", arena, pointers={"a0": plan}), title, {"d0": result}, writes=writes)
-
-
-def near_face_case():
-    """Four corners whose points are transformed."""
-    points = np.random.default_rng(1).integers(-1 << 17, 1 << 17, (4, 3)).tolist()
-    return near_face_trial(Arena(), ABOUT, points, [True] * 4, range(4), view(9 << 16)).row(1)
-
-
 def vertices_trial(arena: Arena, points, attributes, corners, flags: int, title: str = "") -> Trial:
     """A face's vertices. ``points``: x, y, w, screen x and y, outside; ``attributes``: s, t, shade; ``corners``: numbers
     of a point and of a normal, s, t."""
@@ -323,5 +174,4 @@ def vertices_case(flags: int):
 CASES = {f"mesh_gather_{mapper}": lambda mapper=mapper: gather_case(mapper) 
          for mapper in ("flat", "gouraud", "affine", "lit")} | {
     "mesh_link": lambda: link_case(3), "mesh_link_quads": lambda: link_case(4),
-    "mesh_near": near_case, "mesh_near_seen": seen_case, "mesh_near_face": near_face_case,
     "mesh_vertices": lambda: vertices_case(0), "mesh_vertices_lit": lambda: vertices_case(LIT)}

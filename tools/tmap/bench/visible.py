@@ -1,16 +1,21 @@
 """Calls of what finds visible pixels: depth_fill and depth_copy, z of lines and pixels by it; coverage_scan, which
-finds the visible parts of a polygon's lines and covers them."""
+finds the visible parts of a polygon's lines and covers them; mesh_near and mesh_near_face, which walk a tree from its
+nearest faces on."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from tmap.base.fixed import M32, signed
 from tmap.bench import edges
+from tmap.bench.examples.example import longs
+from tmap.bench.mesh import ABOUT, COUNT, outside, table, view
 from tmap.bench.spans import BIAS, table_of
-from tmap.bench.trial import Trial, Write, anything, fields
+from tmap.bench.trial import Trial, Write, anything, fields, long_write
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case, Result
+from tmap.model import mesh, trees
+from tmap.scene_file.scene_file import records
 
 LENGTH, LINES = 64, 16
 Lines = list[tuple[int, int]]  # of each line the first pixel and the last
@@ -181,3 +186,209 @@ def scan_case():
     """edges.LINES lines that are hidden between two gaps: calls that cover pixels would find them covered the next time."""
     gaps = [[(BIAS, BIAS + 9), (BIAS + 300, BIAS + 319)]] * edges.LINES
     return scan_trial([(BIAS + 160, BIAS + 239)] * edges.LINES, gaps, Arena()).row(edges.LINES)
+
+
+@dataclass
+class Near:
+    """A walk of mesh_near. ``borders``: of each the places in a box (0 to 5: low x, y, z, high x, y, z), the factors and
+    the limit; ``node``: where it goes on, or None; ``steps``: nodes and the first ones of their farther half spaces."""
+
+    nodes: list[list[int]]
+    boxes: list[list[int]]
+    borders: list[tuple[tuple[int, ...], tuple[int, ...], int]]
+    eye: list[int]
+    node: int | None = 0
+    steps: list[tuple[int, int | None]] = field(default_factory=list)
+
+    def is_outside(self, node: int) -> bool:
+        """Returns true if a node's box is outside a border."""
+        return any(sum(self.boxes[node][k] * factor for k, factor in zip(at, factors)) < limit
+                   for at, factors, limit in self.borders)
+
+    def next(self) -> int | None:
+        """Goes on to the next node with slots."""
+        while self.node is not None or self.steps:
+            if self.node is None:
+                found, self.node = self.steps.pop()
+                if self.nodes[found][7]:
+                    return found
+                continue
+            number, self.node = self.node, None
+            *_, front, back, _, slots = self.nodes[number]
+            if self.is_outside(number):
+                continue
+            if not front and not back:
+                if slots:
+                    return number
+                continue
+            ways = [number + 1 if front else None, number + 1 + front if back else None]
+            if not trees.is_in_front(self.nodes[number], self.eye):
+                ways.reverse()
+            self.node = ways[0]
+            self.steps.append((number, ways[1]))
+        return None
+
+
+def eye_view(arena: Arena, eye: list[int]) -> int:
+    """Appends a view of which only the eye counts."""
+    return table(arena, "scene_view", [[*[0] * 12, *eye, *[0] * 10]])
+
+
+def near_trial(arena: Arena, walk: Near, title: str = "") -> Trial:
+    """The next node of a walk, which goes on."""
+    shape, node_size = layout.load().struct("near_walk").fields, layout.load().struct("scene_node").size
+    nodes = table(arena, "scene_node", walk.nodes)
+    boxes = table(arena, "mesh_box", [[*box, 0, 0] for box in walk.boxes])
+    borders = records([[n for pair in zip([2 * k for k in at], factors) for n in pair] + [limit]
+                       for at, factors, limit in walk.borders], layout.load().struct("box_border"))
+    def places() -> list[int | None]:
+        return [None if number is None else nodes + node_size * number for step in walk.steps for number in step]
+    room, before = 2 * len(walk.nodes), places()
+    steps = arena.add(longs([place or 0 for place in before] + [0] * (room - len(before))), name="steps")
+    arena.pointers += [steps + 4 * k for k, place in enumerate(before) if place is not None]
+    pointers = {"last": steps + 4 * len(before), "steps": steps, "nodes": nodes, "boxes": boxes,
+                "view": eye_view(arena, walk.eye)}
+    numbers = {"is_hidden": 0, "borders": list(borders), "frame": [0] * 16}
+    if walk.node is None:
+        numbers["node"] = 0
+    else:
+        pointers["node"] = nodes + node_size * walk.node
+    plan = arena.struct("near_walk", pointers, **numbers)
+    found, after = walk.next(), places()
+    writes = [long_write(steps + 4 * k, 0) if place is None else Write(steps + 4 * k, longs((place,)), pointer=True)
+              for k, place in enumerate(after)]
+    writes += [anything(steps + 4 * len(after), 4 * (room - len(after)))] if len(after) < room else []
+    writes += [Write(plan + shape["last"]["offset"], longs((steps + 4 * len(after),)), pointer=True)]
+    writes += [long_write(plan + shape["node"]["offset"], 0) if walk.node is None else Write(
+        plan + shape["node"]["offset"], longs((nodes + node_size * walk.node,)), pointer=True)]
+    case = Case("mesh_near", arena, pointers={"a0": plan})
+    if found is None:
+        return Trial(case, title, {"d0": 0}, writes=writes)
+    return Trial(case, title, near_ends={"d0": nodes + node_size * found}, writes=writes)
+
+
+def near_case():
+    """COUNT nodes one in front of the other, inside all borders: the last one has a slot."""
+    nodes = [[1 << 29, 1 << 28, -1 << 29, -7 << 16, COUNT - k - 1, 0, 0, int(k == COUNT - 1)] for k in range(COUNT)]
+    walk = Near(nodes, [[0] * 6] * COUNT, [((0, 1, 2), (1, 1, 1), 0)] * 5, [3 << 16, 5 << 16, 4 << 16])
+    return near_trial(Arena(), walk).row(COUNT)
+
+
+@dataclass
+class Faces:
+    """What mesh_near_face chooses from: of each slot normal and distance, the points of its corners, or None; points, those
+    that are transformed already; the row of a view; of each line of the frame the gaps, biased."""
+
+    faces: list[tuple[list[int], list[int]] | None]
+    points: list[list[int]]
+    stamped: list[bool]
+    row: list[int]
+    gaps: list[list[tuple[int, int]]]
+
+
+def place_of(point, about, borders: int) -> tuple[int, int] | None:
+    """Where mesh_near_face places a point on the screen: beyond borders far away; None: it is before the near plane."""
+    far = layout.load().constants["NEAR_FAR"] << 16
+    if borders & 1:
+        return None
+    def along(at: int, low: int, high: int, side: int) -> int:
+        if borders & (low | high):
+            return -far if borders & low else far
+        return side + (2 * (at << 16 + about.guard) + point.w) // (2 * point.w)
+    return along(point.x, 2, 4, about.width << 15), along(point.y, 8, 16, about.height << 15)
+
+
+def is_in_gap(places: list[tuple[int, int]], gaps: list[list[tuple[int, int]]], about, more: int) -> bool:
+    """Returns true if a pixel of the frame in the box around places, and `more` beside it, is in a gap of its line."""
+    (left, top), (right, bottom) = (tuple(pick(at[k] >> 16 for at in places) for k in range(2)) for pick in (min, max))
+    columns = range(max(left - more, 0), min(right + 1 + more, about.width - 1) + 1)
+    lines = range(max(top - more, 0), min(bottom + 1 + more, about.height - 1) + 1)
+    return bool(columns) and any(first <= columns[-1] + BIAS and last >= columns[0] + BIAS
+                                 for y in lines for first, last in gaps[y])
+
+
+def near_face_trial(arena: Arena, about, these: Faces, title: str = "") -> Trial:
+    """The last face that is seen and may be visible."""
+    known, row = layout.load(), these.row
+    size, slot_size, face_size, corner_size = (
+        known.struct(name).size for name in ("mesh_point", "near_slot", "scene_face", "scene_corner"))
+    made = mesh.transform(about, these.points, row)
+    outsides = [outside(p, about.near_plane) for p in made]
+    places = [place_of(p, about, borders) for p, borders in zip(made, outsides)]
+    to = arena.add(b"".join(longs((0, 0, 0, *(at or (0, 0)), borders, 5, 0) if is_known else [7] * 8)
+                            for at, borders, is_known in zip(places, outsides, these.stamped)), name="points")
+    rows = records([[row[9 + k], 1 << 31, *row[3 * k:3 * k + 3]] for k in range(3)], known.struct("near_row"))
+    faces = table(arena, "scene_face", [[*(each[0] if each else [0] * 4), 0, len(each[1]) if each else 3]
+                                        for each in these.faces])
+    corners = table(arena, "scene_corner", [(point, 0, 0, 0) for each in these.faces if each for point in each[1]])
+    slots, at = b"", corners
+    for k, each in enumerate(these.faces):
+        slots += longs((faces + face_size * k if each else 0, k, at, 0))
+        at += corner_size * len(each[1]) if each else 0
+    slots_at = arena.add(slots, name="slots")
+    for k, each in enumerate(these.faces):
+        arena.pointers += [slots_at + slot_size * k] * bool(each) + [slots_at + slot_size * k + 8]
+    heads = gap_rows(arena, these.gaps)
+    plan = arena.struct("near_face", {
+        "slot": slots_at + slot_size * len(these.faces), "slots": slots_at, "points": to, "gaps": heads,
+        "from": table(arena, "scene_point", these.points)},
+        rows=list(rows), shifts=[16 + about.guard, 16 - about.guard], near_plane=about.near_plane,
+        middle_x=about.width << 15, middle_y=about.height << 15, eye_x=row[12], eye_y=row[13], eye_z=row[14],
+        right=about.width - 1, bottom=about.height - 1, stamp=5)
+    result, end, used = known.constants["NEAR_NONE"], len(these.faces), set()
+    for k in reversed(range(len(these.faces))):
+        if not these.faces[k] or not mesh.is_seen(these.faces[k][0], [*[0] * 12, *row[12:15]]):
+            continue
+        end, numbers = k, these.faces[k][1]
+        used |= set(numbers)
+        borders = [outsides[number] for number in numbers]
+        some = int(np.bitwise_or.reduce(borders))
+        if not np.bitwise_and.reduce(borders) and (
+                some & 1 or is_in_gap([places[number] for number in numbers], these.gaps, about, 2 * bool(some))):
+            result = some
+            break
+    writes = [Write(plan + known.struct("near_face").fields["slot"]["offset"], longs((slots_at + slot_size * end,)),
+                    pointer=True)] if used else []
+    for number in sorted(number for number in used if not these.stamped[number]):
+        p = made[number]
+        writes += [Write(to + size * number, longs((p.x, p.y, p.w, *(places[number] or ())))),
+                   long_write(to + size * number + 20, outsides[number]), long_write(to + size * number + 24, 5)]
+    return Trial(Case("mesh_near_face", arena, pointers={"a0": plan}), title, {"d0": result}, writes=writes)
+
+
+def gap_rows(arena: Arena, gaps: list[list[tuple[int, int]]]) -> int:
+    """Appends the gaps of lines, and of each line the address of the first; returns the first of these."""
+    heads, size = [], layout.load().struct("gap").size
+    end = arena.add(bytes(size), name="gaps_end")
+    fill(arena, end, END, END, end)
+    for row in gaps:
+        at = arena.add(bytes(size * len(row)), name="gaps") if row else end
+        heads.append(at)
+        for k, (first, last) in enumerate(row):
+            fill(arena, at + k * size, first, last, at + (k + 1) * size if k + 1 < len(row) else end)
+    rows = arena.add(b"".join(longs((head,)) for head in heads), name="gap_rows")
+    arena.pointers += [rows + 4 * k for k in range(len(heads))]
+    return rows
+
+
+#: The middle of the frame is not drawn yet.
+OPEN = [[(BIAS, BIAS + ABOUT.width - 1)]] * ABOUT.height
+
+
+def seen_case():
+    """COUNT faces from the back."""
+    row = view(9 << 16)
+    row[12:15] = [3 << 16, 5 << 16, 4 << 16]
+    return near_face_trial(Arena(), ABOUT, Faces([([-1 << 29, -1 << 28, -1 << 29, 0], [0, 1, 2])] * COUNT,
+                                                 [[0, 0, 0]] * 3, [True] * 3, row, OPEN)).row(COUNT)
+
+
+def near_face_case():
+    """Four corners whose points are transformed, in a gap."""
+    points = np.random.default_rng(1).integers(-1 << 17, 1 << 17, (4, 3)).tolist()
+    return near_face_trial(Arena(), ABOUT, Faces([([0, 0, 0, -1], [0, 1, 2, 3])], points, [True] * 4, view(9 << 16),
+                                                 OPEN)).row(1)
+
+
+#: Names of rows and what makes each: units, case and check.
+CASES = {"mesh_near": near_case, "mesh_near_seen": seen_case, "mesh_near_face": near_face_case}

@@ -71,8 +71,12 @@ def tree_bytes(scene: Scene) -> list[int]:
         return []
     made = [4 * max(slots), 8 * max(sizes)]
     if scene.once:
-        size = {name: layout.load().struct(name).size for name in ("scene_near", "mesh_box", "near_slot")}
-        made += [size["scene_near"], len(scene.nodes) * size["mesh_box"], sum(slots) * size["near_slot"]]
+        size = {name: layout.load().struct(name).size for name in
+                ("scene_near", "mesh_box", "near_slot", "scene_corner", "scene_point")}
+        parts = [scene.meshes[each.mesh] for each in scene.instances if each.tree >= 0]
+        made += [size["scene_near"], len(scene.nodes) * size["mesh_box"], sum(slots) * size["near_slot"],
+                 sum(each.corners for each in parts) * size["scene_corner"],
+                 sum(each.points for each in parts) * size["scene_point"]]
     return made
 
 
