@@ -120,6 +120,29 @@ def test_random_scenes_show_the_nearest_faces(scenes) -> None:
             assert not len(wrong), f"{name}, frame {number}: (y, x) {wrong[:8].tolist()}, {len(wrong)} in all"
 
 
+def close_scene(rng: random.Random) -> str:
+    """A wall across the view, steep or not, and tested walls beside it and through it, by as little as a few units of
+    z. The renderer draws none of whose box z is nearer by more than q may be off (depths_hide)."""
+    turn = [rng.randint(-75, 75), rng.randint(-75, 75), 0]
+    text = header(LOOKS)
+    for k in range(12):
+        which, size = rng.randrange(len(LOOKS)), 9 if k == 0 else rng.choice((0.2, 0.5, 1.5))
+        away = 0 if k == 0 else rng.choice((-1, 1)) * 2.0 ** rng.uniform(-12, -2)
+        own = [round(c + (rng.choice((0, 0, 0.05, 2)) if k else 0), 2) for c in turn]
+        place = [0, 0, 0] if k == 0 else [round(rng.uniform(-1, 1), 2), round(rng.uniform(-1, 1), 2), 0]
+        points = [[x * size + p, y * size + q, away] for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+                  for p, q in [place[:2]]]
+        text += f'[[objects]]\npoints = {points}\nfaces = [[0, 1, 2, 3]]\ntwo_sided = true\nmaterial = "m{which}"\n' \
+                f'rotation = {own}\norder = "{"z" if k else "bsp"}"\n'
+        text += "uvs = [[[0, 0], [256, 0], [256, 256], [0, 256]]]\n" * ("texture" in LOOKS[which])
+    return text
+
+
+def test_faces_close_to_a_wall_are_the_models(tmp_path) -> None:
+    rng = random.Random("close")
+    assert_models({f"number {k}": make(tmp_path, close_scene(rng)) for k in range(24)})
+
+
 @pytest.mark.parametrize("name", ("keep", "movers", "random"))
 def test_what_is_left_out_would_change_nothing(scenes, monkeypatch, name: str) -> None:
     """The picture is that of z filled by all faces that meet a tested one's part of the frame."""
