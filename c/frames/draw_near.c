@@ -37,7 +37,7 @@ static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
         placed->mesh = &scene->meshes[instance->mesh];
         placed->view = &scene->views[instance->view + age];
         placed->points = 0;
-        if (!scene->near->is_still && tree->walk.view && !scene_same_place(tree->walk.view, placed->view))
+        if (!scene->near->is_still && tree->walk.view && !near_same_place(tree->walk.view, placed->view))
             return 0;
         tree->walk.view = placed->view;
     }

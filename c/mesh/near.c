@@ -12,7 +12,10 @@
    by a unit and a half; a border has at most one of each. Twice that. */
 #define DEPTH_OFF 8
 
-enum { FACTOR_SHIFT = 30 - NEAR_FACTOR_BITS };
+enum {
+    FACTOR_SHIFT = 30 - NEAR_FACTOR_BITS,
+    PLACE_VALUES = 15           /* of a view: factors, moves, eye */
+};
 
 /* Returns the sum below which a box is outside where depth 16.16 of its corner farthest inside, less its move, is. */
 static int32 limit_of(fix16 move, int32 shift)
@@ -149,5 +152,16 @@ int32 near_rectangle(const struct near_walk *walk, const struct mesh_box *box, s
     to->right = (frame->width >> 1) + 2 + pixels_of(x.high, w.low, w.high, 1, frame->guard);
     to->top = (frame->height >> 1) - 2 + pixels_of(y.low, w.low, w.high, -1, frame->guard);
     to->bottom = (frame->height >> 1) + 2 + pixels_of(y.high, w.low, w.high, 1, frame->guard);
+    return 1;
+}
+
+int32 near_same_place(const struct scene_view *a, const struct scene_view *b)
+{
+    const int32 *one = &a->xx, *other = &b->xx;
+
+    for (int32 left = PLACE_VALUES / 5; left > 0; left--, one += 5, other += 5)
+        if (one[0] != other[0] || one[1] != other[1] || one[2] != other[2] || one[3] != other[3]
+            || one[4] != other[4])
+            return 0;
     return 1;
 }

@@ -88,6 +88,9 @@ int32 mesh_near_face(struct near_face *plan);
    has no pixel in the frame. */
 void near_set_borders(struct near_walk *walk, int32 shift);
 
+/* Returns 1 if two views have the same factors, moves and eye. */
+int32 near_same_place(const struct scene_view *a, const struct scene_view *b);
+
 /* Sets rows, shifts, near plane, middle, eye, right and bottom. */
 void near_set_view(struct near_face *plan, const struct near_frame *frame, const struct scene_view *view);
 

@@ -6,7 +6,6 @@
 
 enum {
     BOX_MOST = 32766,           /* a coordinate of a box, rounded down */
-    PLACE_VALUES = 15,          /* of a view: factors, moves, eye */
     CHAINS = 256
 };
 
@@ -177,17 +176,6 @@ static uint32 fill_slots(struct near_slot *slots, const struct scene *scene, int
     return most;
 }
 
-int32 scene_same_place(const struct scene_view *a, const struct scene_view *b)
-{
-    const int32 *one = &a->xx, *other = &b->xx;
-
-    for (int32 left = PLACE_VALUES / 5; left > 0; left--, one += 5, other += 5)
-        if (one[0] != other[0] || one[1] != other[1] || one[2] != other[2] || one[3] != other[3]
-            || one[4] != other[4])
-            return 0;
-    return 1;
-}
-
 /* Returns 1 if all instances of each tree have the same frames and views. */
 static int32 are_still(const struct scene *scene)
 {
@@ -201,7 +189,7 @@ static int32 are_still(const struct scene *scene)
         if (o->first_frame != first->first_frame || o->views != first->views)
             return 0;
         for (uint32 k = 0; k < o->views; k++)
-            if (!scene_same_place(&scene->views[o->view + k], &scene->views[first->view + k]))
+            if (!near_same_place(&scene->views[o->view + k], &scene->views[first->view + k]))
                 return 0;
     }
     return 1;

@@ -163,9 +163,6 @@ int32 scene_make_coverage(struct scene *scene);
    memory is short. Trees must be checked. */
 int32 scene_make_near(struct scene *scene);
 
-/* Returns 1 if two views have the same factors, moves and eye. */
-int32 scene_same_place(const struct scene_view *a, const struct scene_view *b);
-
 /* levels.c. Sets the materials whose maps have levels; what these draw is counted for them. */
 void scene_make_levels(struct scene *scene);
 
