@@ -123,7 +123,8 @@ cubic_lines macro
         subq.w  #1,d0
         cmp.w   d0,d7
         bhs.s   .ends
-        move.l  d7,d0
+        move.w  d7,d0
+        beq.s   .inside                 ; one pixel
         addq.w  #1,d0
         ext.l   d0
         mulu.l  cubic_dq(sp),d0

@@ -13,7 +13,7 @@
 ; error:   mesh_transform_wide's. Left out are faces whose points are all outside of one border, and of those without
 ;          a point before the near plane faces whose box has no pixel in a gap: of what borders cut, the box is two
 ;          pixels wider, as new corners are rounded
-; cost:    bench row mesh_near_face: four corners, all transformed before; mesh_near_seen: a face from the back
+; cost:    bench row mesh_near_seen: a face from the back
 
 ; Adds the product of the normal's \1 and the eye's to d2:d3, if it is not 0. Uses d0-d1.
 eye_part macro

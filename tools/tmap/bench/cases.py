@@ -125,7 +125,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
 #: A kind of rows to what makes names, lengths and calls. Points are normals, faces or vertices too.
 KINDS = {"rows": pixel_calls, "lines": line_calls,
          "points": lambda: ((name, 1, make()) for name, make in (
-             mesh.CASES | mesh_batches.CASES | visible.CASES | triangle_fans.CASES).items()),
+             mesh.CASES | mesh_batches.CASES | visible.NEAR_CASES | triangle_fans.CASES).items()),
          "polygons": lambda: ((name, pixels, call(pixels)) for name, call in triangles.CASES.items()
                               for pixels in polygon_sets.SIZES.values()),
          "instructions": instruction_costs.calls}

@@ -376,19 +376,12 @@ OPEN = [[(BIAS, BIAS + ABOUT.width - 1)]] * ABOUT.height
 
 
 def seen_case():
-    """COUNT faces from the back."""
+    """COUNT faces from the back. One from the front cannot be called again: the plan's slot moves behind it."""
     row = view(9 << 16)
     row[12:15] = [3 << 16, 5 << 16, 4 << 16]
     return near_face_trial(Arena(), ABOUT, Faces([([-1 << 29, -1 << 28, -1 << 29, 0], [0, 1, 2])] * COUNT,
                                                  [[0, 0, 0]] * 3, [True] * 3, row, OPEN)).row(COUNT)
 
 
-def near_face_case():
-    """Four corners whose points are transformed, in a gap."""
-    points = np.random.default_rng(1).integers(-1 << 17, 1 << 17, (4, 3)).tolist()
-    return near_face_trial(Arena(), ABOUT, Faces([([0, 0, 0, -1], [0, 1, 2, 3])], points, [True] * 4, view(9 << 16),
-                                                 OPEN)).row(1)
-
-
 #: Names of rows and what makes each: units, case and check.
-CASES = {"mesh_near": near_case, "mesh_near_seen": seen_case, "mesh_near_face": near_face_case}
+NEAR_CASES = {"mesh_near": near_case, "mesh_near_seen": seen_case}
