@@ -20,6 +20,7 @@ from tmap.setup.level import level, level_line
 from tmap.setup.perspective import (CURVES, EXACT, Ends, Perspective, coordinates, ends, enough,
                                     perspective, steepness, way, weights)
 from tmap.setup.scanline import pack
+from tmap.setup.texturing import Line
 
 RATIO = 4
 NEAR = 1 << 30  # q of the nearer end
@@ -189,7 +190,7 @@ def draw_trial(arena: Arena, ground: Ground, deep: Perspective, lines, width: in
     writes, deep = [], replace(deep, inverse=level_reciprocal.find(deep, len(lines), width, spare))
     for k, (left, right, y) in enumerate(lines):
         if deep.inverse and right > left:
-            at, (u, v) = ground.frame_at + k * down + left * along, level(deep, left, right, y)
+            at, (u, v) = ground.frame_at + k * down + left * along, level(deep, [Line(left, right)], [y])
             seen = ground.picture[v >> 16 & 255, u >> 16 & 255]
             writes += [Write(at + j * along, seen[j:j + 1].tobytes(), far=True) for j in range(len(seen))] \
                 if upright else [Write(at, seen.tobytes(), far=True)]
