@@ -5,7 +5,7 @@
 
         xref    _main,_file_save,clock_start,start,quiet
 
-TRACE_WORDS             equ     131072  ; of code: 256 KB
+TRACE_WORDS             equ     147456  ; of code: 288 KB
 TRACE_LIMIT             equ     65535   ; in units of 92 ms: the timer's maximum
 TRACED                  equ     0       ; bits
 TRACED_QUIET            equ     1
@@ -19,7 +19,7 @@ SR_TRACE                equ     $8000
 ; writes:  the trace vector, restored at the end
 ; formats: a byte for each word of the code from `start` on: bit 0 an instruction begins
 ;          there and was executed, bit 1 in quiet mode, bit 2 more than once in quiet mode
-; error:   code after the first 256 KB is not recorded
+; error:   code after the first 288 KB is not recorded
 ; cost:    some 20 times the program's own time
         routine trace_main
         movem.l d2/a5/a6,-(sp)

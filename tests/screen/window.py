@@ -112,6 +112,6 @@ def shell(on: Screen, volume: dict[str, bytes | Path], directory: Path) -> Itera
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.read_bytes())
     display = window(on)
     config = emulator.write_config(directory, "a1200-fast", display, {"hard_drive_0": str(folder)})
-    with emulator.started(config, display, directory / "emulator.log"):
+    with emulator.started(["fs-uae", str(config)], directory, display.environment, directory / "emulator.log"):
         on.wait("the start-up script's end", lambda _: (folder / "started").exists())
         yield folder
