@@ -153,7 +153,7 @@ def test_the_program_refuses_bad_files() -> None:
     with emulator.workspace() as folder:
         results = emulator.run_batch([f"vectors q{n} a{n}" for n in range(len(cases))],
                                     {f"q{n}": data for n, (_, data) in enumerate(cases)},
-                                    "a1200-fast", folder)
+                                    "a1200-fast", folder, timed=False)
         for n, ((words, _), done) in enumerate(zip(cases, results)):
             assert done.code == 10, (n, words, done.output)
             assert done.output.count("\n") == 1 and done.output.startswith(f"q{n}: "), done.output

@@ -101,7 +101,7 @@ def test_columns_have_the_pixels_of_lines() -> None:
 def test_walls_are_the_models() -> None:
     """Bit for bit, with every setting."""
     this = scene()
-    digests, = guest_frames.draw([(this, "addx")], "a1200-fast")
+    digests, = guest_frames.draw([(this, "addx")], "a1200-fast", timed=False)
     frames = (model.render(this, number) for number in range(this.frames))
     guest_frames.require_models(frames, digests, "walls", (this, "addx", "a1200-fast"))
 
