@@ -40,7 +40,7 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
 def frame_of(this: Scene, form: str, machine: str, number: int = 0) -> np.ndarray:
     """Returns a frame of a scene as the guest draws it; ``form``: as in draw."""
     with emulator.workspace() as directory:
-        done = emulator.run("render", f"input.scene FORM {form}", {"input.scene": write(this)},
+        done = emulator.run("render", f"input.scene FORM {form} UNTIMED", {"input.scene": write(this)},
                             machine, directory, timed=False)
         found = np.fromfile(done.directory / f"frame_{number:03}.chunky", this.pixel.dtype.newbyteorder(">"))
     return found.reshape(this.height, this.width)
