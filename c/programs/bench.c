@@ -15,6 +15,9 @@
 static uint8 kept[32768];
 static uint32 kept_bytes;
 
+/* 8 KB: twice a shell's stack. */
+static struct plan_arenas arenas;
+
 static int32 results_write(int32 file, const uint8 *from, uint32 bytes)
 {
     return file_write(file, from, (int32)bytes) == (int32)bytes
@@ -92,7 +95,6 @@ static int32 run_plan(const uint8 *plan, const char *name, int32 results)
 {
     const struct plan_case *cases = plan_cases(plan);
     uint32 count = ((const struct plan_header *)plan)->cases;
-    static struct plan_arenas arenas;   /* 8 KB, twice a shell's stack */
     uint32 changed;
 
     if (!plan_arenas_make(&arenas, plan))

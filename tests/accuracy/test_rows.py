@@ -1,6 +1,7 @@
 """What is computed for all lines of a polygon at once is what is computed for each alone."""
 
 import random
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
@@ -56,15 +57,21 @@ def test_planes_errors_are_those_of_each_pixel() -> None:
         assert np.allclose(plane.row_errors(found, rows), wanted, rtol=0, atol=2**-30)
 
 
+def in_perspective(count: int) -> Iterator[tuple]:
+    """Yields the first polygons that the fuzzer draws in perspective, if they have an ideal: number, polygon, adapted
+    vertices, set-up."""
+    for number in range(count):
+        each = polygons.polygon(SEED, number, "perspective")
+        adapted = model.adapt(each.vertices, each.settings, 256)
+        made = model.set_up(adapted, *polygons.frame_size(0), True, each.settings, (256, 256))
+        if made and made.perspective and bounds.has_ideal(adapted, each.settings):
+            yield number, each, adapted, made
+
+
 def test_curves_errors_are_those_of_each_pixel() -> None:
     """Of polygons that the fuzzer draws in perspective."""
     seen = 0
-    for number in range(200):
-        each = polygons.polygon(SEED, number, "perspective")
-        adapted = model.adapt(each.vertices, each.settings, 256)
-        polygon = model.set_up(adapted, *polygons.frame_size(0), True, each.settings, (256, 256))
-        if not polygon or not polygon.perspective or not bounds.has_ideal(adapted, each.settings):
-            continue
+    for number, _, adapted, polygon in in_perspective(200):
         rows, both = all_errors(adapted, polygon)
         three = [adapted[k] for k in ideal.corners(adapted)]
         if polygon.columns:
@@ -101,12 +108,7 @@ def test_every_suspected_row_is_complained_about(monkeypatch) -> None:
     """With bounds and tolerances made a tenth, some rows of the fuzzer's polygons exceed them; each verdict has words
     if and only if a row, judged alone, has."""
     words = 0
-    for number in range(150):
-        each = polygons.polygon(SEED, number, "perspective")
-        adapted = model.adapt(each.vertices, each.settings, 256)
-        polygon = model.set_up(adapted, *polygons.frame_size(0), True, each.settings, (256, 256))
-        if not polygon or not polygon.perspective or not bounds.has_ideal(adapted, each.settings):
-            continue
+    for number, each, adapted, polygon in in_perspective(150):
         rows, both = all_errors(adapted, polygon)
         for made in both:
             made.allowed = made.allowed / 10
