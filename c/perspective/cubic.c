@@ -32,7 +32,8 @@ static int32 find_k(struct far_way *way, const struct perspective_plan *planes)
     return reach > CUBIC_REACH ? 0 : reach;
 }
 
-/* Finds the lengths of pieces and the factors of r. Pixels are exact if q, or u, grows too fast for those. */
+/* Finds the lengths of pieces and the factors of r. Pixels are exact if q, or u, grows too fast for those: if
+   reach > CUBIC_STEEP 2 least / dq, whose product may exceed a longword where dq is small. */
 static void find_steps(struct cubic_span *span, const struct cubic_fit *fit, int32 reach, uint32 least,
                        int32 bits)
 {
@@ -40,7 +41,7 @@ static void find_steps(struct cubic_span *span, const struct cubic_fit *fit, int
 
     span->most = 0;
     span->factors[0] = span->factors[1] = span->factors[2] = 0;
-    if (dq >= 1u << (bits - 3) || reach > CUBIC_STEEP * (int32)(2 * least / dq))
+    if (dq >= 1u << (bits - 3) || (uint32)(reach - 1) / CUBIC_STEEP >= 2 * least / dq)
         return;
     span->most = (uint16)(fit->width / dq < 65535 ? fit->width / dq : 65535);
     for (int32 i = 0; i < 3; i++)

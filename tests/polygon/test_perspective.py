@@ -1,13 +1,16 @@
-"""Perspective: changes that must leave the picture unchanged. Tests of what is drawn are in
-tests/accuracy: test_hard_cases.py has all families of depths."""
+"""Perspective: changes that must leave the picture unchanged, and depth that hardly changes. Other tests of what is
+drawn are in tests/accuracy: test_hard_cases.py has all families of depths."""
 
 import random
 
+import numpy as np
 import pytest
 
-from tmap.corpus import random_polygons
+from tmap.base.fixed import fix
+from tmap.corpus import random_maps, random_polygons
+from tmap.guest import guest_frames
 from tmap.model import model
-from tmap.scene_file.scene_file import ONE, SETTINGS
+from tmap.scene_file.scene_file import IDENTITY, ONE, SETTINGS, Material, Object, Scene, Texture
 from tmap.setup.perspective import EXACT
 
 WIDTH, HEIGHT = 160, 120
@@ -67,3 +70,29 @@ def test_straight_pieces_do_for_curves(way: str, units: int) -> None:
             chord = pixels**2 / 4 * abs(q) * (abs(grows) + p.farthest * abs(q))
             assert chord + 4 * pixels + 2 <= units
     assert len(seen) > 1
+
+
+def test_depth_that_hardly_grows_is_the_models() -> None:
+    """q grows by less than 2,000 of 2^31 a pixel, so 2^31 / that, times texels, exceeds a longword; u and v grow down the
+    frame alone, by whole units at times, so that K is near and borders are met. One triangle a frame."""
+    rng, ways = random.Random("hardly"), ("pixel", "fine")
+    materials = [Material("affine", "subpixel", perspective=way, texture=0) for way in ways]
+    objects, vertices, growths = [], [], []
+    while len(objects) < 200:
+        number, depth = len(objects), fix(rng.uniform(1, 30))
+        start = [rng.randint(-100, 100) * ONE for _ in range(2)]
+        down = [rng.choice((0, rng.randint(-3, 3), rng.uniform(-3, 3))) for _ in range(2)]
+        corners = [(x, y, *(at + int(grows * y) for at, grows in zip(start, down)), 0, depth + rng.randint(-8, 8))
+                   for x, y in random_polygons.convex_polygon(rng, WIDTH, HEIGHT)[:3]]
+        settings = model.Settings("subpixel", perspective=ways[number % 2])
+        polygon = model.set_up(model.adapt(corners, settings, 256), WIDTH, HEIGHT, True, settings)
+        if polygon and polygon.constants and not polygon.is_level and abs(polygon.constants.dqdx) < 2000:
+            growths.append(abs(polygon.constants.dqdx))
+            objects.append(Object(number % 2, len(vertices), 3, 0, 1, number, 0))
+            vertices += corners
+    assert min(growths) < 20 and max(growths) > 500, growths
+    scene = Scene(WIDTH, HEIGHT, len(objects), 1, random_maps.palette(), [Texture(random_maps.page())], materials,
+                  objects, np.array(vertices), np.array([IDENTITY]))
+    digests, = guest_frames.draw([(scene, "addx")], "a1200-fast", timed=False)
+    guest_frames.require_models((model.render(scene, number) for number in range(scene.frames)), digests,
+                                "depth that hardly grows", (scene, "addx", "a1200-fast"))
