@@ -176,3 +176,16 @@ def test_a_texel_half_a_map_away_may_be_on_either_side(off: float, allowed, word
     bounds_fetched.judge("v", *line, 3, 78, allowed, out)
     assert (word in out.complaint) if word else not out.complaint
     assert bounds_fetched.far_rows(Rows.of(np.array([3]), 78), *line, allowed).tolist() == [bool(word)]
+
+
+#: Found by the fuzzer (seed 202 in perspective, 5286) and made smaller. x, y; 42 levels a pixel, from 3.5 to 64.
+STEEP_LIGHT = [tuple(round(c * 65536) for c in (x, y, 0, 0, shade, 1))
+               for x, y, shade in ((1, 555, 14.0977), (0, 0, 255.99998), (3.75, 857, 255.99998))]
+
+
+def test_a_pixel_past_a_long_edge_moves_its_lines_light(monkeypatch) -> None:
+    """Its level is 0.012 beyond the range. What holds it there moves the pixels inside by as much."""
+    lit = Settings(mapper="lit_gouraud")
+    assert not bounds.judge(STEEP_LIGHT, lit, 8, 1024).complaint
+    monkeypatch.setattr(bounds, "past_edges", lambda *_: 0.0)
+    assert "level at pixel (1, 457) is -0.012367" in bounds.judge(STEEP_LIGHT, lit, 8, 1024).complaint

@@ -55,14 +55,15 @@ that the spans drop: (|i - c| + 1) (2^cut - 1) U.
 shortfall of 1,023 steps, (U/2 + 256 / 2^31 + 3 / 2^32) each: f - 520 U below, or 520 U - f above.
 If u leaves its row of the map in a line, affine spans draw the polygon. Dithered points are moved
 by 3/8 texel at most, exactly: moves are whole units. For lines held in a range (edge_clamp), let B
-be the polygon's largest bound plus the distance of its plane beyond the range at a vertex. A step
-shrinks by 2B over the longest line and is cut (U), and a start moves no farther than its ends were
-outside, 3B + U: 6B + 2U. Negative steps are then 2 units smaller: a line whose first pixel is on
-the map's far border starts a unit before it and is above the exact values from its next pixel on.
-That adds 2U per pixel.
+be the polygon's largest bound plus the distance of its plane beyond the range at a vertex, and P how
+far its plane goes on from an edge to a pixel that is drawn beyond it: |g| E(j), and 2U (|g| + |h|) if
+vertices were cut. A step shrinks by 2B + 2P over the longest line and is cut (U), and a start moves
+no farther than its ends were outside, 3B + P + U: 6B + 3P + 2U. Negative steps are then 2 units
+smaller: a line whose first pixel is on the map's far border starts a unit before it and is above the
+exact values from its next pixel on. That adds 2U per pixel.
 
 **Light** (`lit_gouraud`): levels are on a plane over the screen like u, in multiples of 4U, with
-perspective too. Every line is held: 6B + 8U.
+perspective too. Every line is held: 6B + 3P + 8U.
 
 The texels that are fetched have the bounds of u and v: tools/tmap/ideal/bounds_fetched.py.
 """
@@ -259,7 +260,7 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
     keys = ("u",) if mapper == "gouraud" else ("u", "v")
     stepped, last = ideal.gathered(polygon, numbers, rows, drawn), rows.starts + rows.counts - 1
     texels = fetched_inside(lines, mapper, size, stepped, rows, drawn)
-    found, low, high, shown = [], [], [], []  # errors and bounds at both ends; values, errors, bounds of a line
+    found, low, high, shown, past = [], [], [], [], 0.0  # errors, bounds at both ends; values, errors, bounds of a line
     for k, key in enumerate(keys):
         c, values = coordinate(vertices, k + 2, t, settings), stepped[k]
         errors, ends = coordinate_errors(c, values, rows, t, sides, settings)
@@ -270,10 +271,11 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
         side = 256 if mapper == "gouraud" else size[k]
         allowed = [np.maximum(*way) + far for way, far in zip(zip(*ends), more)]
         shown.append((key, texels[k], values, errors, side, allowed))
+        past = max(past, past_edges(c.plane, polygon, settings))
     found, low, high = (np.stack(each, axis=1).ravel() for each in (found, low, high))
     if beyond is not None:
         longest = max(line.right - line.left for line in polygon.lines)
-        held = 6 * (max(low.max(), high.max()) + beyond) + 2 * (longest + 1) * UNIT
+        held = 6 * (max(low.max(), high.max()) + beyond) + 3 * past + 2 * (longest + 1) * UNIT
         low, high = low * 0 + held, high * 0 + held
         shown = [(*rest, [np.full(len(rows), held)] * 2) for *rest, _ in shown]
 
@@ -290,7 +292,17 @@ def check_texels(vertices, polygon: model.Polygon, settings: Settings, size: tup
                                  int(rows.ys[number]), tuple(each[number] for each in allowed), out)
 
 
-def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
+def past_edges(plane: ideal.Plane, polygon: model.Polygon, settings: Settings) -> float:
+    """Returns P: the most by which the plane's values at drawn pixels are beyond those inside the exact polygon."""
+    if settings.has_exact_edges:
+        return 0.0
+    g, h = abs(plane.nx / plane.d), abs(plane.ny / plane.d)
+    edges = (*polygon.left_edges, *polygon.right_edges)
+    cut = 2 * UNIT * (g + h) if settings.clip == "vertices" else 0.0
+    return g * max((edge_bound(edge, edge.end - 1) for edge in edges), default=0.0) + cut
+
+
+def check_levels(vertices, polygon: model.Polygon, settings: Settings, out: Verdict) -> None:
     """Adds the error of the level at both ends of every line inside the exact polygon."""
     plane, light = ideal.plane_of(vertices, -1), polygon.shading
     numbers, rows, _ = ideal.inner_rows(vertices, polygon)
@@ -307,7 +319,8 @@ def check_levels(vertices, polygon: model.Polygon, out: Verdict) -> None:
         t = light.plane
         (least, _), (most, _) = model.plane_range(vertices, t)
         beyond = max(0, light.low - least, most - light.high) * UNIT
-        bound = np.full(len(i), 6 * (plane.bound(i, y, t, t.u_cut).max() + beyond) + 8 * UNIT)
+        held = 6 * (plane.bound(i, y, t, t.u_cut).max() + beyond) + 3 * past_edges(plane, polygon, settings)
+        bound = np.full(len(i), held + 8 * UNIT)
     add_errors(errors, bound, bound, lambda k: ("level", (int(i[k]), int(y[k]))), out)
 
 
@@ -346,7 +359,7 @@ def check_set_up(adapted, polygon: model.Polygon | None, settings: Settings, wid
         check_texels(adapted, polygon, settings, size,
                      held_beyond(adapted, polygon, settings, size), out)
     if polygon and polygon.mapper == "lit_gouraud":
-        check_levels(adapted, polygon, out)
+        check_levels(adapted, polygon, settings, out)
     return out
 
 
