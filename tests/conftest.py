@@ -1,6 +1,7 @@
 """Sets the order of the test files: ``make test`` hands whole files to two processes in this order.
-Adds to each failure the command that runs it again, and the slowest files at the end."""
+Adds to each failure the command that runs it again, and at the end the files that took most processor time."""
 
+import os
 import shlex
 from collections import Counter
 from pathlib import Path
@@ -12,6 +13,7 @@ from tests.helpers.longest import LONGEST
 
 RANKS = {name: rank for rank, name in enumerate(LONGEST)}
 TESTS = Path(__file__).parent
+SPENT = [sum(os.times()[:4])]  # processor time of this process and its children so far, seconds
 SLOWEST = 15  # files in the list at the end
 
 
@@ -27,8 +29,10 @@ def pytest_collection_modifyitems(items: list) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item):
-    """Adds the command that runs a failed test again."""
+    """Adds a phase's processor time to its report, and to a failed one the command that runs it again."""
     report = yield
+    SPENT.append(sum(os.times()[:4]))
+    report.processor_time = SPENT[-1] - SPENT.pop(0)
     if report.failed:
         test = f"tests/{place(item)}.py::{item.nodeid.partition('::')[2]}"
         report.sections.append(
@@ -37,13 +41,13 @@ def pytest_runtest_makereport(item):
 
 
 def pytest_terminal_summary(terminalreporter) -> None:
-    """Lists the slowest files with their seconds, if there are many."""
+    """Lists the files that took most, with the seconds of all, if there are many."""
     seconds = Counter()
     for reports in terminalreporter.stats.values():
         for report in reports:
             if isinstance(report, pytest.TestReport):
-                seconds[report.nodeid.partition("::")[0]] += report.duration
+                seconds[report.nodeid.partition("::")[0]] += report.processor_time
     if len(seconds) > SLOWEST:
-        terminalreporter.section("slowest files, seconds")
+        terminalreporter.section(f"seconds of processor time: {sum(seconds.values()):.0f} of {len(seconds)} files")
         for name, spent in seconds.most_common(SLOWEST):
             terminalreporter.write_line(f"{spent:7.1f}  {name}")

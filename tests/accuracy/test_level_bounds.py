@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from tmap.fuzz import fuzz
+from tmap.fuzz import fuzz, polygons
+from tmap.fuzz.families import PERSPECTIVE
 from tmap.fuzz.polygons import BLOCK, Fuzzed, frame_size, scene, textures
 from tmap.guest import guest_frames
 from tmap.ideal import bounds_perspective
@@ -109,6 +110,14 @@ def test_the_range_holds_a_first_pixel(name: str) -> None:
 def test_the_narrow_one_is_drawn_from_far_ends() -> None:
     """Its frame begins right of most of its corners."""
     assert not set_up(NARROW)[1].is_level
+
+
+def test_lines_whose_q_does_not_grow_are_judged() -> None:
+    """It grows, but by less than a step's unit: found by the fuzzer's perspective, seed 303."""
+    found = Found(303, 21156, polygons.polygon(303, 21156, PERSPECTIVE), 0)
+    _, polygon = set_up(found)
+    assert polygon.records and not polygon.is_level and not polygon.constants.dqdx
+    assert not fuzz.check(found.each, found.seed, found.block).verdict.complaint
 
 
 def test_steps_make_up_for_what_the_range_takes(monkeypatch) -> None:

@@ -148,7 +148,7 @@ class Tally:
         """Counts a polygon."""
         verdict, settings = checked.verdict, each.settings
         judged = checked.judged and settings.clip == "scissor"
-        self.counts.update(polygons=1, drawn=verdict.pixels > 0, refused=checked.result != 0,
+        self.counts.update(polygons=1, drawn=int(verdict.pixels > 0), refused=int(checked.result != 0),
                            judged=judged, pixels=verdict.pixels)
         if judged:
             self.coverage_errors[settings.edges] += verdict.coverage_errors
@@ -204,7 +204,11 @@ def run_part(seed: int, numbers: range, machine: str, family: str = ALL) -> Tall
         return tally
     for (block, some), found in zip(polygons.items(), digests):
         for k, (number, each) in enumerate(zip(parts[block], some)):
-            checked = check(each, seed, block)
+            try:
+                checked = check(each, seed, block)
+            except Exception as fault:
+                fault.add_note(f"{named(seed, number, family)}; again: {again(seed, number, family, machine)}")
+                raise
             tally.add(each, checked)
             fault = compare(checked, of_polygon(found, k))
             if fault:

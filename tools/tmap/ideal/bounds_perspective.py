@@ -217,7 +217,7 @@ def intended_from_afar(rates: Rates, records: list[far.Line], drawn: Rows) -> np
     at, pixels = np.array([(piece.at, piece.pixels) for each in records for piece in each.pieces]).T
     row = np.repeat(np.arange(len(records)), counts)
     way, first = (-1, drawn.ends - 1) if k.leftwards else (1, drawn.lefts)
-    ahead = k.ahead * 2.0**15 / abs(k.dqdx)  # pixels
+    ahead = k.ahead * 2.0**15 / abs(k.dqdx) if k.ahead else 0.0  # pixels
     rate = Rates(rates.columns[row], [], [], rates.first[row], rates.ratio[row])
     begin, end = (rate.moved(first[row] - rate.columns + way * (x + ahead * (x > 0))) for x in (at, at + pixels))
     which = np.repeat(np.arange(len(row)), np.minimum(pixels, drawn.counts[row] - at))  # each pixel's piece
