@@ -149,7 +149,7 @@ class Tally:
         verdict, settings = checked.verdict, each.settings
         judged = checked.judged and settings.clip == "scissor"
         self.counts.update(polygons=1, drawn=int(verdict.pixels > 0), refused=int(checked.result != 0),
-                           judged=judged, pixels=verdict.pixels)
+                           judged=int(judged), pixels=verdict.pixels)
         if judged:
             self.coverage_errors[settings.edges] += verdict.coverage_errors
         self.worst[settings.mapper] = max(self.worst.get(settings.mapper, 0), verdict.texel_ratio)
