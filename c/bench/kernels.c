@@ -28,7 +28,7 @@ static const struct kernel c_kernels[] = {
     {"nothing", nothing},
     PASS(n64_reciprocals_c), PASS(n64_levels_c), PASS(n64_matrix_c),
     PASS(glide_quads_c), PASS(glide_quads_8_c), PASS(glide_logarithms_c), PASS(glide_combine_line_c),
-    PASS(c2p_8_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_5551_c),
+    PASS(c2p_8_c), PASS(c2p_8_2x1_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_5551_c),
     PASS(c2p_ham8_32_c), PASS(ham8_control),
     {0, 0}
 };

@@ -27,6 +27,23 @@ void c2p_8_c(const struct planar_plan *plan)
     }
 }
 
+void c2p_8_2x1_c(const struct planar_plan *plan)
+{
+    const uint8 *pixels = plan->pixels;
+    uint8 *planes = plan->planes;
+    uint8 dots[32];
+
+    for (int32 y = 0; y < plan->rows; y++) {
+        for (int32 x = 0; x < plan->width; x += 16) {
+            for (int32 dot = 0; dot < 32; dot++)
+                dots[dot] = pixels[x + (dot >> 1)];
+            store(planes + (x >> 2), plan->plane_pitch, dots, 0);
+        }
+        pixels += plan->pitch;
+        planes += plan->row_pitch;
+    }
+}
+
 /* Widens 5 bits to 6, the upper bits of a byte, by repeating the highest bit. */
 static inline uint8 six(uint32 five)
 {

@@ -10,7 +10,7 @@
 struct planar_plan {
     const void *pixels;         /* the first row; a multiple of 8 */
     int32 pitch;                /* bytes from row to row of pixels; a multiple of 8 */
-    int32 width;                /* pixels, not 0, a multiple of 32; of 8 for HAM8 */
+    int32 width;                /* pixels, not 0, a multiple of 32; of 16 for c2p_8_2x1, of 8 for HAM8 */
     int32 rows;                 /* 1 or more */
     void *planes;               /* the first row of plane 0, the pixels' lowest bits; a multiple
                                    of 4 */
@@ -35,6 +35,7 @@ struct planar_plan {
 
 /* src68k/screen: contracts there. */
 void c2p_8(const struct planar_plan *plan);
+void c2p_8_2x1(const struct planar_plan *plan);
 void c2p_ham8_16(const struct planar_plan *plan);
 void c2p_ham8_5551(const struct planar_plan *plan);
 void c2p_ham8_32(const struct planar_plan *plan);

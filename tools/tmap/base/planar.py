@@ -105,6 +105,7 @@ UPPER = (2, 3, 4, 5, 6, 7)
 #: The frame format of each routine.
 FORMS = {
     "c2p_8": Form(1, 1, (*CONTROL, *UPPER), lambda pixels: pixels),
+    "c2p_8_2x1": Form(1, 2, (*CONTROL, *UPPER), lambda pixels: pixels.repeat(2, axis=1)),
     "c2p_ham8_16": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgb565(pixels))),
     "c2p_ham8_5551": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgba5551(pixels))),
     "c2p_ham8_32": Form(4, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgba8888(pixels)))}
