@@ -10,7 +10,7 @@ from tmap.fuzz import fuzz, polygons
 from tmap.fuzz.families import PERSPECTIVE
 from tmap.fuzz.polygons import BLOCK, Fuzzed, frame_size, scene, textures
 from tmap.guest import guest_frames
-from tmap.ideal import bounds_perspective
+from tmap.ideal import bounds, bounds_perspective
 from tmap.model import model
 from tmap.setup import level, level_reciprocal
 from tmap.setup.texturing import Settings
@@ -118,6 +118,20 @@ def test_lines_whose_q_does_not_grow_are_judged() -> None:
     _, polygon = set_up(found)
     assert polygon.records and not polygon.is_level and not polygon.constants.dqdx
     assert not fuzz.check(found.each, found.seed, found.block).verdict.complaint
+
+
+def test_a_first_pixel_past_a_rounded_edge_lowers_its_line() -> None:
+    """It is 0.14 texels beyond the range's end: found by the fuzzer's perspective, seed 303, polygon 93770."""
+    found = Found(303, 93770, polygons.polygon(303, 93770, PERSPECTIVE), 0)
+    assert not fuzz.check(found.each, found.seed, found.block).verdict.complaint
+    corners = [(2, 934, 0), (4, 0, 0), (0, 934, 255)]
+    vertices = [(x << 16, y << 16, s << 16, 0, 0, 1 << 16 | (not y) << 11) for x, y, s in corners]
+    settings = Settings("subpixel", perspective="every16", tolerance=65536)
+    assert not bounds.judge(vertices, settings, 8, 1024).complaint
+    adapted = model.adapt(vertices, settings, 256)
+    made = model.set_up(adapted, 8, 1024, True, settings, (256, 256))
+    _, (u, *_) = bounds_perspective.all_errors(adapted, made, 1.0)
+    assert -0.15 < u.error.min() < -0.14
 
 
 def test_steps_make_up_for_what_the_range_takes(monkeypatch) -> None:

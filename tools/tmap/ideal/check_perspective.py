@@ -15,10 +15,11 @@ from tmap.setup import spans
 
 def first_drawn(polygon, rows: Rows) -> np.ndarray:
     """Returns which pixels of a triangle must not be below the exact value: those that are drawn first, or all if
-    depth does not change along lines."""
-    if polygon.is_level and not polygon.perspective.q.dx:
-        return np.ones(len(rows.columns), bool)
+    depth does not change along lines and the first is inside the exact polygon. One outside may be beyond the range of
+    the vertices' values: what holds it there lowers its line."""
     ends = np.array([(line.left, line.right - 1) for line in polygon.lines])[rows.ys - polygon.top]
+    if polygon.is_level and not polygon.perspective.q.dx:
+        return rows.spread(rows.lefts == ends[:, 0])
     afar = not polygon.is_level and polygon.constants and polygon.constants.leftwards
     return (rows.columns == rows.spread(ends[:, 1 if afar else 0])) & (not polygon.is_level)
 
