@@ -1,7 +1,7 @@
 /* The demo's parts, read from a text file. Each line is a statement of words separated by blanks; a
    TEXT extends to the end of the line. Lines that begin with # are remarks.
 
-     screen WIDTH HEIGHT           of chunky parts; before the first part
+     screen WIDTH HEIGHT           of chunky parts, in low resolution; before the first part
      part SECONDS KIND             begins a part; KIND: a name of enum part_kind
      picture WIDTH HEIGHT          size of the screen for a scene that is not chunky; default: the
                                    scene's size

@@ -45,36 +45,37 @@ static const char *path(char *whole, const char *directory, const char *name)
     return *name || *directory ? 0 : whole;
 }
 
-/* The format of the open screen; width 0: none. */
-static int32 width, height;
-static uint32 format;
+static struct screen_form shown;        /* what the open screen shows; width 0: there is none */
 
-static int32 open_screen(int32 wide, int32 high, uint32 pixels)
+static int32 open_screen(const struct screen_form *form)
 {
-    player.frame.width = wide;
-    player.frame.height = high;
-    player.frame.pixel_bytes = scene_pixel_bytes(pixels);
-    player.frame.pitch = wide * player.frame.pixel_bytes;
-    if (width == wide && height == high && format == pixels)
+    player.frame.width = form->width;
+    player.frame.height = form->height;
+    player.frame.pixel_bytes = scene_pixel_bytes(form->format);
+    player.frame.pitch = form->width * player.frame.pixel_bytes;
+    if (form->width == shown.width && form->height == shown.height && form->pixel_width == shown.pixel_width
+        && form->pixel_height == shown.pixel_height && form->format == shown.format)
         return 1;
-    width = 0;
-    if (!screen_open(&screen, wide, high, pixels))
+    shown.width = 0;
+    if (!screen_open(&screen, form))
         return 0;
-    width = wide;
-    height = high;
-    format = pixels;
+    shown = *form;
     return 1;
 }
 
 static int32 open_for_scene(const struct part *part)
 {
     const struct scene_header *header = scene.header;
+    struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height, header->format};
 
-    if (header->format == PIXEL_CHUNKY)
-        return open_screen(script.width, script.height, PIXEL_CHUNKY);
-    if (part->width)
-        return open_screen(part->width, part->height, header->format);
-    return open_screen(header->width, header->height, header->format);
+    if (header->format == PIXEL_CHUNKY) {
+        form.width = script.width / form.pixel_width;
+        form.height = script.height / form.pixel_height;
+    } else if (part->width) {
+        form.width = part->width;
+        form.height = part->height;
+    }
+    return open_screen(&form);
 }
 
 /* Prints the part's number and returns 0 if panes or captions are outside the screen, or steps
@@ -152,7 +153,7 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     }
     if (screen.chip != chip) {          /* the screen allocated more, which is released below */
         screen_close(&screen);
-        width = 0;
+        shown.width = 0;
         screen.chip = chip;
         screen.chip_bytes = chip_bytes;
     }
@@ -187,6 +188,7 @@ int main(void)
     const char *directory = "PROGDIR:data", *name;
     char whole[PATH];
     int32 frames = 0, only = 0, result;
+    struct screen_form form = {0, 0, 1, 1, PIXEL_CHUNKY};
 
     if (!args_read("DIR,FRAMES/K/N,PART/K/N,LOG/S", args))
         return refuse("usage: demo [DIR] [FRAMES n] [PART n] [LOG]");
@@ -205,7 +207,9 @@ int main(void)
     if (!clock_open())
         return outcome_code(outcome_lack("demo", "another program uses CIA-B's timers"));
     player.renderer.scratch = &player.scratch;
-    if (!open_screen(script.width, script.height, PIXEL_CHUNKY))
+    form.width = script.width;
+    form.height = script.height;
+    if (!open_screen(&form))
         return RETURN_FAIL;
     result = play_all(directory, (uint32)frames, only, args[LOG]);
     screen_close(&screen);

@@ -235,6 +235,8 @@ static int32 play(struct show *s)
 static int32 make(struct show *s)
 {
     const struct scene_header *header = s->scene.header;
+    const struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height,
+                                     header->format};
 
     if (!make_frame(&s->frame, header))
         return outcome_lack_memory("show", "the frame");
@@ -242,7 +244,7 @@ static int32 make(struct show *s)
         return outcome_lack_memory("show", "the counts");
     if (!clock_open())
         return outcome_lack("show", "another program uses CIA-B's timers");
-    if (!screen_open(&s->screen, header->width, header->height, header->format))
+    if (!screen_open(&s->screen, &form))
         return 0;
     screen_palette(&s->screen, (const uint8 *)header + header->palette_at);
     scene_reserve(&s->scene);

@@ -48,6 +48,10 @@ const char *scene_wrong_header(const struct scene_header *h)
         return "width";
     if (h->height < 1 || h->height > FRAME_SIDE_MAX)
         return "height";
+    if (h->pixel_width < 1 || h->pixel_width > 2)
+        return "pixel_width";
+    if (h->pixel_height < 1 || h->pixel_height > 2)
+        return "pixel_height";
     if (h->frames < 1 || h->frames > SCENE_FRAMES_MAX)
         return "frames";
     if (h->format >= PIXEL_FORMATS)

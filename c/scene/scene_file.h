@@ -15,7 +15,7 @@
 
 enum scene_constants {
     SCENE_MAGIC = 0x544d4150,   /* "TMAP" */
-    SCENE_VERSION = 16,
+    SCENE_VERSION = 17,
     SCENE_FRAMES_MAX = 1000,    /* dumps are numbered with three digits */
     SCENE_COUNT_MAX = 65536,    /* entries of any one table */
     NO_TEXTURE = -1,
@@ -35,6 +35,7 @@ struct scene_header {
     uint32 size;                /* of the whole file, bytes */
     uint32 checksum;            /* CRC-32 of the file from `width` on */
     int32 width, height;        /* of the frame, pixels; width a multiple of 4 */
+    int32 pixel_width, pixel_height;    /* of a pixel on the screen, in pixels of low resolution: 1 or 2 */
     int32 frames;
     uint32 format;              /* enum pixel_format */
     uint32 background;          /* pixel */

@@ -9,27 +9,29 @@ static int32 is_half(int32 width, int32 height)
     return width <= SCREEN_WIDTH / 2 && height <= SCREEN_HEIGHT / 2;
 }
 
-const char *screen_layout_find(struct screen_layout *layout, int32 width, int32 height,
-                               uint32 format)
+const char *screen_layout_find(struct screen_layout *layout, const struct screen_form *form)
 {
-    int32 rows;
+    const uint32 ham = form->format != PIXEL_CHUNKY;
+    const int32 wide = form->width * form->pixel_width, high = form->height * form->pixel_height;
+    const int32 larger = ham && form->pixel_width == 1 && form->pixel_height == 1 && is_half(wide, high);
+    int32 fetches;
 
-    if (width < 8 || width > SCREEN_WIDTH || width & 7)
-        return "the frame's width is not 8 to 320 in steps of 8";
-    if (height < 1 || height > SCREEN_HEIGHT)
-        return "the frame's height is not 1 to 256";
-    layout->width = width;
-    layout->height = height;
-    layout->ham = format != PIXEL_CHUNKY;
-    layout->dots = layout->ham ? HAM8_DOTS : 1;
-    layout->twice = layout->ham && is_half(width, height);
-    layout->shift = !layout->ham ? 0 : layout->twice ? 1 : 2;
-    layout->shown_width = width * layout->dots >> layout->shift;
-    layout->shown_height = height << layout->twice;
+    if (wide < 8 || wide > SCREEN_WIDTH || form->width & 7)
+        return "the picture's width is not 8 to 320 in steps of 8 pixels";
+    if (high < 1 || high > SCREEN_HEIGHT)
+        return "the picture's height is not 1 to 256";
+    layout->width = form->width;
+    layout->height = form->height;
+    layout->ham = ham;
+    layout->dots = ham ? HAM8_DOTS : form->pixel_width;
+    layout->twice = larger || form->pixel_height > 1;
+    layout->shift = !ham ? 0 : larger || form->pixel_width > 1 ? 1 : 2;
+    layout->shown_width = form->width * layout->dots >> layout->shift;
+    layout->shown_height = form->height << layout->twice;
     layout->left = (SCREEN_WIDTH - layout->shown_width) >> 1;
     layout->top = (SCREEN_HEIGHT - layout->shown_height) >> 1;
-    rows = (width * layout->dots + FETCH_DOTS - 1) / FETCH_DOTS;
-    layout->row_bytes = rows * (FETCH_DOTS / 8);
-    layout->plane_bytes = layout->row_bytes * height;
+    fetches = (form->width * layout->dots + FETCH_DOTS - 1) / FETCH_DOTS;
+    layout->row_bytes = fetches * (FETCH_DOTS / 8);
+    layout->plane_bytes = layout->row_bytes * form->height;
     return 0;
 }

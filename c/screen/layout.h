@@ -20,6 +20,13 @@ enum screen_constants {
 /* With FMODE 3 a plane's data comes 64 dots at a time. */
 #define FETCH_DOTS 64
 
+/* What kind of frames a screen shows. */
+struct screen_form {
+    int32 width, height;        /* of frames, pixels: the picture is at most 320x256, its width a multiple of 8 */
+    int32 pixel_width, pixel_height;    /* of a pixel in the picture, of low resolution: 1 or 2 */
+    uint32 format;              /* enum pixel_format */
+};
+
 struct screen_layout {
     int32 width, height;        /* of the frame, pixels */
     uint32 ham;                 /* 1: HAM8 */
@@ -31,9 +38,7 @@ struct screen_layout {
     int32 row_bytes, plane_bytes;
 };
 
-/* Finds the layout for a frame; format: enum pixel_format. Returns 0, or the reason why the frame
-   cannot be shown. */
-const char *screen_layout_find(struct screen_layout *layout, int32 width, int32 height,
-                               uint32 format);
+/* Finds the layout for frames. Returns 0, or the reason why they cannot be shown. */
+const char *screen_layout_find(struct screen_layout *layout, const struct screen_form *form);
 
 #endif

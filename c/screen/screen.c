@@ -95,9 +95,9 @@ static void make_ham(struct screen *screen)
         copper_colour_set(screen->palette[set], 0, ground);
 }
 
-static void (*converter(uint32 format))(const struct planar_plan *plan)
+static void (*converter(const struct screen_layout *layout, uint32 format))(const struct planar_plan *plan)
 {
-    return format == PIXEL_CHUNKY ? c2p_8
+    return format == PIXEL_CHUNKY ? layout->dots > 1 ? c2p_8_2x1 : c2p_8
          : format == PIXEL_RGB565 ? c2p_ham8_16
          : format == PIXEL_RGBA5551 ? c2p_ham8_5551 : c2p_ham8_32;
 }
@@ -127,7 +127,7 @@ static int32 make(struct screen *screen, uint32 format)
         return outcome_lack(name, "needs AGA: an A1200 or A4000");
     if (!take_chip(screen) || (!screen->is_open && !take_machine(screen)))
         return 0;
-    screen->convert = converter(format);
+    screen->convert = converter(&screen->layout, format);
     place(screen);
     make_list(screen, 0);
     make_list(screen, 1);
@@ -139,14 +139,14 @@ static int32 make(struct screen *screen, uint32 format)
     return 1;
 }
 
-int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format)
+int32 screen_open(struct screen *screen, const struct screen_form *form)
 {
     const char *why;
 
     if (screen->is_open)
         display_show(screen->blank);
-    why = screen_layout_find(&screen->layout, width, height, format);
-    if (why ? text_refuse(name, why) : make(screen, format))
+    why = screen_layout_find(&screen->layout, form);
+    if (why ? text_refuse(name, why) : make(screen, form->format))
         return 1;
     screen_close(screen);
     return 0;
@@ -164,12 +164,13 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
                         int32 width, int32 height)
 {
     const struct screen_layout *layout = &screen->layout;
+    const int32 whole = layout->dots > 1 ? 15 : 31;
     struct planar_plan plan;
 
     plan_make(screen, &plan);
     plan.pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
     plan.pitch = frame->pitch;
-    plan.width = layout->ham ? width : (width + 31) & -32;
+    plan.width = layout->ham ? width : (width + whole) & ~whole;
     plan.rows = height;
     plan.planes = screen->planes[screen->hidden] + y * layout->row_bytes + (x * layout->dots >> 3);
     screen->convert(&plan);

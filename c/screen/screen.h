@@ -29,12 +29,12 @@ struct screen {
     uint8 text[STATUS_LINES][STATUS_COLUMNS];       /* the letters shown, 0: none */
 };
 
-/* Takes the screen over for frames of this size, at most 320x256 and the width a multiple of 8, and
-   enum pixel_format: 8 bitplanes for chunky frames, HAM8 for 16 and 32 bits (planar.h has its
-   errors). The picture is centred on black. HAM8 frames of up to 160x128 are shown twice as large.
+/* Takes the screen over for frames: 8 bitplanes for chunky ones, HAM8 for 16 and 32 bits (planar.h has its
+   errors). The picture is centred on black. HAM8 pictures of up to 160x128 are shown twice as large.
+   Rows are doubled by the display, columns of chunky frames by their conversion, those of HAM8 by fewer dots.
    On failure prints the reason, closes the screen and returns 0. A screen that is open already is
    reopened for the new frames and is black meanwhile. */
-int32 screen_open(struct screen *screen, int32 width, int32 height, uint32 format);
+int32 screen_open(struct screen *screen, const struct screen_form *form);
 
 /* Sets the palette: 256 entries of 4 bytes, 0, red, green, blue, as at scene_header.palette_at.
    Does nothing in HAM8. */
@@ -43,8 +43,8 @@ void screen_palette(struct screen *screen, const uint8 *palette);
 /* Converts a frame into the hidden planes; pixels and pitch are multiples of 8. */
 void screen_convert(struct screen *screen, const struct frame *frame);
 
-/* Converts a part of a frame. x and width are in pixels and multiples of 32; the box may also end
-   at the frame's right edge. */
+/* Converts a part of a frame. x and width are in pixels and multiples of 32 (of 16, if these are two dots wide);
+   the box may also end at the frame's right edge. */
 void screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
                         int32 width, int32 height);
 

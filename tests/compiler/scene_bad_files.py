@@ -153,6 +153,8 @@ def wrong_tables() -> list[Row]:
         plain.header(name, 0, 1025, M32, 2**31 - 1)
     plain.header("width", 6)
     plain.header("background", 256, M32)
+    plain.header("pixel_width", 0, 3, M32)
+    plain.header("pixel_height", 0, 3, M32)
     plain.header("cleared", 2, M32)
     plain.header("once", 2, M32)
     plain.header("format", 4, M32)

@@ -68,10 +68,10 @@ def test_bytes_are_the_headers():
     """Spot checks of the format that do not use the layout."""
     scene = example()
     data = scene_file.write(scene)
-    assert data[:8] == b"TMAP\0\0\0\x10"
+    assert data[:8] == b"TMAP\0\0\0\x11"
     assert int.from_bytes(data[8:12], "big") == len(data)
     assert int.from_bytes(data[12:16], "big") == zlib.crc32(data[16:])
-    assert data[232:236] == b"\0" + scene.palette[0].tobytes()
+    assert data[240:244] == b"\0" + scene.palette[0].tobytes()
     assert data[-65536:] == scene.textures[0].texels.tobytes()
 
 
@@ -91,6 +91,8 @@ def test_vertices_at_rounds_every_product_down():
 
 @pytest.mark.parametrize("change, message", [
     ({"width": 7}, "scene: width"),
+    ({"pixel_width": 3}, "scene: pixel_width"),
+    ({"pixel_height": 0}, "scene: pixel_height"),
     ({"frames": 0}, "scene: frames"),
     ({"background": -1}, "scene: background"),
     ({"cleared": 2}, "scene: cleared"),

@@ -110,14 +110,15 @@ static int32 keys(void)
 /* Opens other screens one after the other, in the same memory as long as they fit. */
 static int32 again(void)
 {
+    static const struct screen_form small = {96, 60, 1, 1, PIXEL_CHUNKY}, large = {320, 64, 1, 1, PIXEL_RGB565};
     const uint8 *first = screen.chip;
 
     screen_close(&screen);
     screen_close(&screen);
-    if (!screen_open(&screen, 96, 60, PIXEL_CHUNKY))
+    if (!screen_open(&screen, &small))
         return RETURN_FAIL;
     text_number(screen.chip == first);
-    if (!screen_open(&screen, 320, 64, PIXEL_RGB565))
+    if (!screen_open(&screen, &large))
         return RETURN_FAIL;
     text_number(screen.chip == first);
     text_print();
@@ -200,23 +201,25 @@ static int32 opened(enum mode mode, struct frame *frame, const char *name)
 
 int main(void)
 {
-    enum { MODE, FORMAT, WIDTH, HEIGHT, NAME, ITEMS };
+    enum { MODE, FORMAT, WIDTH, HEIGHT, WIDE, HIGH, NAME, ITEMS };
     static int32 args[ITEMS];
     struct frame frame;
     enum mode mode;
-    uint32 format;
+    struct screen_form form;
 
-    if (!args_read("MODE/A/N,FORMAT/A/N,WIDTH/A/N,HEIGHT/A/N,NAME", args))
+    if (!args_read("MODE/A/N,FORMAT/A/N,WIDTH/A/N,HEIGHT/A/N,WIDE/A/N,HIGH/A/N,NAME", args))
         return RETURN_FAIL;
     mode = (enum mode)*(const int32 *)args[MODE];
-    format = *(const uint32 *)args[FORMAT];
-    frame.width = *(const int32 *)args[WIDTH];
-    frame.height = *(const int32 *)args[HEIGHT];
-    frame.pixel_bytes = format == PIXEL_CHUNKY ? 1 : format == PIXEL_RGBA8888 ? 4 : 2;
+    form.format = *(const uint32 *)args[FORMAT];
+    frame.width = form.width = *(const int32 *)args[WIDTH];
+    frame.height = form.height = *(const int32 *)args[HEIGHT];
+    form.pixel_width = *(const int32 *)args[WIDE];
+    form.pixel_height = *(const int32 *)args[HIGH];
+    frame.pixel_bytes = form.format == PIXEL_CHUNKY ? 1 : form.format == PIXEL_RGBA8888 ? 4 : 2;
     frame.pitch = frame.width * frame.pixel_bytes;
     if (mode == SHORT)
         take_chip();
-    if (!screen_open(&screen, frame.width, frame.height, format))
+    if (!screen_open(&screen, &form))
         return outcome_code(0);
     return opened(mode, &frame, (const char *)args[NAME]);
 }

@@ -49,7 +49,7 @@ CALL = """\
         bsr.w   wait_{place}
         jsr     quiet_leave
 """
-SHOW = "endings SYS:shown 0 SYS: display 0 0 96 60 noise"  # tests/guest/display.c
+SHOW = "endings SYS:shown 0 SYS: display 0 0 96 60 1 1 noise"  # tests/guest/display.c
 
 
 @pytest.fixture(scope="module")

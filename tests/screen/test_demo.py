@@ -36,7 +36,7 @@ RACE, EDGES, PERSPECTIVE, POSTER, OCEAN, FLOOR, MIRROR = range(1, 8)
 #: Parts with 25 frames a second once the governor has settled.
 KEPT = RACE, EDGES, PERSPECTIVE, POSTER
 FREE = OCEAN, FLOOR, MIRROR
-BUSY = "display 8 0 320 256"  # tests/guest/display.c
+BUSY = "display 8 0 320 256 1 1"  # tests/guest/display.c
 KEY_FIELDS = 30  # of KEYS: cursor left, space, escape released, space, escape, one each so many
 NUMBER = re.compile(r"\b(\w+) (\d+)")
 

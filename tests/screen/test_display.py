@@ -29,16 +29,32 @@ class Shown:
     width: int
     height: int
     colours: object = None  # of pixels; None: from the palette
+    pixel: tuple[int, int] = (1, 1)  # its width and height, of low resolution
 
     @property
     def format(self) -> int:
-        name = {"c2p_8": "CHUNKY", "c2p_ham8_16": "RGB565", "c2p_ham8_5551": "RGBA5551",
+        name = {"c2p_8": "CHUNKY", "c2p_8_2x1": "CHUNKY", "c2p_ham8_16": "RGB565", "c2p_ham8_5551": "RGBA5551",
                 "c2p_ham8_32": "RGBA8888"}[self.kernel]
         return layout.load().constants[f"PIXEL_{name}"]
 
     @property
     def arguments(self) -> str:
-        return f"{self.format} {self.width} {self.height}"
+        return f"{self.format} {self.width} {self.height} {self.pixel[0]} {self.pixel[1]}"
+
+    @property
+    def is_small(self) -> bool:
+        """Whether it is shown twice as large."""
+        return self.colours and self.pixel == (1, 1) and self.width <= 160 and self.height <= 128
+
+    @property
+    def resolution(self) -> int:
+        """0: low, 1: high, 2: super-high."""
+        return 0 if not self.colours else 1 if self.is_small or self.pixel[0] == 2 else 2
+
+    @property
+    def rows(self) -> int:
+        """How often a row is shown."""
+        return 2 if self.is_small else self.pixel[1]
 
 
 SHOWN = {
@@ -47,18 +63,26 @@ SHOWN = {
     "high": Shown("c2p_ham8_16", 136, 59, maps.from_rgb565),
     "super": Shown("c2p_ham8_5551", 184, 33, maps.from_rgba5551),
     "tall": Shown("c2p_ham8_32", 104, 130, maps.from_rgba8888),
+    "wide_pixels": Shown("c2p_8_2x1", 160, 256, pixel=(2, 1)),
+    "high_pixels": Shown("c2p_8", 320, 127, pixel=(1, 2)),
+    "odd_wide_pixels": Shown("c2p_8_2x1", 104, 61, pixel=(2, 1)),  # its columns end within 16
+    "large_pixels": Shown("c2p_8_2x1", 136, 99, pixel=(2, 2)),
+    "wide_colours": Shown("c2p_ham8_16", 96, 200, maps.from_rgb565, (2, 1)),
+    "high_colours": Shown("c2p_ham8_32", 160, 100, maps.from_rgba8888, (1, 2)),
+    "large_colours": Shown("c2p_ham8_5551", 128, 90, maps.from_rgba5551, (2, 2)),
 }
 
 
-def command(mode: str, rest: str = "0 320 256") -> str:
+def command(mode: str, rest: str = "0 320 256 1 1") -> str:
     """The guest's command line."""
     return f"display {MODES.index(mode)} {rest}"
 
 
 #: How programs end, and their return codes.
-ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1 160 64"): 0,
-           command("KEYS", "0 32 32"): 0, command("POST", "0 32 32"): 0, command("SHORT"): 20,
-           command("REFUSED", "0 324 256"): 10, command("REFUSED", "0 320 257"): 10}
+ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1 160 64 1 1"): 0,
+           command("KEYS", "0 32 32 1 1"): 0, command("POST", "0 32 32 1 1"): 0, command("SHORT"): 20,
+           command("REFUSED", "0 324 256 1 1"): 10, command("REFUSED", "0 320 257 1 1"): 10,
+           command("REFUSED", "0 168 64 2 1"): 10, command("REFUSED", "1 64 129 1 2"): 10}
 
 
 @pytest.fixture(scope="module")
@@ -144,11 +168,9 @@ def test_planes_of_the_shown_list_are_the_frame(ended, pixels, name):
         region = dump.regions[0]
         found = copper_lists.picture(region, dump.memory, dump.address)
         dots = expected(name, pixels, number)
-        half = shown.colours and shown.width <= 160 and shown.height <= 128
-        assert copper_lists.resolution(region) == (1 if half else 2 if shown.colours else 0)
+        assert copper_lists.resolution(region) == shown.resolution
         assert bool(region.registers[copper_lists.BPLCON0] & 0x0800) == bool(shown.colours)
-        if half:
-            dots = np.repeat(dots, 2, axis=0)
+        dots = np.repeat(dots, shown.rows, axis=0)
         wrong = planar.difference(dots, found.dots)
         assert wrong is None, f"{name}, frame {number}, seed 9: {wrong}"
         assert abs(found.top + found.bottom - TOP - BOTTOM) <= 1
@@ -241,15 +263,15 @@ def test_return_codes(ended):
 def test_keys(ended):
     """Only pressed keys are returned, in order, 15 at most; mouse buttons are not keys. Ctrl-C is a
     signal."""
-    words = ended[command("KEYS", "0 32 32")].output.split()
+    words = ended[command("KEYS", "0 32 32 1 1")].output.split()
     assert [int(word) for word in words] == [0, 0x1000, 0x45, 0x33, *range(13)]
 
 
 def test_lists_and_screens(ended):
     """A posted list waits for its field; one whose field is over is shown in the next. A second
     screen fits in the first one's memory, a third does not."""
-    assert ended[command("POST", "0 32 32")].output == "1 0 1 11\n"
-    assert ended[command("AGAIN", "1 160 64")].output.split()[-1] == "10"
+    assert ended[command("POST", "0 32 32 1 1")].output == "1 0 1 11\n"
+    assert ended[command("AGAIN", "1 160 64 1 1")].output.split()[-1] == "10"
 
 
 def test_refusals(ended):
@@ -258,9 +280,10 @@ def test_refusals(ended):
                         r"RAM; the largest free piece has (\d+)\n",
                         ended[command("SHORT")].output)
     assert planes < int(said[1]) < planes + 10_000 and int(said[2]) < 100_000
-    for size, words in (("324 256", "width is not 8 to 320 in steps of 8"),
-                        ("320 257", "height is not 1 to 256")):
-        assert ended[command("REFUSED", f"0 {size}")].output == f"screen: the frame's {words}\n"
+    for size, words in (("0 324 256 1 1", "width is not 8 to 320 in steps of 8 pixels"),
+                        ("0 168 64 2 1", "width is not 8 to 320 in steps of 8 pixels"),
+                        ("0 320 257 1 1", "height is not 1 to 256"), ("1 64 129 1 2", "height is not 1 to 256")):
+        assert ended[command("REFUSED", size)].output == f"screen: the picture's {words}\n"
 
 
 def test_machine_without_aga(programs, tmp_path, monkeypatch):

@@ -200,5 +200,5 @@ def test_what_cannot_be_shown(tmp_path, monkeypatch, capsys) -> None:
                     'it.colour = "#ffffff"\n[[objects]]\nmaterial = "it"\nsides = 3\nradius = 9\n')
     with pytest.raises(UserError) as caught:
         show.command(wide, "a1200", emulator.HIDDEN)
-    assert str(caught.value) == ("show: return code 10; its last words: \"screen: the frame's width "
-                                 'is not 8 to 320 in steps of 8"')
+    assert str(caught.value) == ("show: return code 10; its last words: \"screen: the picture's width "
+                                 'is not 8 to 320 in steps of 8 pixels"')

@@ -29,11 +29,13 @@ BASELINE_SETS = "medium", *polygon_sets.SIZES, "depth"
 #: Settings in a row.
 ASKED = "edges", "gradients", "start", "perspective", "mapper"
 #: Names that --set takes in addition to the sets: the turning face, the scenes, the orders of meshes'
-#: faces, texture engines' modes (those of tmap.accuracy.engines), the page of hard cases.
-METHODS, SCENES, ORDERS, HARD, ENGINES = "methods", "scenes", "orders", "hard", ("n64", "glide")
+#: faces, larger pixels, texture engines' modes (those of tmap.accuracy.engines), the page of hard cases.
+METHODS, SCENES, ORDERS, RESOLUTIONS, HARD = "methods", "scenes", "orders", "resolutions", "hard"
+ENGINES = "n64", "glide"
 #: What is written for them, and for the sets.
 FILES = {METHODS: "methods.md, methods.png, methods.gif",
          SCENES: "scenes.md and an animation of each", ORDERS: "orders.md",
+         RESOLUTIONS: "resolutions.md and a picture of each scene",
          **{name: f"{name}.md" for name in ENGINES}, HARD: f"{HARD}/index.html"}
 SET_FILES = ("accuracy.json", "accuracy.md", "accuracy.png", "mappers.png", "swimming.gif",
              "swimming.png")
@@ -151,7 +153,7 @@ def write_hard_cases(folder: Path, machine: str, on_part) -> list[str]:
 
 
 def write_other(folder: Path, name: str, machine: str, progress) -> str:
-    """Runs a set not made of polygons (methods, scenes, orders, engines' modes); returns its table."""
+    """Runs a set not made of polygons (methods, scenes, orders, pixels, engines' modes); returns its table."""
     folder.mkdir(parents=True, exist_ok=True)
     if name in ENGINES:
         from tmap.accuracy import engines
@@ -159,11 +161,11 @@ def write_other(folder: Path, name: str, machine: str, progress) -> str:
         engine = engines.ENGINES[name]
         progress.add_task(engine.title, total=None)
         return engines.write(folder, engine, machine)
-    from tmap.accuracy import italian_methods, orders, scene_errors
+    from tmap.accuracy import italian_methods, orders, resolutions, scene_errors
 
     tool, steps = {METHODS: (italian_methods, italian_methods.METHODS),
                    SCENES: (scene_errors, scene_errors.NAMES),
-                   ORDERS: (orders, orders.ROWS)}[name]
+                   ORDERS: (orders, orders.ROWS), RESOLUTIONS: (resolutions, resolutions.ROWS)}[name]
     task = progress.add_task(name, total=len(steps))
     return tool.write(folder, machine, lambda: progress.advance(task))
 
@@ -184,7 +186,7 @@ def command(folder: Path, names: list[str] | None, machine: str | None, accept: 
         if sets:
             task = progress.add_task("accuracy", total=len(sets) * len(machines))
             made.append(write_sets(folder, sets, machines, accept, lambda: progress.advance(task)))
-        for name in (METHODS, SCENES, ORDERS, *ENGINES):
+        for name in (METHODS, SCENES, ORDERS, RESOLUTIONS, *ENGINES):
             if name in names:
                 made.append(write_other(folder, name, machines[-1], progress) + "\n")
         if HARD in names:

@@ -121,14 +121,14 @@ def check_view(spec: dict, where: str) -> None:
         space.check_length(stop["up"], f"{at}.up")
 
 
-def check_camera(camera: dict, width: int, where: str) -> None:
-    """Refuses a camera whose field of view is too narrow for a frame of this width."""
-    check_view(camera, where)
+def check_camera(spec: dict, where: str) -> None:
+    """Refuses a camera whose field of view is too narrow for the scene's frames."""
+    check_view(spec["camera"], where)
     most = 1 << layout.load().constants["GUARD_MAX"]
-    for stop, at in space.stops(camera, where):
-        focal = space.focal_length(width, stop["fov"])
+    for stop, at in space.stops(spec["camera"], where):
+        focal = max(space.focal_lengths(spec, stop["fov"]))
         if focal > most:
-            fail(f"{at}.fov", f"is too narrow for {width} pixels: a focal length of {focal:.0f} "
+            fail(f"{at}.fov", f"is too narrow for {spec['width']} pixels: a focal length of {focal:.0f} "
                               f"pixels; {most} at most")
 
 
@@ -163,7 +163,7 @@ def check(spec: dict, where: str) -> None:
     """Refuses invalid camera, projectors, light and objects; fills in fields that keys leave
     out."""
     if spec["camera"]:
-        check_camera(spec["camera"], spec["width"], f"{where}camera")
+        check_camera(spec, f"{where}camera")
     for name, projector in spec["projectors"].items():
         check_view(projector, join(f"{where}projectors", name))
     lights.check(spec, where)
@@ -207,8 +207,7 @@ class Space:
         self.guard = 0
         if spec["camera"]:
             narrowest = min(stop["fov"] for stop, _ in space.stops(spec["camera"], ""))
-            self.guard = space.guard_bits(spec["width"], spec["height"],
-                                          space.focal_length(spec["width"], narrowest))
+            self.guard = space.guard_bits(spec["width"], spec["height"], max(space.focal_lengths(spec, narrowest)))
 
     def wishes_of(self, obj: dict, material: dict) -> Wishes:
         """Returns how an object's mesh is drawn."""
@@ -309,8 +308,7 @@ class Space:
         turn, position = hierarchy.placed_at(obj, frame, spec["frames"])
         if billboards.is_billboard(obj):
             turn = billboards.turned(axes)
-        focal = space.focal_length(spec["width"], fov) / guard
-        lens = np.array([focal, focal, 1.0])
+        lens = np.array([*space.focal_lengths(spec, fov) / guard, 1.0])
         seen = product(axes, turn)
         material = spec["materials"][obj["material"]]
         light = lights.factors(spec, obj, material, turn, position) * shades

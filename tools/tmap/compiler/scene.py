@@ -22,6 +22,7 @@ from tmap.compiler import (fog, glide, glide_build, hierarchy, materials, mtl_fi
                            scene_space, pages, parts, primitives, projectors, views16)
 from tmap.compiler.map_range import MAP_CENTRE
 from tmap.compiler.polygons import check_reach, each_frame, object_corners, pose_at
+from tmap.compiler.space import SIZES
 from tmap.scene_file.scene_file import IDENTITY, Object, Scene
 from tmap.setup import planarity
 from tmap.shapes import billboards
@@ -82,8 +83,10 @@ def schema(limits: dict[str, int]) -> Reader:
     side = limits["FRAME_SIDE_MAX"]
     return table({
         "title": (text, "", "a line about the scene"),
-        "width": (integer(4, side, 4, "pixels"), REQUIRED, "the picture's width"),
-        "height": (integer(1, side, unit="pixels"), REQUIRED, "the picture's height"),
+        "width": (integer(4, side, 4, "pixels"), REQUIRED, "the picture's width, in pixels of 1x1"),
+        "height": (integer(1, side, unit="pixels"), REQUIRED, "the picture's height, in pixels of 1x1"),
+        "pixel": (one_of(*SIZES), "1x1", "a pixel's width and height on the screen: the same picture of fewer, larger "
+                                                "pixels, which take less time to draw and to show"),
         "frames": (integer(1, limits["SCENE_FRAMES_MAX"]), REQUIRED, "number of pictures; then the first one follows"),
         "format": (one_of(*FORMATS), "chunky", "pixels: entries of a palette of 256 colours, or colours"),
         "background": (backdrop, REQUIRED, "colour of pixels that no object covers; `\"none\"` if there are none: they are not "
@@ -128,10 +131,19 @@ def parse(path: Path) -> dict:
         return checked(content, path)
 
 
+def settle_size(spec: dict, where: str) -> None:
+    """Sets a scene's width and height to its frames', in pixels of its size."""
+    for name, size, least in zip(("width", "height"), SIZES[spec["pixel"]], (4, 1)):
+        if spec[name] % (size * least):
+            fail(f"{where}{name}", f"{spec[name]} is not a multiple of {size * least}, with pixels of {spec['pixel']}")
+        spec[name] //= size
+
+
 def checked(content: dict, path: Path) -> dict:
     """Returns a scene's content, checked and with every default filled in."""
     where = f"{path}: "
     spec = schema(layout.load().constants)(content, where)
+    settle_size(spec, where)
     mtl_file.add(spec, path.parent, where)
     materials.settle_sizes(spec, path.parent, where)
     materials.check(spec, where)
@@ -146,6 +158,8 @@ def checked(content: dict, path: Path) -> dict:
             fail(f"{at}.last", f"must be from {obj['first']} to {spec['frames'] - 1}")
         fog.check_object(obj, spec["materials"][obj["material"]], scene_space.is_mesh(obj))
         primitives.check(obj, spec["materials"][obj["material"]], at)
+        if primitives.is_rectangle(obj) and spec["pixel"] != "1x1":
+            fail(f"{at}.rectangle", f"has steps a pixel of 1x1, but the scene's are {spec['pixel']}")
         glide.check_object(obj, spec["materials"][obj["material"]], at)
     primitives.place(spec)
     scene_space.check(spec, where)
@@ -167,6 +181,18 @@ def planar_of(obj: dict, material: dict, corners: np.ndarray) -> int:
         return planarity.IN_SPACE
     return planarity.vouched(corners.tolist(), materials.mapper_of(material), bool(obj.get("colours")),
                              1 + glide.has_own(material))
+
+
+def in_pixels(corners: np.ndarray, poses: np.ndarray, size: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+    """Returns corners, 16.16, and poses, in pixels of 1x1, in pixels of another size. What is not turned keeps poses
+    without a matrix."""
+    across, down = size
+    is_turned = poses[:, 1:3].any()
+    matrix = np.array([across, across, down, down] if is_turned else [1.0] * 4)
+    corners = corners.copy()
+    if not is_turned:
+        corners[:, :2] = np.rint(corners[:, :2] / size)
+    return corners, poses / [*matrix, across, down]
 
 
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
@@ -191,7 +217,9 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
             corners = object_corners(obj, material, texture, ramps.get(obj["material"]), at)
             if lives < 1:
                 continue
-            motion = fix_all([pose_at(obj, age, spec["frames"]) for age in range(lives)])
+            corners, motion = in_pixels(corners, np.array([pose_at(obj, age, spec["frames"]) for age in range(lives)]),
+                                        SIZES[spec["pixel"]])
+            motion = fix_all(motion)
             if primitives.is_rectangle(obj):
                 motion = primitives.whole_pixels(motion)
             check_reach(corners, motion, obj["first"], limits["POLYGON_FAR"], at)
@@ -207,16 +235,17 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
     return objects, vertices, poses
 
 
-def compile_scene(path: Path, frames: int | None = None, order: str | dict[str, str] | None = None) -> Scene:
+def compile_scene(path: Path, frames: int | None = None, order: str | dict[str, str] | None = None,
+                  pixel: str | None = None) -> Scene:
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
-    the same speed. ``order``: of all meshes, instead of their own. Prints on stderr what the scene's
-    author should know.
+    the same speed. ``order``: of all meshes, instead of their own; ``pixel``: instead of the scene's. Prints on stderr
+    what the scene's author should know.
     """
     path = Path(path)
     text = text_of(path)
-    content = content_of(text, path)
+    content = content_of(text, path) | ({"pixel": pixel} if pixel else {})
     with located(str(path), text):
         spec = checked(content, path)
         for obj in filter(scene_space.is_mesh, spec["objects"]):
@@ -247,7 +276,7 @@ def compiled(spec: dict, path: Path, frames: int | None) -> tuple[Scene, list[st
     made = Scene(spec["width"], spec["height"], count, pixels.of[ground] if ground else 0, colours,
                  textures, looks, objects, np.array(vertices, np.int64).reshape(-1, 6),
                  np.array(poses, np.int64).reshape(-1, 6), spec["format"], int(bool(ground)), int(spec["visible"] == "once"),
-                 **space.tables(),
+                 *SIZES[spec["pixel"]], **space.tables(),
                  **engine_tables, **pipe_tables)
     if spec["pages"] == "shared":
         made = pages.share(made)

@@ -17,6 +17,8 @@ from tmap.build import layout
 
 AWAY = 1e5  # units: limit of distances from the origin
 KEYS_MAX = 1000
+#: A pixel's width and height on the screen, in pixels of low resolution, by the scene's key ``pixel``.
+SIZES = {"1x1": (1, 1), "2x1": (2, 1), "1x2": (1, 2), "2x2": (2, 2)}
 LENS = ("eye", "target", "up", "fov")  # what a camera's keys may set
 GUARD_EDGE = 16  # pixels of the guard band around the frame, at least
 
@@ -156,13 +158,16 @@ def placed_at(spec: dict, age: int, loop: int) -> tuple[np.ndarray, np.ndarray]:
     return product(spin, turn), position
 
 
-def focal_length(width: int, degrees: float) -> float:
-    """Returns the pixels from the eye to the screen for a horizontal field of view."""
-    return width / 2 / tan(math.radians(degrees) / 2)
+def focal_lengths(spec: dict, degrees: float) -> np.ndarray:
+    """Returns the distance from the eye to the screen for a scene's horizontal field of view, in widths and in heights
+    of pixels."""
+    across, down = SIZES[spec["pixel"]]
+    focal = spec["width"] / 2 / tan(math.radians(degrees) / 2)
+    return np.array([focal, focal * across / down])
 
 
 def guard_bits(width: int, height: int, focal: float) -> int:
-    """Returns log2 of the smallest guard band that holds the frame with its edge, and also the
+    """Returns log2 of the smallest guard band that holds the frame with its edge, and also the longer
     focal length, so that a view's factors are at most 1."""
     reach = max(focal, width / 2 + GUARD_EDGE, height / 2 + GUARD_EDGE)
     return max(layout.load().constants["GUARD_MIN"], (math.ceil(reach) - 1).bit_length())

@@ -28,6 +28,7 @@ def about(source: Path) -> tuple[str, str, str]:
 #: its title and the end of the row's name.
 PLANAR_LINES = (
     ("8 bits", "c2p_8", 320, (("eight planes", "_low"),)),
+    ("8 bits, 2x1", "c2p_8_2x1", 160, (("eight planes", "_low"),)),
     *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
       for title, row in (("`rgb565`", "c2p_ham8_16"), ("`rgba5551`", "c2p_ham8_5551"),
                          ("`rgba8888`", "c2p_ham8_32"))))

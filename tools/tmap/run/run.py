@@ -150,7 +150,8 @@ def as_json(about: dict) -> str:
 
 
 def picture_of(frame: np.ndarray, scene: Scene) -> Image.Image:
-    """Returns a scene's frame as a picture."""
+    """Returns a scene's frame as a picture, with a pixel for each of low resolution."""
+    frame = frame.repeat(scene.pixel_height, axis=0).repeat(scene.pixel_width, axis=1)
     if scene.pixel.colours:
         return Image.fromarray(scene.pixel.picture(frame))
     picture = Image.fromarray(frame, "P")
@@ -233,7 +234,8 @@ def print_report(about: dict, out: Path) -> None:
     """Prints a short table: each frame if there are few, the spans executed, then the whole run."""
     frames, totals = about["frames"], about["totals"]
     count = len(frames)
-    print(f"{about['title'] or about['scene']}: {about['width']}x{about['height']} on "
+    print(f"{about['title'] or about['scene']}: {about['width']}x{about['height']} "
+          f"{'pixels of ' + about['pixel'] + ' ' if about['pixel'] != '1x1' else ''}on "
           f"{about['machine']}, form {about['form']}\n")
     if count <= ROWS_MAX:
         print(f"{'frame':>5} {'polygons':>9} {'pixels':>10} {'cycles':>12} {'cycles a pixel':>15}")
@@ -297,7 +299,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
                 for name, material, executed in zip(content["materials"], scene.materials,
                                                     done.executed)}
     about = {"scene": path.stem, "title": content["title"], "machine": machine, "form": form, "off": off,
-             **provenance.record(), "width": scene.width, "height": scene.height,
+             **provenance.record(), "width": scene.width, "height": scene.height, "pixel": content["pixel"],
              "format": scene.format, "lowering": lowering,
              "trees": {"faces": len(scene.slots), "nodes": len(scene.nodes)},
              "palette": None if scene.pixel.colours else scene.palette.tolist(),

@@ -27,7 +27,7 @@ __all__ = ["IDENTITY", "LAYOUTS", "MAPPERS", "MAPPER_LAYOUT", "ONE", "ON_PLANE",
 TABLES = dict(c_lists.rows("scene/table_list.h", "TABLE"))
 #: After the tables, without a structure.
 BYTES = tuple(name for name, in c_lists.rows("scene/table_list.h", "BLOCK", "TABLE"))
-HEADER = ("width", "height", "frames", "background", "cleared", "once", "near_plane", "guard")
+HEADER = ("width", "height", "pixel_width", "pixel_height", "frames", "background", "cleared", "once", "near_plane", "guard")
 PALETTE_BYTES = 256 * 4
 IDENTITY = (ONE, 0, 0, ONE, 0, 0)  # the pose that moves nothing: xx, xy, yx, yy, x0, y0
 
@@ -66,6 +66,8 @@ class Scene:
     format: str = "chunky"  # of FORMATS
     cleared: int = 1  # 0: pixels that no polygon covers keep what was there
     once: int = 0  # 1: meshes' pixels are drawn once, front to back
+    pixel_width: int = 1  # of a pixel on the screen, in pixels of low resolution
+    pixel_height: int = 1
     near_plane: int = ONE  # 16.16; like guard, only used if there are instances
     guard: int = 9
     points: np.ndarray = field(default_factory=lambda: scene_meshes.empty("points"), repr=False)
@@ -141,6 +143,8 @@ def check(scene: Scene, name: str) -> None:
     require(name, "height", scene.height, 1, limits["FRAME_SIDE_MAX"], " pixels")
     if scene.width % 4:
         raise UserError(f"{name}: width: {scene.width} is not a multiple of 4")
+    require(name, "pixel_width", scene.pixel_width, 1, 2)
+    require(name, "pixel_height", scene.pixel_height, 1, 2)
     require(name, "frames", scene.frames, 1, limits["SCENE_FRAMES_MAX"])
     require(name, "background", scene.background, 0, 256**scene.pixel.bytes - 1)
     require(name, "cleared", scene.cleared, 0, 1)
