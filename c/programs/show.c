@@ -29,6 +29,7 @@
 #define NO_LIMIT 65535          /* of the clock: the watchdog is off */
 #define MEASURE_REST 4          /* the pause after measuring, in times that it took */
 #define READ_BEYOND 32          /* bytes after a frame that its conversion may read */
+#define KEYS "arrows, S, space, Esc"    /* at the end of the second status line */
 
 struct show {
     struct scene scene;
@@ -110,6 +111,22 @@ static void measure(struct show *s)
     s->next_measuring = began + took + FIELDS / 2 + MEASURE_REST * took;
 }
 
+/* Puts the keys at the end of a status line, if there is room. */
+static void add_keys(char *text)
+{
+    static const char keys[] = KEYS;
+    int32 at = 0, from = STATUS_COLUMNS - (int32)sizeof keys + 1;
+
+    while (text[at])
+        at++;
+    if (at >= from)
+        return;
+    while (at < from)
+        text[at++] = ' ';
+    for (const char *key = keys; (text[at] = *key); key++)
+        at++;
+}
+
 static void describe(struct show *s)
 {
     char text[2 * STATUS_COLUMNS];
@@ -134,6 +151,7 @@ static void describe(struct show *s)
     if (!s->has_tables)
         text_add("   (no memory for tables)");
     text_take(text);
+    add_keys(text);
     screen_text(&s->screen, 1, text);
 }
 

@@ -24,6 +24,7 @@ LEFT, TOP = 74, 12
 LINES, LETTER = (TOP + 516, TOP + 534), (16, 8)
 GROUND = 2  # each channel of the colour with which HAM8 lines begin
 FRAMES = 4
+KEYS = "arrows, S, space, Esc"  # at the end of the second status line
 
 
 def surrounded(picture: np.ndarray) -> np.ndarray:
@@ -114,7 +115,7 @@ def play_chunky(on: Screen, scene: Scene) -> None:
 
     def expect(text: str, *steps: int | None) -> None:
         shot = wait_for(on, frame(1, *steps), f"frame 1 at steps {steps}")
-        status.learn(shot, 1, text.ljust(80))
+        status.learn(shot, 1, text.ljust(80 - len(KEYS)) + KEYS)
         status.learn(shot, 0, "paused, frame 1   ")
         end = f" cycles/pixel   {off(scene, 1, *steps)}"
         status.learn(shot, 0, end.ljust(80), len(status.read(shot, 0)) - len(end))

@@ -5,33 +5,23 @@ A larger pixel has the colour of its upper left one, so two kinds of errors add 
 the material's own errors, whose pieces are now of larger pixels.
 """
 
-import json
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
 from tmap.base import markdown
-from tmap.base.paths import BASELINE, SCENES
-from tmap.bench import bench
+from tmap.base.paths import SCENES
+from tmap.bench.scenes import some_frames
 from tmap.compiler.scene import compile_scene
 from tmap.compiler.space import SIZES
 from tmap.guest.emulator import CLOCK_HZ
-from tmap.run import run
+from tmap.run import conversion, run
 
 NAMES = ("corridor", "floor", "cube", "keep")
 ROWS = [(name, pixel) for name in NAMES for pixel in SIZES]
 STEP = 8  # between the frames that are drawn: of 96, every 8th
 SHOWN = 1  # of these, in the picture
-#: The bench's row of a conversion by a pixel's width, shown, frames and planes in chip RAM beside a program in fast RAM.
-CONVERSIONS = {1: ("c2p_8_low", 320), 2: ("c2p_8_2x1_low", 160)}
-
-
-def conversion(scene, machine: str) -> float:
-    """Returns the cycles that converting a frame takes, by the committed figures of the bench."""
-    name, width = CONVERSIONS[scene.pixel_width]
-    figures = bench.figures(json.loads(BASELINE.read_text())["rows"])
-    return figures[name, "a1200" if machine == "a1200" else "a1200-mixed", width] * scene.width * scene.height
 
 
 def colours(scene, frame: np.ndarray) -> np.ndarray:
@@ -42,13 +32,11 @@ def colours(scene, frame: np.ndarray) -> np.ndarray:
 def row(name: str, pixel: str, machine: str, exact: list[np.ndarray]) -> tuple[list[str], list[np.ndarray]]:
     """Draws a scene in pixels of a size; returns its row of the table and its frames' colours. ``exact``: those in
     pixels of 1x1; empty for these themselves."""
-    from tmap.bench.scenes import some_frames
-
     whole = compile_scene(SCENES / f"{name}.toml", pixel=pixel)
     scene = some_frames(whole, list(range(0, whole.frames, STEP)))
     drawn = run.render(scene, machine, "addx")
     made = [colours(scene, frame) for frame in drawn.frames]
-    drawing, showing = run.total(drawn.figures)["cycles"] / scene.frames, conversion(scene, machine)
+    drawing, showing = run.total(drawn.figures)["cycles"] / scene.frames, conversion.cycles(scene, machine)
     off = np.stack(made) - np.stack(exact or made)
     figures = [f"{drawing:,.0f}", f"{showing:,.0f}", f"{CLOCK_HZ / (drawing + showing):.1f}",
                f"{100 * off.any(axis=-1).mean():.1f}", f"{np.sqrt((off ** 2).sum(axis=-1).mean()):.1f}"]

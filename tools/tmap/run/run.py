@@ -16,7 +16,7 @@ from tmap.compiler.scene import compile_scene, parse
 from tmap.guest import emulator, provenance
 from tmap.guest.emulator import CLOCK_HZ, CYCLES_PER_TICK
 from tmap.model import model
-from tmap.run import memory
+from tmap.run import conversion, memory
 from tmap.scene_file.materials import SETTINGS
 from tmap.scene_file.scene_file import Scene, write
 
@@ -230,6 +230,13 @@ def hidden_row(materials, shown: int) -> dict[str, str]:
                          f"hidden: {drawn_once / shown:.2f} drawn for one of the frame"} if pixels else {}
 
 
+def on_screen(drawing: float, converting: float | None) -> str:
+    """Returns what a run's table says of a frame that is converted and shown after ``drawing`` cycles."""
+    if converting is None:
+        return "too large for the screen"
+    return f"{CLOCK_HZ / (drawing + converting):.1f} on the screen (converted in {converting:,.0f} cycles)"
+
+
 def print_report(about: dict, out: Path) -> None:
     """Prints a short table: each frame if there are few, the spans executed, then the whole run."""
     frames, totals = about["frames"], about["totals"]
@@ -254,8 +261,8 @@ def print_report(about: dict, out: Path) -> None:
             **hidden_row(about["lowering"].values(), shown),
             "cycles a frame": f"{mean:,.0f} mean, {worst['cycles']:,} worst "
                               f"(frame {worst['number']})",
-            "frames a second": f"{CLOCK_HZ / mean:.1f}, an estimate for {CLOCK_HZ / 1e6} MHz "
-                               "without display",
+            "frames a second": f"{CLOCK_HZ / mean:.1f} without a display, {on_screen(mean, about['conversion'])}; "
+                               f"estimates for {CLOCK_HZ / 1e6} MHz",
             "spans used": ", ".join(f"{kind} {pixels:,} pixels" for kind, pixels
                                     in totals["spans"].items()) or "none"}
     if about["trees"]["nodes"]:
@@ -304,6 +311,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
              "trees": {"faces": len(scene.slots), "nodes": len(scene.nodes)},
              "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
+             "conversion": conversion.cycles(scene, machine),
              "textures": memory.for_textures(scene, machine), "shared": memory.shared(scene),
              "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
     with replaced(out, WRITTEN, WRITTEN[0]) as folder:

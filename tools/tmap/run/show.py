@@ -17,6 +17,9 @@ WIDTH, HEIGHT = 752, 572
 #: The machine runs at its normal speed and uses the window's keyboard.
 OPTIONS = {"window_width": str(WIDTH), "window_height": str(HEIGHT), "zoom": "full",
            "keep_aspect": "0", "texture_filter": "nearest", "initial_input_grab": "0"}
+#: What the keys of c/programs/show.c do.
+KEYS = ("space: pause and go on; cursor left and right: accuracy; down and up: perspective; S: the scene's own; "
+        "escape: the end")
 #: Variables of display servers, and the driver for each. It is given by name, so that no other
 #: driver is used.
 DRIVERS = {"DISPLAY": "x11", "WAYLAND_DISPLAY": "wayland"}
@@ -54,5 +57,6 @@ def play(program: str, arguments: str, files: dict[str, bytes], machine: str,
 
 def command(path: Path, machine: str, display: Display) -> int:
     """``tmap show``: plays a scene file; raises UserError."""
+    print(KEYS)
     play("show", SCENE_NAME, {SCENE_NAME: write(compile_scene(path))}, machine, display)
     return 0

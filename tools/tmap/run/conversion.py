@@ -1,0 +1,37 @@
+"""What a scene's frames cost on the screen beside their drawing: the conversion to bitplanes, by the bench's committed
+figures, while the picture is shown."""
+
+import json
+from functools import cache
+
+from tmap.base.paths import BASELINE
+from tmap.guest.emulator import has_fast_memory
+from tmap.scene_file.scene_file import Scene
+
+#: The bench's row of a conversion and its length, by format and by a pixel's width on the screen.
+ROWS = {("chunky", 1): ("c2p_8_low", 320), ("chunky", 2): ("c2p_8_2x1_low", 160),
+        **{(form, width): (f"c2p_ham8_{name}_{dots}", 160)
+           for form, name in (("rgb565", "16"), ("rgba5551", "5551"), ("rgba8888", "32"))
+           for width, dots in ((1, "super"), (2, "high"))}}
+SCREEN = 320, 256  # pixels of low resolution
+
+
+@cache
+def figures() -> dict[tuple, float]:
+    """Returns the committed cycles a pixel of kernels."""
+    rows = json.loads(BASELINE.read_text())["rows"]
+    return {(row["name"], row["machine"], row["length"]): row["cycles_per_pixel"] for row in rows}
+
+
+def cycles(scene: Scene, machine: str) -> float | None:
+    """Returns the cycles in which a machine converts a frame while one is shown; None if the screen cannot show it."""
+    sides = scene.width * scene.pixel_width, scene.height * scene.pixel_height
+    if scene.width % 8 or any(side > most for side, most in zip(sides, SCREEN)):
+        return None
+    width = scene.pixel_width
+    if scene.pixel.colours and max(width, scene.pixel_height) == 1 and all(
+            2 * side <= most for side, most in zip(sides, SCREEN)):
+        width = 2  # it is shown twice as large
+    name, length = ROWS[scene.format, width]
+    # Planes are in chip RAM, where "a1200-fast" has none of its data.
+    return figures()[name, "a1200-mixed" if has_fast_memory(machine) else "a1200", length] * scene.width * scene.height
