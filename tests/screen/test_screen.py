@@ -3,10 +3,14 @@
 tests/kernels/test_kernels.py compares the routines themselves with this code bit for bit.
 """
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
 from tmap.base import maps, planar
+from tmap.base.pixel_formats import FORMATS
+from tmap.run import conversion
 
 BACKGROUND = (2, 2, 2)  # palette entry 0, as c/screen/planar.h advises
 ROUNDED = -1, 2  # error from the background's lower two bits: 2 - 3 to 2 - 0
@@ -75,3 +79,19 @@ def test_alpha_does_not_count():
     pixels = planar.noise("c2p_ham8_32", np.random.default_rng(3), 32, 4)
     convert = planar.FORMS["c2p_ham8_32"].convert
     assert (convert(pixels) == convert(pixels ^ 0xFF)).all()
+
+
+@pytest.mark.parametrize("width, height, pixel, form, row", [
+    (320, 256, (1, 1), "chunky", ("c2p_8_low", 320)), (160, 128, (2, 2), "chunky", ("c2p_8_2x1_low", 160)),
+    (320, 128, (1, 2), "chunky", ("c2p_8_low", 320)), (160, 128, (1, 1), "rgb565", ("c2p_ham8_16_high", 160)),
+    (168, 128, (1, 1), "rgb565", ("c2p_ham8_16_super", 160)), (168, 64, (1, 2), "rgba8888", ("c2p_ham8_32_super", 160)),
+    (80, 256, (2, 1), "rgba5551", ("c2p_ham8_5551_high", 160)),
+    (328, 8, (1, 1), "chunky", None), (168, 8, (2, 1), "chunky", None), (8, 129, (1, 2), "chunky", None),
+    (12, 8, (1, 1), "chunky", None)])
+def test_a_scenes_conversion_has_its_row_of_the_bench(width, height, pixel, form, row) -> None:
+    """As struct screen_layout shows it; None where the screen refuses it."""
+    scene = SimpleNamespace(width=width, height=height, pixel_width=pixel[0], pixel_height=pixel[1], format=form,
+                            pixel=FORMATS[form])
+    for machine, at in (("a1200", "a1200"), ("a1200-fast", "a1200-mixed"), ("a1200-030", "a1200-mixed")):
+        wanted = row and conversion.figures()[row[0], at, row[1]] * width * height
+        assert conversion.cycles(scene, machine) == wanted
