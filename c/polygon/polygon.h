@@ -87,7 +87,7 @@ enum mapper_trait {
     MAPPER_PLANE = 2,           /* GRADIENTS_PLANE and START_SUBTEXEL only */
     MAPPER_UNIT = 4,            /* a texture unit draws it */
     MAPPER_BY_VERTICES = 8,     /* the vertices may allow a cheaper span */
-    MAPPER_PERSPECTIVE = 16     /* it draws perspective, with pixels of 1 byte */
+    MAPPER_PERSPECTIVE = 16     /* it draws perspective */
 };
 
 /* Span routines; pixels are counted by them. A polygon with perspective that is not level is drawn by

@@ -69,7 +69,7 @@ struct scene_texture {
 };
 
 /* Mappers with 2 bytes a pixel: flat, affine, dithered, columns, for PIXEL_RGB565 glide, for
-   PIXEL_RGBA5551 n64; with 4: flat, affine, dithered, glide, n64. None of these has perspective. */
+   PIXEL_RGBA5551 n64; with 4: flat, affine, dithered, glide, n64. */
 struct scene_material {
     uint32 mapper, edges, gradients, start, clip, perspective;  /* c/polygon/polygon.h */
     int32 texture;              /* index, in the mapper's layout; NO_TEXTURE: flat, Gouraud */

@@ -6,11 +6,10 @@ every byte of memory that the trial does not expect to be written. Each block of
 guards of noise.
 """
 
+import random
 from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
-
-import numpy as np
 
 from tmap.base.errors import UserError
 from tmap.base.fixed import M32
@@ -47,11 +46,11 @@ class Memory(kernels.Arena):
     def __init__(self, seed: int = 64) -> None:
         super().__init__()
         self.blocks: list[Block] = []
-        self.noise = np.random.default_rng(seed)
+        self.noise = random.Random(seed)
         self.pad(GUARD)
 
     def pad(self, size: int) -> None:
-        self.data += self.noise.bytes(size)
+        self.data += self.noise.randbytes(size)
 
     def add(self, content: bytes | bytearray, align: int = 4, name: str = "data",
             shape: layout.Struct | None = None) -> int:
@@ -64,7 +63,7 @@ class Memory(kernels.Arena):
 
     def blank(self, size: int, name: str = "data", shape: layout.Struct | None = None) -> int:
         """The same of noise."""
-        return self.add(self.noise.bytes(size), name=name, shape=shape)
+        return self.add(self.noise.randbytes(size), name=name, shape=shape)
 
     def place(self, offset: int) -> Place:
         """Returns the item at an offset."""

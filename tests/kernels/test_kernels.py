@@ -48,8 +48,11 @@ def called(request):
             trials = [trial for room in ROOMS[first:first + TOGETHER] for trial in room.trials()
                       if trial.case.kernel in wanted]
             begun.append((trials, [boots.submit(checker.run, trials, machine) for machine in PROCESSORS]))
-        done = [each for trials, parts in begun for each in zip(trials, *(part.result() for part in parts))]
-    return {kernel: [each for each in done if each[0].case.kernel == kernel] for kernel in wanted}
+        done = {kernel: [] for kernel in wanted}
+        for trials, parts in begun:
+            for trial, *results in zip(trials, *(part.result() for part in parts)):
+                done[trial.case.kernel].append((trial, *results))
+    return done
 
 
 @pytest.mark.parametrize("kernel", CONTRACTS)

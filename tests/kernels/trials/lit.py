@@ -24,7 +24,7 @@ def lit_ground() -> tuple[Ground, np.ndarray, int]:
     """What lit spans are drawn on and from, and their light table, the second quarter of a page."""
     ground = ground_of(8, texture().tobytes(), texture())
     table = np.random.default_rng(9).integers(0, 256, (LEVELS, 256), dtype=np.uint8)
-    noise = ground.arena.noise.bytes(table.size)
+    noise = ground.arena.noise.randbytes(table.size)
     return ground, table, ground.arena.add(noise + table.tobytes(), MAP_ALIGN, "light") + table.size
 
 

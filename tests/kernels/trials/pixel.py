@@ -26,7 +26,7 @@ def table_of_shades() -> np.ndarray:
 def pixel_memory(*blocks: str) -> tuple[Memory, dict[str, int]]:
     """A far arena with a frame and what else is needed, and what lies where."""
     memory = Memory(4)
-    places = {"frame": memory.add(memory.noise.bytes(FRAME), name="frame")}
+    places = {"frame": memory.add(memory.noise.randbytes(FRAME), name="frame")}
     for name in blocks:
         content = table_of_shades() if name == "shades" else texture()
         content, align = (content.reshape(-1)[:ROW], 4) if name == "row" else (content, MAP_ALIGN)

@@ -41,7 +41,7 @@ def control_trial(groups: int, rows: int, layout: tuple[int, int], seed: int) ->
     """The planes of HAM8 that say which colour a dot changes."""
     near, far = Memory(seed), Memory(seed + 1)
     planes = planar.Planes(32 * groups, rows, *layout, planar.CONTROL)
-    out = far.add(near.noise.bytes(planes.size))
+    out = far.add(near.noise.randbytes(planes.size))
     plan = near.struct("planar_plan", {"pixels": 0}, {"planes": out + planes.first}, pitch=0,
                        width=8 * groups, rows=rows, row_pitch=layout[0], plane_pitch=layout[1])
     dots = np.tile(planar.ham8_control(planes.width), (rows, 1))

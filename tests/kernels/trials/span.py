@@ -52,7 +52,7 @@ def ground_of(seed: int, stored: bytes, picture: np.ndarray, at: int = 0,
     """A far arena with a frame and the map ``stored``, to which spans point ``at`` bytes behind
     its beginning."""
     memory = Memory(seed)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
+    frame = memory.add(memory.noise.randbytes(FRAME), name="frame")
     return Ground(memory, frame + MARGIN, memory.add(stored, align, "map") + at, picture)
 
 

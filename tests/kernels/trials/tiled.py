@@ -29,8 +29,8 @@ def tiled_ground() -> Ground:
 def noise_memory(size: int) -> tuple[Memory, int, int]:
     """A frame and so many bytes of map: what maps of one size have in common."""
     memory = Memory(6)
-    frame = memory.add(memory.noise.bytes(FRAME), name="frame")
-    return memory, frame, memory.add(memory.noise.bytes(size), name="map")
+    frame = memory.add(memory.noise.randbytes(FRAME), name="frame")
+    return memory, frame, memory.add(memory.noise.randbytes(size), name="map")
 
 
 def column_ground(width: int, height: int, texel: str) -> Ground:

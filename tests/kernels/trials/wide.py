@@ -17,9 +17,9 @@ def ground(wide: int) -> Ground:
     """A page of noise in texels of so many bytes, at no larger multiple of them than it must be;
     a frame."""
     memory = Memory(7)
-    frame = memory.add(memory.noise.bytes(FRAME * wide // 2), name="frame")
-    picture = np.frombuffer(memory.noise.bytes(65536 * wide), f">u{wide}").reshape(256, 256)
-    before = memory.noise.bytes(wide)
+    frame = memory.add(memory.noise.randbytes(FRAME * wide // 2), name="frame")
+    picture = np.frombuffer(memory.noise.randbytes(65536 * wide), f">u{wide}").reshape(256, 256)
+    before = memory.noise.randbytes(wide)
     at = memory.add(before + maps.to_page(picture).tobytes(), 8, "map")
     return Ground(memory, frame + MARGIN, at + len(before) + 128 * 256 * wide, picture)
 

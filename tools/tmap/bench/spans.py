@@ -35,6 +35,7 @@ GAP = 4  # pixels from a line's last to the next one's first place: lines begin 
 #: Structs in the blocks that a span_plan points at.
 SHAPES = {"lines": "scanline", "steps": "scanline_step", "columns": "column_layout"}
 
+PIXELS = np.arange(1024, dtype=np.int64)
 Line = tuple[int, int, int, int]  # first column, pixels, u, v; nothing is drawn of 0 pixels and less
 
 
@@ -70,11 +71,10 @@ def texels(picture: np.ndarray, u, v, dudx: int, dvdx: int, count: int, cut=(0, 
            chained: bool = False) -> np.ndarray:
     """What a line shows of a map that repeats; ``cut``: how many bits of u and v are dropped; ``chained``: v's wraps
     change u."""
-    n = np.arange(count, dtype=np.int64)
+    n = PIXELS[:count] if count <= len(PIXELS) else np.arange(count, dtype=np.int64)
     if chained:
         u = u + wraps(v, dvdx, n)
-    x, y = (((c >> bits) + n * (step >> bits) << bits) >> 16
-            for c, step, bits in zip((u, v), (dudx, dvdx), cut))
+    x, y = ((c >> bits) + n * (step >> bits) >> 16 - bits for c, step, bits in zip((u, v), (dudx, dvdx), cut))
     return picture[y % len(picture), x % picture.shape[1]]
 
 
