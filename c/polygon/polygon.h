@@ -176,7 +176,7 @@ typedef enum polygon_result polygon_routine(struct renderer *renderer,
 /* The material of a polygon. */
 struct material {
     uint8 mapper, edges, gradients, start, clip;
-    uint8 perspective;          /* MAPPER_PERSPECTIVE, GRADIENTS_PLANE, START_SUBTEXEL; 8 bits */
+    uint8 perspective;          /* MAPPER_PERSPECTIVE, GRADIENTS_PLANE, START_SUBTEXEL */
     uint8 whole;                /* MAPPER_AFFINE, GRADIENTS_PLANE: the plane of texture units to
                                    the last bit. u's lowest counts even where v wraps in a line,
                                    for 2 cycles a pixel there */
