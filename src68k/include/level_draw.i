@@ -101,22 +101,21 @@ level_lines_draw macro
         move.b  d0,d1                   ; v--U
         move.w  d3,d0                   ; uuVv
 
-        ; their steps, as chain_steps, in d3 and d2
+        ; their steps, as chain_steps, in d3 and d2: what a v that goes down borrows from u is not added to it
         move.l  d2,d4
         muls.l  inverse_u+inverse_dc(sp),d3:d4
-        add.l   inverse_up(sp),d3
+        addq.l  #1,d3
         muls.l  inverse_v+inverse_dc(sp),d4:d2
         addq.l  #1,d4
-        moveq   #0,d2
+        beq     .still
+.steps  moveq   #0,d2
         move.b  d4,d2
         ror.l   #8,d2                   ; v---
         movea.l d2,a2
         lsr.l   #8,d4                   ; .Vv
         swap    d3                      ; uuUU
         move.b  d3,d2                   ; v--U
-        clr.w   d3                      ; uu--
-        ext.l   d4
-        add_below d3,d4,d2,b            ; uuVv
+        move.w  d4,d3                   ; uuVv
 
         movea.l a6,a1
         ifc     '\1','right'
@@ -163,6 +162,10 @@ level_lines_draw macro
         moveq   #1,d0
 .done   lea     draw_sizeof(sp),sp
         return_all
+
+.still  add.l   inverse_up(sp),d3       ; v does not go down after all
+        subq.l  #1,d3
+        bra     .steps
 
 .more   subq.w  #1,d1
         bne.s   .turn
