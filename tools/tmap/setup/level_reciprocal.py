@@ -65,7 +65,7 @@ def find(p: Perspective, count: int, width: int, spare: int) -> Constants | None
     most = 0
     for c, dc in zip(cs, dcs):
         for end in (c, signed(c + width * dc, 64)):
-            most |= (end ^ end >> 63) >> 32
+            most = max(most, (end ^ end >> 63) >> 32)
     shift = (most + (most >> 12) + 1).bit_length() + 32 - BITS  # the width's rounded steps fit too
     if shift > MOST_SHIFT or 2 << shift > far >> 32:
         return None
