@@ -14,8 +14,8 @@ enum cubic_constants {
     CUBIC_ERROR_FINE = 320,
     CUBIC_RAISE_FINE = 96,
     /* The most pixels of a piece, m + 1. Six times the third term are cut by up to 2^-24 texel, which counts
-       (m + 1) m (m - 1) / 6 times; the second term m^2 times, with what the third makes of it; the first one and the third
-       m times each; and 2 for the rest. */
+       (m + 1) m (m - 1) / 6 times; the second term m^2 times, or less by what the third, of the other sign, makes of it;
+       the first one and the third m times each; and 2 for the rest. */
     CUBIC_LONGEST_PIXEL = 56,
     CUBIC_LONGEST_FINE = 28,
     CUBIC_CUTS_PIXEL = 123,
