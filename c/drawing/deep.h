@@ -28,7 +28,7 @@ struct deep {
    src68k/polygon: contract there. */
 int32 deep_draw(struct deep *deep);
 
-/* Draws a polygon whose sides, box, edges and, if is_sure, depth are found. */
+/* Draws a polygon whose sides, box and, if is_sure, depth are found; edges too, or their plan's lefts is 0. */
 enum polygon_result deep_rest(struct deep *deep, int32 is_sure);
 
 #endif

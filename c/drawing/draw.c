@@ -193,7 +193,15 @@ static void draw_afar(const struct setup *s, const struct cover *cover, const st
         cubic_draw(s, &afar->cubics, lines);
 }
 
-/* Draws with perspective, from the depth that is found. Returns 0 without drawing if the planes are too inexact. */
+/* Makes the edges that deep_draw has left out. */
+static void make_edges(struct setup *s)
+{
+    if (!s->edges.lefts)
+        edges_make(&s->edges, &s->sides, &s->box, EDGES_ARE_EXACT(s->material->edges));
+}
+
+/* Draws with perspective, from the depth that is found; edges may be left out. Returns 0 without drawing if the planes
+   are too inexact. */
 static int32 draw_deep(struct setup *s, const struct cover *cover, struct depth *depth)
 {
     union afar afar;
@@ -208,6 +216,7 @@ static int32 draw_deep(struct setup *s, const struct cover *cover, struct depth 
         s->level = LEVEL_NOTHING;       /* they bend too much */
     if (s->level == LEVEL_COLUMNS && !light_kind(s))
         return 1;
+    make_edges(s);
     /* if K lacks bits, straight lines are more accurate */
     from_afar = may_be_afar(s) && find_afar(&afar, s, depth) && !(s->level && afar.way.plan.less);
     if (from_afar)
@@ -324,6 +333,7 @@ enum polygon_result deep_rest(struct deep *deep, int32 is_sure)
 
     if (is_sure && draw_deep(s, 0, &deep->depth))
         return POLYGON_DRAWN;
+    make_edges(s);
     s->kind = s->affine;
     plan_set_plane(s);
     result = draw_inside(s, 0);

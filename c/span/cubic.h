@@ -13,11 +13,12 @@ enum cubic_constants {
     CUBIC_RAISE_PIXEL = 384,
     CUBIC_ERROR_FINE = 320,
     CUBIC_RAISE_FINE = 96,
-    /* The most pixels of a piece, n. The third term of a piece is cut by up to 2^-24 texel, which counts (n - 1)^3
-       times; the second, (n - 1)^2 times, with what the third makes of it; and 2 for the rest. */
-    CUBIC_LONGEST_PIXEL = 32,
-    CUBIC_LONGEST_FINE = 16,
-    CUBIC_CUTS_PIXEL = 126,
+    /* The most pixels of a piece, m + 1. Six times the third term are cut by up to 2^-24 texel, which counts
+       (m + 1) m (m - 1) / 6 times; the second term m^2 times, or less by what the third, of the other sign, makes of it;
+       the first one and the third m times each; and 2 for the rest. */
+    CUBIC_LONGEST_PIXEL = 56,
+    CUBIC_LONGEST_FINE = 28,
+    CUBIC_CUTS_PIXEL = 123,
     CUBIC_CUTS_FINE = 18,
     /* Texels from K, so that U, in units, is below 2^30. */
     CUBIC_REACH = 16383,

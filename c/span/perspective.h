@@ -39,10 +39,10 @@ enum perspective_constants {
     PERSPECTIVE_SPARE_PIXEL = 1020,
     PERSPECTIVE_SPARE_FINE = 376,
     PERSPECTIVE_SPARE_PIECES = 1 << 20,     /* all that fits */
-    /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 500, or 1,000 if its depth is
+    /* Which is cheaper, columns or lines: turning costs about 6,000 cycles, a column 440, or 1,000 if its depth is
        not the same all along it, and 19 a pixel, a line from 550 and 26 (EVERY16), 29, 67 or 87. */
     PERSPECTIVE_TURN = 6000,
-    PERSPECTIVE_COLUMN = 500,
+    PERSPECTIVE_COLUMN = 440,
     PERSPECTIVE_COLUMN_TILTED = 1000,
     PERSPECTIVE_LINE = 550,
     PERSPECTIVE_SAVED_EVERY16 = 7,

@@ -10,7 +10,8 @@
 ;          those of empty lines
 ; formats: u = K + C R / 2^32 and du = dC R / 2^32, rounded down, plus 1, or 2 if the plan is chained and v goes down;
 ;          16.16. K = ds/dy / dq/dy is for all lines, C = s - K q for all lines at one x, R = (2^32 2^shift - 1) / q.hi,
-;          q that of the width's middle. C of both ends, shifted right, is below 2^31
+;          q that of the width's middle, stepped with 16 bits of fraction and up to 2^-6 above its plane. C of both ends,
+;          shifted right, is below 2^31
 ; error:   u is between 0 and 8 units, 2 A / q.hi, and as many times R / 2^32 + 1, or 2 in a chain, as the pixel is right
 ;          of the plan's left, above s / q; A is |K| and the plan's upper limit. Nothing is clamped
 ; cost:    350 cycles a line, 1,000 before the first one
@@ -123,7 +124,18 @@ inverse_begin
         move.l  d7,inverse_u+inverse_more(a4)
         move.l  inverse_v+inverse_dc(a4),inverse_v+inverse_more(a4)
         move.l  perspective_plan_q+screen_plane_dy(a6),inverse_dq(a4)
-        move.l  perspective_plan_q+screen_plane_dy+number64_lo(a6),inverse_dq+number64_lo(a4)
+        move.l  perspective_plan_q+screen_plane_dy+number64_lo(a6),d0
+        clr.w   d0
+        move.l  d0,inverse_dq+number64_lo(a4)
+        move.l  perspective_plan_count(a6),d0
+        addq.l  #1,d0
+        swap    d0
+        add.l   inverse_q+number64_lo(a4),d0
+        clr.w   d0
+        move.l  d0,inverse_q+number64_lo(a4)
+        move.l  inverse_q(a4),d0
+        addx.l  d6,d0
+        move.l  d0,inverse_q(a4)
         movea.l perspective_plan_lines(a6),a0
         movea.l perspective_plan_left(a6),a5
         lea     EDGE_BIAS(a5),a5

@@ -44,18 +44,19 @@ add_below macro
         endm
 
 ; Packs the steps d2 (u) and d5 (v), 16.16, for the chain of two registers (see
-; span_affine_addx): d2 uuVv, d3 v--U, a4 v---. Uses d5.
+; span_affine_addx): d2 uuVv, d3 v--U, a4 v---. A v that goes down borrows a unit of u, which the carry out of Vv
+; returns. Uses d5.
 chain_steps macro
         moveq   #0,d3
         move.b  d5,d3
         ror.l   #8,d3                   ; v---
         movea.l d3,a4
         lsr.l   #8,d5                   ; .Vv
+        tst.w   d5
+        minus   <subq.l #1,d2>
         swap    d2                      ; uuUU
         move.b  d2,d3                   ; v--U
-        clr.w   d2                      ; uu--
-        ext.l   d5
-        add_below d2,d5,d3,b            ; uuVv
+        move.w  d5,d2                   ; uuVv
         endm
 
 ; Packs a step \1 (16.16) for a chain of one register, which carries into itself:

@@ -44,14 +44,26 @@ cubic_first macro
         move.b  d5,d4
         endm
 
-; The first and second difference \1 and \2, and the third \3, from the three terms there. Uses d1.
+; \1 = the first difference, from its first term there, the second one \2 and the third one \3:d1, which gives 6 of
+; it, cut. \4: a temporary; an address register costs a branch. Uses d1/a6.
 cubic_differences macro
         adda.l  \2,\1
         adda.l  \3,\1
-        move.l  \3,d1
-        add.l   \3,\3
-        add.l   d1,\3
-        add.l   \3,\3                   ; 6 of it
+        move.l  \3,\4
+        movea.l d1,a6
+        add.l   d1,d1
+        addx.l  \3,\3
+        add.l   a6,d1
+        ifc     '\4','a5'
+        bcc.s   .whole\@
+        addq.l  #1,\3
+.whole\@
+        add.l   a5,\3
+        else
+        addx.l  \4,\3
+        endc
+        add.l   d1,d1
+        addx.l  \3,\3
         add.l   \2,\2
         add.l   \3,\2
         endm
@@ -86,6 +98,7 @@ cubic_lines macro
         lea     -cubic_bytes(sp),sp
         far_table
         movem.l cubic_span_ku(a0),d0-d7/a1-a4           ; to top
+        bchg    #31,d1                  ; see the map
         movem.l d0-d5,far_ku(sp)
         movem.l d6-d7/a1-a4,cubic_shift(sp)             ; to most
         movem.l cubic_span_dcu_low(a0),d0-d3            ; dcv_low, dq, top
@@ -95,7 +108,7 @@ cubic_lines macro
         clr.l   cubic_cu_low(sp)
         clr.l   cubic_cv_low(sp)
         movea.l cubic_span_map(a0),a4
-        adda.l  #32768,a4               ; the index is signed: v starts 128 rows on
+        adda.l  #32768,a4               ; the index is signed: K of v is 128 rows on
         movea.l cubic_span_lines(a0),a0
         bra.s   .line
 
@@ -157,11 +170,11 @@ cubic_lines macro
         muls.l  cubic_factor3(sp),d4:d1
         move.l  d5,d1
         muls.l  d4,d6:d1
+        cubic_differences a2,d5,d6,a5
+        movea.l d6,a5
         move.l  d0,d1
         muls.l  d4,d4:d1
-        cubic_differences a2,d5,d6
-        cubic_differences a3,d0,d4
-        movea.l d6,a5
+        cubic_differences a3,d0,d4,d6
         movea.l d4,a6
         move.l  d0,d4
         lsl.l   #8,d2
@@ -170,7 +183,6 @@ cubic_lines macro
         move.l  d3,d1
         add.l   far_ku(sp),d0
         add.l   far_kv(sp),d1
-        bchg    #31,d1
         move.l  a2,d2
         move.l  a3,d3
         movea.l d5,a2
@@ -209,7 +221,6 @@ cubic_lines macro
         move.l  d3,d1
         add.l   far_ku(sp),d0
         add.l   far_kv(sp),d1
-        bchg    #31,d1
         move.l  #$ffffff,d5
         cubic_texel \1
         add.l   cubic_dq(sp),d6

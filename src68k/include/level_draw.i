@@ -8,12 +8,11 @@
 
 ; On the stack, behind what inverse_begin has found.
 draw_end        equ     inverse_sizeof          ; of the table
-draw_map        equ     inverse_sizeof+4        ; mm00
-draw_cut        equ     inverse_sizeof+8        ; 2^shift - 1
-draw_step       equ     inverse_sizeof+12       ; bytes to the next line's first pixel, if C's step is inverse_step,
-draw_more       equ     inverse_sizeof+16       ; and if it is inverse_more
-draw_pitch      equ     inverse_sizeof+20
-draw_sizeof     equ     inverse_sizeof+24
+draw_cut        equ     inverse_sizeof+4        ; 2^shift - 1
+draw_step       equ     inverse_sizeof+8        ; bytes to the next line's first pixel, if C's step is inverse_step,
+draw_more       equ     inverse_sizeof+12       ; and if it is inverse_more
+draw_pitch      equ     inverse_sizeof+16
+draw_sizeof     equ     inverse_sizeof+20
 
 PIXELS_RIGHT    equ     16                      ; a round
 PIXELS_DOWN     equ     8
@@ -39,15 +38,16 @@ level_lines_draw macro
         beq     .done
         move.l  d1,draw_end(sp)
         move.l  a2,draw_cut(sp)
-        move.l  perspective_plan_map(a6),draw_map(sp)
         movem.l inverse_q(sp),d5-d6
+        move.l  perspective_plan_map(a6),d4     ; mm00
         movea.l d2,a4
         move.l  a5,d1                   ; x
         movea.l d3,a5
         movea.l perspective_plan_pitch(a6),a3
         movea.l perspective_plan_row(a6),a6
-        move.w  scanline_left(a0),d0
-        move.w  scanline_last(a0),d7
+        move.l  (a0)+,d0                ; start0:left
+        move.w  (a0)+,d6                ; last
+        move.l  d6,d7
         move.l  a3,draw_pitch(sp)
         lea     1(a3),a1
         move.l  a1,draw_more(sp)
@@ -55,7 +55,7 @@ level_lines_draw macro
         adda.l  d1,a6
         suba.l  a3,a6
         move.l  a3,draw_step(sp)
-        lea     .pixels_end-12(pc),a3
+        movea.l inverse_u+inverse_k(sp),a3
         else
         move.l  a3,d2
         muls.l  d1,d2
@@ -68,18 +68,22 @@ level_lines_draw macro
         neg.w   d1
         bra.s   .moved
 
-        ; a0 line  a1 pixel  a3 right: where rounds end, down: the pitch  a4 C of u  a5 C of v  a6 the first pixel
-        ; d5:d6 q
-.line   move.w  scanline_left(a0),d0
-        move.w  scanline_last(a0),d7
+.still  add.l   inverse_up(sp),d3       ; v does not go down after all
+        subq.l  #1,d3
+        bra     .steps
+
+        ; a0 line  a1 pixel  a3 right: K of u, down: the pitch  a4 C of u  a5 C of v  a6 the first pixel
+        ; d4 mm--  d5 and d7's upper word q  d7 pixels less one
+.line   move.l  (a0)+,d0                ; start0:left
+        move.w  (a0)+,d7                ; last
         move.w  d0,d1
-        sub.w   scanline_left-scanline_sizeof(a0),d1
+        sub.w   scanline_left-scanline_start1-scanline_sizeof(a0),d1
         sub.w   inverse_whole+2(sp),d1
 .moved  bne     .more
         adda.l  inverse_u+inverse_step(sp),a4
         adda.l  inverse_v+inverse_step(sp),a5
         adda.l  draw_step(sp),a6
-.begin  lea     scanline_sizeof(a0),a0
+.begin  addq.l  #scanline_sizeof-scanline_start1,a0
         sub.w   d0,d7
         bmi     .next
 
@@ -89,7 +93,11 @@ level_lines_draw macro
         divu.l  d5,d1:d2
         move.l  a4,d1
         muls.l  d2,d0:d1
+        ifc     '\1','right'
+        add.l   a3,d0
+        else
         add.l   inverse_u+inverse_k(sp),d0
+        endc
         move.l  a5,d1
         muls.l  d2,d3:d1
         add.l   inverse_v+inverse_k(sp),d3
@@ -101,44 +109,41 @@ level_lines_draw macro
         move.b  d0,d1                   ; v--U
         move.w  d3,d0                   ; uuVv
 
-        ; their steps, as chain_steps, in d3 and d2
-        move.l  d2,d4
-        muls.l  inverse_u+inverse_dc(sp),d3:d4
-        add.l   inverse_up(sp),d3
-        muls.l  inverse_v+inverse_dc(sp),d4:d2
-        addq.l  #1,d4
-        moveq   #0,d2
-        move.b  d4,d2
+        ; their steps, as chain_steps, in d3 and d2: what a v that goes down borrows from u is not added to it
+        move.l  d2,d6
+        muls.l  inverse_u+inverse_dc(sp),d3:d6
+        addq.l  #1,d3
+        muls.l  inverse_v+inverse_dc(sp),d6:d2
+        addq.l  #1,d6
+        beq.s   .still
+.steps  moveq   #0,d2
+        move.b  d6,d2
         ror.l   #8,d2                   ; v---
         movea.l d2,a2
-        lsr.l   #8,d4                   ; .Vv
+        lsr.l   #8,d6                   ; .Vv
         swap    d3                      ; uuUU
         move.b  d3,d2                   ; v--U
-        clr.w   d3                      ; uu--
-        ext.l   d4
-        add_below d3,d4,d2,b            ; uuVv
+        move.w  d6,d3                   ; uuVv
 
         movea.l a6,a1
         ifc     '\1','right'
-        moveq   #PIXELS_RIGHT-1,d4
-        and.w   d7,d4
-        neg.w   d4
+        moveq   #PIXELS_RIGHT-1,d6
+        or.w    d7,d6
+        sub.w   d7,d6
         lsr.w   #4,d7
         add.l   a2,d1
-        lea     (a3,d4.w*4),a2
-        lea     (a2,d4.w*8),a2
+        lea     .pixels(pc,d6.w*4),a2
         else
-        moveq   #PIXELS_DOWN-1,d4
-        or.w    d7,d4
-        sub.w   d7,d4
+        moveq   #PIXELS_DOWN-1,d6
+        or.w    d7,d6
+        sub.w   d7,d6
         lsr.w   #3,d7
         add.l   a2,d1
-        lea     .pixels(pc,d4.w*2),a2
-        lea     (a2,d4.w*4),a2
-        lea     (a2,d4.w*8),a2
+        lea     .pixels(pc,d6.w*2),a2
+        lea     (a2,d6.w*4),a2
         endc
-        move.l  draw_map(sp),d4
-        jmp     (a2)
+        jmp     (a2,d6.w*8)
+        cnop    0,4
 .pixels
         ifc     '\1','right'
         rept    PIXELS_RIGHT
@@ -153,9 +158,8 @@ level_lines_draw macro
         adda.l  a3,a1
         endr
         endc
-.pixels_end
         dbra    d7,.pixels
-.next   add.l   inverse_dq+number64_lo(sp),d6
+.next   add.l   inverse_dq+number64_lo(sp),d7
         move.l  inverse_dq(sp),d0
         addx.l  d0,d5
         cmpa.l  draw_end(sp),a0

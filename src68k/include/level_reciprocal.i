@@ -19,12 +19,12 @@ inverse_part equ 16
 inverse_u equ   0
 inverse_v equ   inverse_part
 inverse_far equ 2*inverse_part          ; q of the farthest line at the plan's left, 64 bits
-inverse_dq equ  inverse_far             ; then: q's growth a line
+inverse_dq equ  inverse_far             ; then: q's growth a line, 48.16 in the upper bits
 inverse_sign equ inverse_far+8          ; of q's growth
 inverse_whole equ inverse_sign
-inverse_most equ inverse_sign+4         ; a bit for each that a C has in its upper half
+inverse_most equ inverse_sign+4         ; of the upper halves of C, less their signs
 inverse_up equ  inverse_most            ; then: what is added to steps of u
-inverse_q equ   inverse_most+4          ; of the first line, 64 bits
+inverse_q equ   inverse_most+4          ; of the first line, 64 bits; then: 48.16, as above
 inverse_sizeof equ inverse_q+8
 
 ; Adds the field \1 of the plane a5, times \2, to d0:d1. Uses d2-d3.
@@ -41,11 +41,14 @@ line_up macro
 .here\@
         endm
 
-; Counts the bits of C in d0 in.
+; Keeps the most of the upper halves of C, less their signs, of d0.
 fitting macro
         tst.l   d0
         minus   <not.l d0>
-        or.l    d0,inverse_most(a4)
+        cmp.l   inverse_most(a4),d0
+        bls.s   .less\@
+        move.l  d0,inverse_most(a4)
+.less\@
         endm
 
 ; \2 = the 64 bits at \1 shifted right by d5, plus 1; d6 = 32 - d5. Uses d0-d1.

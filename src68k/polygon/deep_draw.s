@@ -1,6 +1,6 @@
         include "routine.i"
 
-        xref    polygon_outline,depth_inside,way_inside,edges_far_inside,far_span_inside
+        xref    polygon_outline,edges_make,depth_inside,way_inside,edges_far_inside,far_span_inside
         xref    _far_spans,_deep_rest
 
 Q_ONE   equ     1<<30                   ; q of the nearest vertex
@@ -60,7 +60,7 @@ bent    macro
         dbne    d1,.vertex
         beq     .constant
         move.l  deep_exact(a6),d0
-        moveq   #-1,d1                  ; without a plane
+        moveq   #-2,d1                  ; without a plane or edges: columns need none
         jsr     polygon_outline
         tst.l   d0
         bne     .done
@@ -137,7 +137,15 @@ bent    macro
         bne     .rest                   ; straight lines are more accurate
 
         ; the lines, from edges inside the frame
-.far    lea     -far_edges_sizeof(sp),sp
+.far    tst.l   setup_edges+edge_plan_lefts(a6)
+        bne.s   .edges
+        lea     setup_edges(a6),a0
+        lea     setup_sides(a6),a1
+        lea     setup_box(a6),a2
+        move.l  a2,d0
+        move.l  deep_exact(a6),d1
+        jsr     edges_make
+.edges  lea     -far_edges_sizeof(sp),sp
         movea.l sp,a2
         move.l  setup_scratch(a6),d0
         add.l   #scratch_room,d0

@@ -7,7 +7,8 @@
 ;
 ; in:      a6  setup*  the polygon; with a chain, the cuts of its texturing are set
 ;          d0  int32   1: exact edges, 0: rounded ones
-;          d1  int32   enum chain; below 0: the plane is not found
+;          d1  int32   enum chain; below 0: the plane is not found; below -1: edges only of three vertices, else
+;                      lefts is 0
 ; out:     d0  int32   POLYGON_DRAWN; POLYGON_EMPTY: no pixel of the frame may be covered; or as
 ;                      sides_find
 ; trashes: d1-d7/a0-a5
@@ -57,6 +58,9 @@
         lea     setup_box(a6),a4
         movem.l d0-d3,(a4)              ; left, top, right, bottom
 
+        moveq   #-1,d2
+        cmp.l   4(sp),d2
+        bgt.s   .without
         movea.l a0,a1
         lea     setup_edges(a6),a0
         move.l  a4,d0
@@ -68,6 +72,10 @@
         jsr     texturing_gentle
 .drawn  moveq   #POLYGON_DRAWN,d0
         rts
+.without
+        clr.l   setup_edges+edge_plan_lefts(a6)
+        moveq   #POLYGON_DRAWN,d0
+        bra.s   .done
 .empty  moveq   #POLYGON_EMPTY,d0
 .done   addq.l  #8,sp
         rts

@@ -56,12 +56,15 @@ def test_cubics_keep_their_error() -> None:
                     for x in (Fraction(width * n, 500 << 32) for n in range(501)))
         allowed = Fraction(constants["CUBIC_ERROR_PIXEL"], 65536 << row + constants["CUBIC_NEAR"])
         assert 0.7 * allowed < worst <= allowed, row
+        # a term's cut is not made larger by the terms behind it
+        assert all(0 < factor * width < 2 << 63 for factor in factors[1:])
     assert (cubics.ROWS, cubics.NEAR) == (constants["CUBIC_ROWS"], constants["CUBIC_NEAR"])
     for setting, way in cubic.WAYS.items():
         names = [f"CUBIC_{name}_{setting.upper()}" for name in ("ERROR", "RAISE", "LONGEST", "CUTS")]
         assert way == tuple(constants[name] for name in names)
         assert (way[0] + 2 * way[1]) * UNIT == bounds_perspective.TOLERANCE[setting]
-        assert way[3] >= ((way[2] - 1)**3 + 1.65 * (way[2] - 1)**2) / 256 + 2
+        steps = way[2] - 1
+        assert way[3] >= ((steps + 1) * steps * (steps - 1) / 6 + steps**2 + 2 * steps) / 256 + 2
 
 
 @pytest.mark.parametrize("setting", PIECES)

@@ -31,7 +31,9 @@ the divisor's cut, 5/4 in all. The planes' S / q is then K + k (1 - q(f) / q) + 
 
 * k is left out: 5/4 at most either way, as q(f) is the least.
 * C has A more and a unit, A being |K| and the range, at least |u - K|: up to A / q + 1 / q higher.
-* [q] for q: C / [q] - C / q is |u - K| / q at most either way, which A makes up for.
+* [q] for q: C / [q] - C / q is |u - K| / q at most either way, which A makes up for. q is stepped with 16 bits of fraction:
+  each step loses less than 2^-16, and q begins (count + 1) 2^-16 further up, cut, so that it is above the plane's by 2^-6
+  at most, and [q] within 1 of that.
 * C is rounded up, and so is dC: a unit each, times R / 2^32; x pixels right of the left 1 + x of them.
 * R is cut: by less than 1, times C / 2^32, half a unit. The product is cut: another unit.
 * Steps are rounded up: a unit a pixel, or two in a chain, as above; R's cut takes a unit from all of them at most.

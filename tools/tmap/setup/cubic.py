@@ -17,7 +17,7 @@ from tmap.setup import far
 
 #: By setting: the error that cubics may make, the most that lines are raised by, units of 1/65536 texel; the pixels
 #: of the longest piece; what the cuts of differences add.
-WAYS = {"pixel": (1280, 384, 32, 126), "fine": (320, 96, 16, 18)}
+WAYS = {"pixel": (1280, 384, 56, 123), "fine": (320, 96, 28, 18)}
 REACH = 16383  # texels from K
 STEEP = 120  # texels a pixel
 MOST_OFF = 4096  # units of q; what lines are raised by is derived in c/span/cubic.h
@@ -153,8 +153,9 @@ def differences(u: np.ndarray, r: np.ndarray, factors: tuple[int, int, int]) -> 
     d1, d2, d3 = (r * n >> 32 for n in factors)
     b = signed(u * d1 >> 24)
     c = b * d2 >> 32
-    d = c * d3 >> 32
-    return b + c + d, 2 * c + 6 * d, 6 * d
+    d = c * d3
+    third = 6 * d >> 32
+    return b + c + (d >> 32), 2 * c + third, third
 
 
 def coordinates(lines: list[Line]) -> list[np.ndarray]:

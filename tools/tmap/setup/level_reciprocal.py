@@ -20,7 +20,8 @@ MOST_SHIFT = 29
 class Constants:
     """What a polygon's lines have in common; pairs are of u and v."""
 
-    q: int  # of the first line
+    q: int  # of the first line, 48.16, and up to a unit more for each line
+    dq: int  # its growth a line, 48.16
     shift: int
     k: tuple[int, int]  # with the base
     c: tuple[int, int]  # at the left
@@ -65,7 +66,7 @@ def find(p: Perspective, count: int, width: int, spare: int) -> Constants | None
     most = 0
     for c, dc in zip(cs, dcs):
         for end in (c, signed(c + width * dc, 64)):
-            most |= (end ^ end >> 63) >> 32
+            most = max(most, (end ^ end >> 63) >> 32)
     shift = (most + (most >> 12) + 1).bit_length() + 32 - BITS  # the width's rounded steps fit too
     if shift > MOST_SHIFT or 2 << shift > far >> 32:
         return None
@@ -73,7 +74,7 @@ def find(p: Perspective, count: int, width: int, spare: int) -> Constants | None
     c, dc = (tuple(signed((n >> shift) + 1) for n in pair) for pair in (cs, dcs))
     if not -FAST <= dc[1] * farthest >> 32 < FAST or (width * (farthest >> 16) >> 16) + 1 > spare:
         return None
-    return Constants(near, shift, tuple(base + n + RAISE for base, n in zip(p.base, ks)), c, dc,
+    return Constants((near >> 16) + count + 1, grows >> 16, shift, tuple(base + n + RAISE for base, n in zip(p.base, ks)), c, dc,
                      (1 + (p.chained and dc[1] < 0), 1), farthest, tuple(away))
 
 
@@ -86,6 +87,6 @@ def settle(p: Perspective, count: int, width: int, setting: str) -> None:
 def line(p: Perspective, left: int, y: int) -> list[tuple[int, int]]:
     """Returns u of a line's first pixel and its step, 16.16, and v's."""
     made = p.inverse
-    r = made.reciprocal(signed(made.q + (y - p.j) * p.q.dy, 64) >> 32)
+    r = made.reciprocal(signed(made.q + (y - p.j) * made.dq, 48) >> 16)
     return [(k + (signed(c + (left - p.i) * dc) * r >> 32) & M32, (dc * r >> 32) + up)
             for k, c, dc, up in zip(made.k, made.c, made.dc, made.up)]
