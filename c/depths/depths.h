@@ -114,10 +114,6 @@ static inline int32 depths_pitch(const struct depths *depths)
 void depths_fill(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
                  const struct material *material, int32 is_ordered);
 
-/* Makes a polygon's pixels aside 0, which no texel of a keyed material is that is drawn. */
-void depths_blank(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
-                  const struct material *material);
-
 /* Copies the pixels of a polygon drawn aside whose q is z or more to the frame, and sets z to q; of keyed
    materials those that are not 0. Edges are exact. */
 void depths_copy(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
