@@ -158,7 +158,7 @@ static inline const struct vertex *vertices_of(const struct scene *scene, const 
                                                           : wide_vertices(scene, face, number);
 }
 
-int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)
+static inline int32 face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)
 {
     int32 count;
     const struct vertex *vertices = vertices_of(scene, face, &count);
@@ -167,6 +167,11 @@ int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, cons
         return 0;
     set_polygon(polygon, vertices, count, face->placed);
     return 1;
+}
+
+int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)
+{
+    return face_polygon(polygon, scene, face);
 }
 
 enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct polygon *polygon,
@@ -180,7 +185,7 @@ enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene
 {
     struct polygon polygon;
 
-    return mesh_face_polygon(&polygon, scene, face)
+    return face_polygon(&polygon, scene, face)
          ? draw_polygon(renderer, &polygon, face->placed->material, draw) : POLYGON_EMPTY;
 }
 
