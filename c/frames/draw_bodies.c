@@ -1,5 +1,8 @@
 #include "frames/draw_bodies.h"
 
+/* Lines: it costs more to count pixels of a body with more than such a one, that is hidden less often, takes. */
+#define BODY_LARGE 64
+
 /* Sets the bodies that are outside of the frame; the others wait, if what hides them can be told. */
 static void look_at(struct bodies *bodies, struct scene_bodies *all, int32 number, struct body_space *space)
 {
@@ -94,12 +97,14 @@ static void set_box(struct rectangle *to, const struct near_face *face, int32 is
 /* A face that may not be in front of a body which waits: the body is hidden, or met if the face may be seen there. */
 static void meet(struct bodies *bodies, struct body *body)
 {
-    body->open = open_pixels(bodies, body);
+    const int32 is_large = body->pixels.bottom - body->pixels.top > BODY_LARGE;
+
+    body->open = is_large ? 1 : open_pixels(bodies, body);
     if (!body->open)
         return;
     bodies->waiting--;
     body->state = BODY_KNOWN;
-    if (!is_hidden(bodies, body)) {
+    if (!is_hidden(bodies, body) && !is_large) {
         body->state = BODY_MET;
         bodies->met++;
     }
