@@ -5,13 +5,14 @@
 enum {
     SPACE_BITS = 28,
     FOCAL_LEAST = 1 << 26,      /* a quarter squared, 2.30 */
-    BOX_MOST = 32766
+    BOX_MOST = 32766,
+    ONE_30 = 1 << 30
 };
 
-/* Returns factor * value, 2.30 times 16.16, which most planes of levels do not need. */
+/* Returns factor * value, 2.30 times 16.16; most factors of levels' planes are 0 or 1. */
 static inline fix16 times(int32 factor, fix16 value)
 {
-    return factor ? mul_shift(factor, value, 30) : 0;
+    return !factor ? 0 : factor == ONE_30 ? value : factor == -ONE_30 ? -value : mul_shift(factor, value, 30);
 }
 
 static fix16 along(const int32 *factors, const fix16 *v)
