@@ -41,7 +41,7 @@ struct depth_corner {
 /* Memory for frames of one size. */
 struct depths {
     int32 *z;                   /* q of each pixel, row by row: only inside the parts */
-    struct scanline *bounds;    /* one a line of the frame, of which left and last are used: around the parts */
+    struct scanline *bounds;    /* one a line of the frame, of which left and last are used: of a part that is cleared */
     struct frame aside;         /* where faces are drawn before they are tested: 1 byte a pixel */
     fix16 near_plane;
     fix16 far;                  /* the greatest w of all parts */
