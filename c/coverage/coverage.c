@@ -58,6 +58,24 @@ int32 coverage_hides_box(const struct coverage *c, const struct frame *frame, co
     return box_hides(c, frame, box->left, box->top, box->right, box->bottom);
 }
 
+int32 coverage_open(const struct coverage *c, const struct frame *frame, const struct rectangle *box)
+{
+    const int32 left = box->left + EDGE_BIAS, last = box->right + EDGE_BIAS;
+    const int32 top = outline_most(box->top, 0), bottom = outline_least(box->bottom, frame->height - 1);
+    struct gap *const *row = &c->rows[top];
+    int32 open = 0;
+
+    for (int32 lines = bottom - top; lines >= 0; lines--) {
+        const struct gap *gap = *row++;
+
+        while (gap->last < left)
+            gap = gap->next;
+        for (; gap->left <= last; gap = gap->next)
+            open += outline_least(gap->last, last) + 1 - outline_most(gap->left, left);
+    }
+    return open;
+}
+
 int32 coverage_hides(const struct coverage *c, const struct frame *frame,
                      const struct vertex *v, int32 count)
 {

@@ -70,6 +70,9 @@ void coverage_begin(struct coverage *coverage, const struct frame *frame);
 /* Returns 1 if all pixels of the frame in a box, right and bottom included, are covered. */
 int32 coverage_hides_box(const struct coverage *coverage, const struct frame *frame, const struct rectangle *box);
 
+/* Returns the number of pixels of the frame in a box, right and bottom included, that are not covered. */
+int32 coverage_open(const struct coverage *coverage, const struct frame *frame, const struct rectangle *box);
+
 /* Draws what of a polygon renderer->coverage does not hide, as polygon_draw would draw it whole, and covers it. */
 polygon_routine coverage_draw;
 

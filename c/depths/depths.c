@@ -252,28 +252,6 @@ void depths_fill(struct renderer *renderer, const struct depths *depths, const s
         do_lines(&face, polygon, material, fill_lines, &filled);
 }
 
-static void blank_lines(struct depth_face *face, const void *with)
-{
-    const struct frame *frame = with;
-    struct span_plan plan;
-
-    plan.lines = face->setup.edges.lines;
-    plan.count = face->setup.box.bottom - face->setup.box.top;
-    plan.row = frame->pixels + face->setup.box.top * frame->pitch - EDGE_BIAS;
-    plan.pitch = frame->pitch;
-    plan.colour = 0;
-    span_fill(&plan);
-}
-
-void depths_blank(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
-                  const struct material *material)
-{
-    struct depth_face face;
-
-    if (begin(&face, renderer, depths, polygon, material))
-        do_lines(&face, polygon, material, blank_lines, &depths->aside);
-}
-
 static void copy_lines(struct depth_face *face, const void *with)
 {
     const struct material *material = with;

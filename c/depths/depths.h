@@ -41,7 +41,7 @@ struct depth_corner {
 /* Memory for frames of one size. */
 struct depths {
     int32 *z;                   /* q of each pixel, row by row: only inside the parts */
-    struct scanline *bounds;    /* one a line of the frame, of which left and last are used: around the parts */
+    struct scanline *bounds;    /* one a line of the frame, of which left and last are used: of a part that is cleared */
     struct frame aside;         /* where faces are drawn before they are tested: 1 byte a pixel */
     fix16 near_plane;
     fix16 far;                  /* the greatest w of all parts */
@@ -113,10 +113,6 @@ static inline int32 depths_pitch(const struct depths *depths)
    is, is then left out there: at its pixels only what is behind it has set z, so that the part's faces are seen. */
 void depths_fill(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
                  const struct material *material, int32 is_ordered);
-
-/* Makes a polygon's pixels aside 0, which no texel of a keyed material is that is drawn. */
-void depths_blank(struct renderer *renderer, const struct depths *depths, const struct polygon *polygon,
-                  const struct material *material);
 
 /* Copies the pixels of a polygon drawn aside whose q is z or more to the frame, and sets z to q; of keyed
    materials those that are not 0. Edges are exact. */

@@ -136,29 +136,24 @@ int32 depths_are_before(const struct depths *depths, const struct depth_part *pa
 
 void depths_clear(const struct depths *depths)
 {
-    const struct frame *frame = &depths->aside;
     const struct depth_part *part = depths->parts;
-    struct scanline *line = depths->bounds;
     struct span_plan plan;
 
-    if (!depths->count)
-        return;
-    for (int32 i = frame->height; i > 0; i--, line++) {
-        line->left = (uint16)(EDGE_BIAS + frame->width);
-        line->last = EDGE_BIAS - 1;
-    }
-    for (int32 left = depths->count; left > 0; left--, part++)
-        for (int32 i = part->box.top; i < part->box.bottom; i++) {
-            line = &depths->bounds[i];
-            line->left = (uint16)outline_least(line->left, EDGE_BIAS + part->box.left);
-            line->last = (int16)outline_most(line->last, EDGE_BIAS + part->box.right - 1);
-        }
     plan.lines = depths->bounds;
-    plan.count = frame->height;
-    plan.row = (uint8 *)depths->z - EDGE_BIAS * (int32)sizeof *depths->z;
     plan.pitch = depths_pitch(depths);
     plan.colour = (uint32)DEPTH_FAR;
-    span_fill_32(&plan);
+    for (int32 left = depths->count; left > 0; left--, part++) {
+        const struct rectangle *const box = &part->box;
+        struct scanline *line = depths->bounds;
+
+        plan.count = box->bottom - box->top;
+        plan.row = (uint8 *)depths->z + box->top * plan.pitch - EDGE_BIAS * (int32)sizeof *depths->z;
+        for (int32 i = plan.count; i > 0; i--, line++) {
+            line->left = (uint16)(EDGE_BIAS + box->left);
+            line->last = (int16)(EDGE_BIAS + box->right - 1);
+        }
+        span_fill_32(&plan);
+    }
 }
 
 /* q of a pixel is above the greatest of the corners by its plane's error at most, which is less than what these differ

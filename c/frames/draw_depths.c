@@ -60,15 +60,31 @@ static int32 is_beside(const struct mesh_face *face, const struct depths *depths
 }
 
 void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face,
-                      int32 is_ordered)
+                      int32 is_ordered, uint32 marks)
 {
     const struct depths *const depths = scene->depths;
     struct polygon polygon;
 
     for (; face && depths->count; face = face->next)
-        if (!(is_ordered && is_beyond(face, depths->far)) && !is_beside(face, depths, is_ordered)
+        if (!(marks && !(face->order & marks)) && !(is_ordered && is_beyond(face, depths->far)) && !is_beside(face, depths, is_ordered)
             && mesh_face_polygon(&polygon, scene, face))
             depths_fill(renderer, depths, &polygon, face->placed->material, is_ordered);
+}
+
+/* Draws a polygon aside: of keyed materials all texels, as depths_copy leaves those out that are 0. */
+static enum polygon_result draw_aside(struct renderer *renderer, const struct polygon *polygon,
+                                      const struct material *material)
+{
+    struct material opaque;
+    uint32 *to = (uint32 *)&opaque;
+    const uint32 *from = (const uint32 *)material;
+
+    if (material->mapper != MAPPER_KEYED)
+        return mesh_draw_polygon(renderer, polygon, material);
+    for (uint32 left = sizeof opaque / sizeof *to; left; left--)
+        *to++ = *from++;
+    opaque.mapper = MAPPER_AFFINE;
+    return mesh_draw_polygon(renderer, polygon, &opaque);
 }
 
 enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct scene *scene,
@@ -85,10 +101,8 @@ enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct sce
         if (!mesh_face_polygon(&polygon, scene, face)
             || (!renderer->counts && depths_hide(scene->depths, polygon.vertices, polygon.count)))
             continue;
-        if (material->mapper == MAPPER_KEYED)
-            depths_blank(renderer, scene->depths, &polygon, material);
         renderer->frame = &scene->depths->aside;
-        result = mesh_draw_polygon(renderer, &polygon, face->placed);
+        result = draw_aside(renderer, &polygon, material);
         renderer->frame = frame;
         if (result == POLYGON_DRAWN)
             depths_copy(renderer, scene->depths, &polygon, material);

@@ -18,17 +18,13 @@ static inline void set_polygon(struct polygon *polygon, const struct vertex *ver
 }
 
 /* Draws a polygon; with GRADIENTS_POLYGON as a fan of triangles, because clipping adds corners. */
-static enum polygon_result draw_polygon(struct renderer *renderer, const struct vertex *vertices, int32 count,
-                                        const struct mesh_placed *placed, polygon_routine *draw)
+static inline enum polygon_result draw_polygon(struct renderer *renderer, const struct polygon *polygon,
+                                               const struct material *material, polygon_routine *draw)
 {
-    const struct material *const material = placed->material;
-    struct polygon polygon;
-
-    set_polygon(&polygon, vertices, count, placed);
-    if (count == 3 || material->mapper == MAPPER_FLAT
+    if (polygon->count == 3 || material->mapper == MAPPER_FLAT
         || material->gradients != GRADIENTS_POLYGON)
-        return draw(renderer, &polygon, material);
-    return polygon_fan(draw, renderer, &polygon, material);
+        return draw(renderer, polygon, material);
+    return polygon_fan(draw, renderer, polygon, material);
 }
 
 /* Projects vertices from camera space to the screen, as mesh_transform does. */
@@ -162,7 +158,7 @@ static inline const struct vertex *vertices_of(const struct scene *scene, const 
                                                           : wide_vertices(scene, face, number);
 }
 
-int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)
+static inline int32 face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)
 {
     int32 count;
     const struct vertex *vertices = vertices_of(scene, face, &count);
@@ -173,19 +169,24 @@ int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, cons
     return 1;
 }
 
-enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct polygon *polygon,
-                                      const struct mesh_placed *placed)
+int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face)
 {
-    return draw_polygon(renderer, polygon->vertices, polygon->count, placed, placed->material->draw);
+    return face_polygon(polygon, scene, face);
+}
+
+enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct polygon *polygon,
+                                      const struct material *material)
+{
+    return draw_polygon(renderer, polygon, material, material->draw);
 }
 
 enum polygon_result mesh_draw_face(struct renderer *renderer, const struct scene *scene,
                                    const struct mesh_face *face, polygon_routine *draw)
 {
-    int32 count;
-    const struct vertex *vertices = vertices_of(scene, face, &count);
+    struct polygon polygon;
 
-    return count < 3 ? POLYGON_EMPTY : draw_polygon(renderer, vertices, count, face->placed, draw);
+    return face_polygon(&polygon, scene, face)
+         ? draw_polygon(renderer, &polygon, face->placed->material, draw) : POLYGON_EMPTY;
 }
 
 /* Draws faces of a list in batches, as many as routines for triangles can; returns the first that is

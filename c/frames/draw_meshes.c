@@ -220,6 +220,15 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     return count;
 }
 
+/* Returns 1 if an instance has no visible pixel, as is known of some with TREE_Z while bodies are looked for. */
+static int32 is_left_out(const struct scene *scene, const struct scene_instance *instance)
+{
+    const struct scene_bodies *const bodies = scene->near ? scene->near->bodies : 0;
+    const uint32 number = (uint32)(instance - scene->instances);
+
+    return bodies && number >= bodies->first && number < bodies->end && bodies->each[number].is_out;
+}
+
 /* Places the instances from *first to end (excluded) that are in the same tree, or in none, in memory from
    *room on, and sets *first and *room to the next; returns their faces in the order in which they are drawn. */
 static struct mesh_face *place_all(const struct renderer *renderer, const struct scene *scene,
@@ -236,7 +245,7 @@ static struct mesh_face *place_all(const struct renderer *renderer, const struct
     for (; instance < last && instance->tree == tree; instance++) {
         uint32 age = (uint32)number - instance->first_frame;
 
-        if (age < instance->views) {
+        if (age < instance->views && !is_left_out(scene, instance)) {
             const int32 more = place(renderer, scene, instance, age, &at);
 
             if (tree >= 0)
@@ -282,26 +291,72 @@ static enum polygon_result draw_group(struct renderer *renderer, const struct sc
                                                    : mesh_draw_faces(renderer, scene, *drawn);
 }
 
+/* Begins to look for bodies among the instances with TREE_Z from *first on, which are placed once the tree that follows
+   them is drawn: sets *first to that, and *room to memory behind theirs. Returns 0 if they are placed before. */
+static int32 look_for_bodies(const struct renderer *renderer, const struct scene *scene, uint32 *first, uint32 end,
+                             struct mesh_work *room)
+{
+    struct scene_bodies *const bodies = scene->near && !renderer->counts ? scene->near->bodies : 0;
+    uint32 i = *first;
+
+    while (i < end && scene->instances[i].tree == TREE_Z)
+        i++;
+    if (!bodies || i == end || scene->instances[i].tree < 0)
+        return 0;
+    bodies->first = *first;
+    bodies->end = i;
+    bodies->marks = 0;
+    for (; *first < i; ++*first) {
+        const struct scene_mesh *mesh = &scene->meshes[scene->instances[*first].mesh];
+
+        bodies->each[*first].is_out = 0;
+        room->placed++;
+        room->points += mesh->points;
+        room->places += mesh->points;
+        room->attributes += mesh->normals;
+        room->faces += mesh->faces;
+    }
+    return 1;
+}
+
+/* Places the instances with TREE_Z from *first on; returns their faces. */
+static const struct mesh_face *place_tested(const struct renderer *renderer, const struct scene *scene, int32 number,
+                                            uint32 *first, uint32 end, struct mesh_work *room)
+{
+    const struct mesh_face *const tested = place_all(renderer, scene, number, first, end, room);
+
+    if (tested)
+        mesh_depths_begin(scene, tested);
+    return tested;
+}
+
 enum polygon_result mesh_draw(struct renderer *renderer, const struct scene *scene, int32 number,
                               uint32 first, uint32 end)
 {
     enum polygon_result refused = POLYGON_DRAWN, result;
-    struct mesh_work room = scene->work;
+    struct mesh_work room = scene->work, tested_room = room;
     const struct mesh_face *tested = 0;
-    int32 groups = 0;
+    uint32 first_tested = first;
+    int32 groups = 0, is_looking = 0;
 
     if (scene->instances[first].tree == TREE_Z && !renderer->only_counts) {
-        tested = place_all(renderer, scene, number, &first, end, &room);
-        if (tested)
-            mesh_depths_begin(scene, tested);
+        is_looking = look_for_bodies(renderer, scene, &first, end, &room);
+        if (!is_looking)
+            tested = place_tested(renderer, scene, number, &first, end, &room);
     }
     while (first < end) {
         const int32 is_first_tree = !groups++ && scene->instances[first].tree >= 0;
         struct mesh_face *face;
+        uint32 marks = 0;
 
         result = draw_group(renderer, scene, number, &first, end, &room, &face);
+        if (is_looking) {
+            tested = place_tested(renderer, scene, number, &first_tested, end, &tested_room);
+            scene->near->bodies->end = is_looking = 0;
+            marks = scene->near->bodies->marks;
+        }
         if (tested)
-            mesh_depths_fill(renderer, scene, face, is_first_tree);
+            mesh_depths_fill(renderer, scene, face, is_first_tree, marks);
         if (result != POLYGON_DRAWN)
             refused = result;
     }

@@ -18,17 +18,17 @@ enum polygon_result mesh_draw_faces(struct renderer *renderer, const struct scen
 /* Sets *polygon to a face on the screen, in scratch memory until the next call; returns 0 if nothing is left. */
 int32 mesh_face_polygon(struct polygon *polygon, const struct scene *scene, const struct mesh_face *face);
 
-/* Draws it. */
+/* Draws it with a material. */
 enum polygon_result mesh_draw_polygon(struct renderer *renderer, const struct polygon *polygon,
-                                      const struct mesh_placed *placed);
+                                      const struct material *material);
 
 /* draw_depths.c. Makes the z buffer empty where faces of a list are. */
 void mesh_depths_begin(const struct scene *scene, const struct mesh_face *face);
 
 /* Puts faces of a list that have been drawn in this order into it. is_ordered: they are those of a tree, and nothing was
-   put into it before. */
+   put into it before. marks: 0, or only faces are put into it that have one of these. */
 void mesh_depths_fill(struct renderer *renderer, const struct scene *scene, const struct mesh_face *face,
-                      int32 is_ordered);
+                      int32 is_ordered, uint32 marks);
 
 /* Draws the faces of a list where they are nearer, as mesh_draw_faces. */
 enum polygon_result mesh_depths_draw(struct renderer *renderer, const struct scene *scene,

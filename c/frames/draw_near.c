@@ -1,6 +1,7 @@
 /* Draws a tree each pixel once, from its nearest node on: what is beyond the frame's borders, and what is behind when no
    pixel is left, is neither transformed nor looked at. */
 #include "coverage/coverage.h"
+#include "frames/draw_bodies.h"
 #include "frames/draw_meshes.h"
 
 /* A tree in a frame. */
@@ -147,6 +148,7 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
     const int32 root = scene->instances[first].tree;
     const struct scene_node *node;
     struct near_tree tree;
+    struct bodies bodies;
 
     tree.scene = scene;
     tree.renderer = renderer;
@@ -164,6 +166,7 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
     if (!tree.walk.view)
         return NEAR_DRAWN;
     begin_walk(&tree, root);
+    bodies_begin(&bodies, scene, &tree.walk, number);
     coverage_begin(coverage, renderer->frame);
     renderer->coverage = coverage;
     while (coverage->open && !coverage->overflow && (node = mesh_near(&tree.walk)) != 0) {
@@ -172,12 +175,22 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
         tree.face.slots = &tree.slots[node->slot];
         tree.face.slot = &tree.face.slots[node->slots];
         while (coverage->open && !coverage->overflow && (found = mesh_near_face(&tree.face)) != NEAR_NONE) {
-            const enum polygon_result result = draw_slot(renderer, &tree, tree.face.slot, (uint32)found);
+            enum polygon_result result;
+
+            if (bodies.in_frame)
+                bodies_meet(&bodies, &tree.face, found & MESH_NEAR);
+            result = draw_slot(renderer, &tree, tree.face.slot, (uint32)found);
+            if (bodies.in_frame && coverage->shown)
+                tree.seen->order = bodies.marks;
+            if (bodies.met)
+                bodies_pass(&bodies);
 
             if (result > POLYGON_EMPTY)
                 *refused = result;
         }
     }
     *seen = tree.seen;
+    if (scene->near->bodies)
+        scene->near->bodies->marks = coverage->overflow ? 0 : bodies_end(&bodies);
     return coverage->overflow ? NEAR_OVERFLOW : NEAR_DRAWN;
 }

@@ -112,7 +112,8 @@ struct mesh_placed {
 
 /* A face to draw. */
 struct mesh_face {
-    uint32 order;               /* its greatest depth, inverted: the least order is drawn first */
+    uint32 order;               /* its greatest depth, inverted: the least order is drawn first; of faces drawn from
+                                   the nearest on the marks of bodies that they may hide */
     struct mesh_face *next;     /* mesh_sort's or mesh_walk's */
     const struct scene_face *face;
     const struct mesh_placed *placed;

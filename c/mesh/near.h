@@ -78,6 +78,9 @@ struct near_face {
     const struct near_slot *slots;      /* the last one */
     const struct scene_point *from;     /* the tree's first */
     struct mesh_point *points;
+    fix16 above;                /* of the last face found: the eye's distance from its plane */
+    int32 box[4];               /* left, right, top, bottom, both ends included: pixels that have all of its; not set if
+                                   a point is not before the near plane */
 };
 
 /* src68k/mesh: contracts there. */

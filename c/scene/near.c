@@ -204,6 +204,28 @@ static int32 make_tables(struct scene_near *near, uint32 nodes, uint32 slots, ui
         && mem_alloc(&near->points, (int32)(points * sizeof *near->points), MEMORY_ANY);
 }
 
+/* Makes the bodies of a scene; returns 0 if memory is short. */
+static int32 make_bodies(struct scene_near *near, const struct scene *scene)
+{
+    const struct scene_instance *o = scene->instances;
+    struct body *body;
+    uint32 count = 0;
+
+    near->bodies = 0;
+    for (uint32 i = 0; i < scene->header->instances; i++)
+        if (o[i].tree == TREE_Z)
+            count = i + 1;
+    if (!count)
+        return 1;
+    if (!mem_alloc(&near->bodies, sizeof *near->bodies, MEMORY_ANY)
+        || !mem_alloc(&near->bodies->each, (int32)(count * sizeof *near->bodies->each), MEMORY_ANY))
+        return 0;
+    near->bodies->first = near->bodies->end = 0;
+    for (body = near->bodies->each; count; count--, o++, body++)
+        body_measure(body, &scene->points[scene->meshes[o->mesh].point], scene->meshes[o->mesh].points);
+    return 1;
+}
+
 int32 scene_make_near(struct scene *scene)
 {
     const uint32 nodes = scene->header->nodes;
@@ -226,7 +248,7 @@ int32 scene_make_near(struct scene *scene)
             points += scene->meshes[o->mesh].points;
         }
     if (!mem_alloc(&scene->near, sizeof *scene->near, MEMORY_ANY)
-        || !make_tables(scene->near, nodes, slots, corners, points))
+        || !make_tables(scene->near, nodes, slots, corners, points) || !make_bodies(scene->near, scene))
         return 0;
     scene->near->is_still = are_still(scene);
     corner = scene->near->corners;

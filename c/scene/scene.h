@@ -6,6 +6,7 @@
 #include "depths/depths.h"
 #include "glide/polygons/unit.h"
 #include "mesh/gather.h"
+#include "mesh/bodies.h"
 #include "mesh/near.h"
 #include "n64/polygons/unit.h"
 #include "polygon/polygon.h"
@@ -30,6 +31,7 @@ struct scene_near {
     struct near_slot *slots;    /* of all trees */
     struct scene_corner *corners;       /* copies of those of trees' instances, one after the other */
     struct scene_point *points; /* those of each tree, each place once */
+    struct scene_bodies *bodies;        /* 0 if no instance has TREE_Z */
     uint32 stamp;               /* of the tree that was drawn last */
     int32 is_still;             /* 1: all instances of a tree are in the same frames, with the same views */
 };

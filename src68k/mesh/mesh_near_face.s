@@ -7,7 +7,7 @@
 ;                                 transformed
 ; out:     d0  int32  NEAR_NONE: there is none left; else the borders, enum mesh_outside, that a point is outside of
 ; reads:   the plan, slots, their faces, corners, points, the gaps of lines
-; writes:  slot; stamp, x, y, w, outside, screen_x and screen_y of points that had another stamp
+; writes:  slot; above, and box unless a point is not before the near plane; stamp, x, y, w, outside, screen_x and screen_y of points that had another stamp
 ; formats: normals 2.30, eye and distance 16.16; points as in mesh_transform_wide, but of those that are not before the
 ;          near plane, screen_x and screen_y are set too: NEAR_FAR pixels to the side of the border that is theirs
 ; error:   mesh_transform_wide's. Left out are faces whose points are all outside of one border, and of those without
@@ -60,6 +60,8 @@ in_gap  macro
         addx.l  d2,d2
         cmp.l   scene_face_distance(a3),d2
         ble.s   .slot
+        sub.l   scene_face_distance(a3),d2
+        move.l  d2,near_face_above(a4)
         move.l  a2,near_face_slot(a4)
         movea.l near_slot_corners(a2),a5
         move.l  scene_face_corners(a3),d0
@@ -128,7 +130,8 @@ in_gap  macro
         addq.l  #2,d7
 
 ; The box in the frame: its lines from the middle one on.
-.whole  movem.l near_face_right(a4),d0-d1       ; and bottom
+.whole  movem.l d4-d7,near_face_box(a4) ; left, right, top, bottom
+        movem.l near_face_right(a4),d0-d1       ; and bottom
         cmp.l   d0,d4
         bgt     .slot
         cmp.l   d0,d5

@@ -1,6 +1,6 @@
 """Trials of what finds visible pixels. src68k/depths: lines in the columns, cut by them, beside them and empty; steep
 planes, whose q wraps; polygons that turn to one side or to both. coverage_scan: gaps of any number, lines before, in,
-over and behind them."""
+over and behind them. coverage_cut: lines with up to four visible parts."""
 
 import numpy as np
 
@@ -9,6 +9,7 @@ from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial
 from tmap.build import layout
 from tmap.guest.kernels import Case
+from tmap.bench.edges import cut_trial, random_cuts
 from tmap.bench.visible import Slope, depth_trial, scan_trial
 
 WIDTH = 48
@@ -89,5 +90,16 @@ def scan_trials() -> list[Trial]:
     return made
 
 
+def cut_trials() -> list[Trial]:
+    """Tables of all forms, with steps for each line and without, chained and not."""
+    rng, made = np.random.default_rng(27), []
+    for number in range(72):
+        form = ("addx", "plain", "flat", "addx")[number % 4]
+        count = int(rng.choice((1, 2, 9, 40)))
+        made.append(cut_trial(random_cuts(rng, count), form, form == "addx" and number % 8 > 3, bool(number // 8 % 2),
+                              Memory(), f"{count} lines, number {number}"))
+    return made
+
+
 def trials() -> list[Trial]:
-    return depth_trials() + convex_trials() + scan_trials()
+    return depth_trials() + convex_trials() + scan_trials() + cut_trials()

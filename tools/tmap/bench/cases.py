@@ -117,7 +117,7 @@ def line_calls() -> Iterator[tuple[str, int, Call]]:
                        "level_lines_tilted": perspective.level_case(True),
                        "level_reciprocal": perspective.reciprocal_case(),
                        "edge_opaque": edges.opaque_case(),
-                       "coverage_scan": visible.scan_case(),
+                       "coverage_scan": visible.scan_case(), "coverage_cut": edges.cut_case(),
                        "edges_far": far.edges_case(), "lines_far": far.lines_case()}.items():
         yield name, edges.LINES, call
 

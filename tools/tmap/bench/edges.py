@@ -1,14 +1,15 @@
-"""Calls of the edge steppers, which make the lines between two edges with u and v of their starts, and of
-edge_opaque, which leaves transparent ends of a map's rows out of them."""
+"""Calls of the edge steppers, which make the lines between two edges with u and v of their starts, of edge_opaque,
+which leaves transparent ends of a map's rows out of them, and of coverage_cut, which cuts them to visible parts."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
 
 from tmap.base.fixed import M32, ONE, signed
 from tmap.bench.spans import BIAS, DU, DV, Line, table_of
-from tmap.bench.trial import Trial, Write, anything, long_write
+from tmap.bench.trial import Trial, Write, anything, fields, long_write
 from tmap.build import layout
 from tmap.guest.kernels import Arena, Case
 from tmap.model import model
@@ -197,3 +198,98 @@ def opaque_case():
     picture[:, :12] = picture[:, 52:] = 0
     lines = [(k % 4, 56, 3 * ONE + 1000 * k, k << 16) for k in range(LINES)]
     return opaque_trial(lines, 0x10800, picture, Arena(), [0] * LINES).row(LINES)
+
+
+Part = tuple[int, int]  # first pixel and last, biased
+
+
+@dataclass
+class Cut:
+    """A line of the table: first pixel, last pixel, start0, start1 and start2, its steps, and its parts, of which the
+    first is on the left; none: it is visible whole."""
+
+    line: tuple[int, int, int, int, int]
+    steps: tuple[int, int]
+    parts: list[Part]
+
+
+def moved(row: Cut, part: Part, form: str, steps: tuple[int, int], chained: bool) -> dict[str, int]:
+    """A line that is cut to a part. u and v are whole numbers of 1/65536 texel, not modulo 256."""
+    left, _, start0, start1, start2 = row.line
+    made, pixels = {"left": part[0], "last": part[1]}, part[0] - left
+    if pixels > 0 and part[1] >= part[0] and form == "addx":
+        u, v = (start2 & 255) << 16 | start0, start1 << 8 | start2 >> 24
+        step = (steps[1] + (1 << 23) & 0xffffff) - (1 << 23)
+        after = v + pixels * step
+        u += pixels * steps[0] + (after >> 24) * chained
+        return made | {"start0": u & 0xffff, "start1": after >> 8 & 0xffff, "start2": (after & 255) << 24 | u >> 16 & 255}
+    if pixels > 0 and part[1] >= part[0] and form == "plain":
+        u = (start1 << 16 | start0) + pixels * steps[0] & M32
+        start0, start1, start2 = u & 0xffff, u >> 16, start2 + pixels * steps[1] & M32
+    return made | {"start0": start0, "start1": start1, "start2": start2}
+
+
+def cut_trial(rows: list[Cut], form: str, chained: bool, own_steps: bool, arena: Arena, title: str = "") -> Trial:
+    """One table. ``own_steps``: each line has its own; else all have those of the first."""
+    known = layout.load()
+    shapes = {name: known.struct(name) for name in ("scanline", "scanline_step", "visible_part", "cut_lines", "parts_plan")}
+    names = ("left", "last", "start0", "start1", "start2")
+    lines = arena.add(table_of([dict(zip(names, row.line)) for row in rows]), name="lines", shape=shapes["scanline"])
+    steps = arena.add(b"".join((n & M32).to_bytes(4, "big") for row in rows for n in row.steps), name="steps")
+    parts = [(number, *part) for number, row in enumerate(rows) for part in row.parts]
+    at = arena.add(b"".join(n.to_bytes(2, "big") for part in parts for n in part) or bytes(2), name="parts")
+    moves = {False: [], True: []}  # lines of the second list, and of the further one
+    writes = []
+    for number, row in enumerate(rows):
+        pair = row.steps if own_steps else rows[0].steps
+        for k, part in enumerate(row.parts):
+            made = table_of([moved(row, part, form, pair, chained)])
+            if k:
+                moves[k > 1].append((number, made, pair))
+            else:
+                writes.append(Write(lines + shapes["scanline"].size * number, made))
+    lists = {}
+    for is_further, some in moves.items():
+        before, size = int(is_further), {name: shapes[name].size for name in ("scanline", "scanline_step")}
+        count = before + len(some)
+        to = {name: arena.add(bytes(each * (count + 1)), name=name) for name, each in
+              (("lines", size["scanline"]), ("steps", size["scanline_step"]), ("rows", 2))}
+        lists[is_further] = arena.struct("cut_lines", to, count=before)
+        for k, (number, made, pair) in enumerate(some, before):
+            writes += [Write(to["lines"] + k * size["scanline"], made), Write(to["rows"] + 2 * k, number.to_bytes(2, "big"))]
+            if own_steps:
+                writes.append(Write(to["steps"] + 8 * k, b"".join((n & M32).to_bytes(4, "big") for n in pair)))
+        writes += fields(lists[is_further], "cut_lines", {"count": count}) if some else []
+    first = rows[0].steps
+    numbers = {"du": signed(first[0]), "dv": signed(first[1]), "chained": int(chained),
+               "form": known.constants[f"LINES_{form.upper()}"]}
+    pointers = {"parts": at, "end": at + shapes["visible_part"].size * len(parts), "lines": lines,
+                "second": lists[False], "further": lists[True]}
+    plan = arena.struct("parts_plan", pointers | ({"steps": steps} if own_steps else {}),
+                        **numbers, **({} if own_steps else {"steps": 0}))
+    if own_steps and parts:
+        last = rows[parts[-1][0]].steps
+        writes += fields(plan, "parts_plan", {"du": last[0], "dv": last[1]})
+    return Trial(Case("coverage_cut", arena, pointers={"a0": plan}), title, writes=writes)
+
+
+def random_cuts(rng, count: int) -> list[Cut]:
+    """Lines of any starts and steps, with up to four parts; some are hidden whole."""
+    rows = []
+    for _ in range(count):
+        ends = np.sort(rng.choice(1000, 2 * int(rng.integers(0, 5)), replace=False)) + BIAS
+        parts = [(int(a), int(b)) for a, b in zip(ends[::2], ends[1::2])]
+        left = int(parts[0][0] - rng.choice((0, 0, rng.integers(0, 500)))) if parts else BIAS
+        last = max([left + int(rng.integers(0, 500))] + [b for _, b in parts])
+        if rng.integers(5) == 0:
+            parts = [(1, 0)]
+        start = (int(rng.integers(1 << 16)), int(rng.integers(1 << 16)), int(rng.integers(1 << 32)) & 0xff0000ff)
+        steps = tuple(int(n) for n in rng.integers(-1 << 24, 1 << 24, 2) >> int(rng.choice((0, 8, 16))))
+        rows.append(Cut((left, last, *start), steps, parts))
+    return rows
+
+
+def cut_case():
+    """LINES lines of two parts, of which the second begins 40 pixels after the line."""
+    rows = [Cut((BIAS, BIAS + 99, 5, 7, 9), (70000, 3000), [(BIAS, BIAS + 20), (BIAS + 40, BIAS + 99)])] * LINES
+    return cut_trial(rows, "addx", True, True, Arena()).row(LINES)

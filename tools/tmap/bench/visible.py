@@ -298,11 +298,17 @@ def place_of(point, about, borders: int) -> tuple[int, int] | None:
     return along(point.x, 2, 4, about.width << 15), along(point.y, 8, 16, about.height << 15)
 
 
-def is_in_gap(places: list[tuple[int, int]], gaps: list[list[tuple[int, int]]], about, more: int) -> bool:
-    """Returns true if a pixel of the frame in the box around places, and `more` beside it, is in a gap of its line."""
-    (left, top), (right, bottom) = (tuple(pick(at[k] >> 16 for at in places) for k in range(2)) for pick in (min, max))
-    columns = range(max(left - more, 0), min(right + 1 + more, about.width - 1) + 1)
-    lines = range(max(top - more, 0), min(bottom + 1 + more, about.height - 1) + 1)
+def box_of(places: list[tuple[int, int]], more: int) -> tuple[int, ...]:
+    """Returns the pixels around places, and `more` beside them: left, right, top, bottom."""
+    return tuple(pick(at[k] >> 16 for at in places) + side * (more + (side > 0))
+                 for k in range(2) for pick, side in ((min, -1), (max, 1)))
+
+
+def is_in_gap(box: tuple[int, ...], gaps: list[list[tuple[int, int]]], about) -> bool:
+    """Returns true if a pixel of the frame in a box is in a gap of its line."""
+    left, right, top, bottom = box
+    columns = range(max(left, 0), min(right, about.width - 1) + 1)
+    lines = range(max(top, 0), min(bottom, about.height - 1) + 1)
     return bool(columns) and any(first <= columns[-1] + BIAS and last >= columns[0] + BIAS
                                  for y in lines for first, last in gaps[y])
 
@@ -334,21 +340,28 @@ def near_face_trial(arena: Arena, about, these: Faces, title: str = "") -> Trial
         "from": table(arena, "scene_point", these.points)},
         rows=list(rows), shifts=[16 + about.guard, 16 - about.guard], near_plane=about.near_plane,
         middle_x=about.width << 15, middle_y=about.height << 15, eye_x=row[12], eye_y=row[13], eye_z=row[14],
-        right=about.width - 1, bottom=about.height - 1, stamp=5)
+        right=about.width - 1, bottom=about.height - 1, stamp=5, above=0, box=[0] * 4)
     result, end, used = known.constants["NEAR_NONE"], len(these.faces), set()
+    above = box = None
     for k in reversed(range(len(these.faces))):
         if not these.faces[k] or not mesh.is_seen(these.faces[k][0], [*[0] * 12, *row[12:15]]):
             continue
-        end, numbers = k, these.faces[k][1]
+        end, (plane, numbers) = k, these.faces[k]
+        above = signed(signed(sum(n * e for n, e in zip(plane, row[12:15])) >> 30) - plane[3])
         used |= set(numbers)
         borders = [outsides[number] for number in numbers]
         some = int(np.bitwise_or.reduce(borders))
-        if not np.bitwise_and.reduce(borders) and (
-                some & 1 or is_in_gap([places[number] for number in numbers], these.gaps, about, 2 * bool(some))):
+        if np.bitwise_and.reduce(borders):
+            continue
+        if not some & 1:
+            box = box_of([places[number] for number in numbers], 2 * bool(some))
+        if some & 1 or is_in_gap(box, these.gaps, about):
             result = some
             break
-    writes = [Write(plan + known.struct("near_face").fields["slot"]["offset"], longs((slots_at + slot_size * end,)),
-                    pointer=True)] if used else []
+    shape = known.struct("near_face").fields
+    writes = [Write(plan + shape["slot"]["offset"], longs((slots_at + slot_size * end,)), pointer=True),
+              long_write(plan + shape["above"]["offset"], above)] if used else []
+    writes += [Write(plan + shape["box"]["offset"], longs(box))] if box else []
     for number in sorted(number for number in used if not these.stamped[number]):
         p = made[number]
         writes += [Write(to + size * number, longs((p.x, p.y, p.w, *(places[number] or ())))),

@@ -72,11 +72,13 @@ def tree_bytes(scene: Scene) -> list[int]:
     made = [4 * max(slots), 8 * max(sizes)]
     if scene.once:
         size = {name: layout.load().struct(name).size for name in
-                ("scene_near", "mesh_box", "near_slot", "scene_corner", "scene_point")}
+                ("scene_near", "mesh_box", "near_slot", "scene_corner", "scene_point", "scene_bodies", "body")}
         parts = [scene.meshes[each.mesh] for each in scene.instances if each.tree >= 0]
+        z = [k for k, each in enumerate(scene.instances, 1) if each.tree == layout.load().constants["TREE_Z"]]
         made += [size["scene_near"], len(scene.nodes) * size["mesh_box"], sum(slots) * size["near_slot"],
                  sum(each.corners for each in parts) * size["scene_corner"],
-                 sum(each.points for each in parts) * size["scene_point"]]
+                 sum(each.points for each in parts) * size["scene_point"],
+                 *([size["scene_bodies"], z[-1] * size["body"]] if z else [])]
     return made
 
 
