@@ -62,12 +62,13 @@ def of_operation(operation: str, size: str, operands: str, counted: bool) -> Ite
     """Yields kind, operation, size and operands of the changes of an instruction."""
     if match := CONDITIONAL.match(operation):
         yield "condition", match[1] + CONDITIONS[match[2]], size, operands
+    is_low = operation in ("muls", "mulu") and size == ".l" and ":" not in operands  # the same 32 bits
     for kind, table in (("carry", CARRIES), ("sign", SIGNS), ("operation", OPERATIONS)):
-        if operation in table:
+        if operation in table and not (kind == "sign" and is_low):
             yield kind, table[operation], size, operands
     if operation in ("ext", "extb"):
         yield "sign", "", "", ""
-    elif operation in SIZED and size[1:] in SIZES:
+    elif operation in SIZED and size[1:] in SIZES and not re.match(r"#\d,(a\d|sp)$", operands):  # always 32 bits
         yield "size", operation, "." + SIZES[size[1:]], operands
     if not KEPT.match(operation):
         yield "count" if counted and operation == "subq" else "removed", "", "", ""

@@ -8,6 +8,7 @@ import numpy as np
 from tests.glide import random_scenes as glide_scenes
 from tests.helpers import mesh_cases
 from tests.n64 import random_scenes as n64_scenes
+from tests.polygon import test_runs
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.fuzz import fuzz
@@ -23,10 +24,15 @@ FRAMES = 3  # of a scene
 PATIENCE = 10.0  # seconds of processor time without output: a mutant hangs
 
 
-def fuzzed(family: str, block: int, count: int) -> list[Drawing]:
-    """Returns the first polygons of one of the fuzzer's blocks, some of them with no rule of lowering."""
-    some = [polygon(SEED, block * BLOCK + k, family) for k in range(count)]
-    return [(scene(SEED, block, some), fuzz.form_of(block)), (scene(SEED, block, some[:count // 4]), "addx OFF all")]
+def fuzzed(family: str, block: int, step: int) -> list[Drawing]:
+    """Returns each ``step``-th polygon of one of the fuzzer's blocks, some of them with no rule of lowering."""
+    some = [polygon(SEED, block * BLOCK + k, family) for k in range(0, BLOCK, step)]
+    return [(scene(SEED, block, some), fuzz.form_of(block)), (scene(SEED, block, some[::4]), "addx OFF all")]
+
+
+def runs(seed: int) -> list[Drawing]:
+    """Returns the random runs of tests/polygon."""
+    return [(test_runs.scene_of(name, seed), "addx") for name in test_runs.SIZES]
 
 
 def written(*names: str) -> list[Drawing]:
@@ -52,8 +58,10 @@ def glide(pixels: str, form: str, first: int, count: int) -> list[Drawing]:
 
 #: By subject, in parts that are drawn one after the other until one differs.
 PARTS: dict[str, tuple[Callable[[], list[Drawing]], ...]] = {
-    "polygons": (*(lambda block=block: fuzzed(ALL, block, 200) for block in range(4)),
-                 lambda: fuzzed(PERSPECTIVE, 0, 200),
+    "polygons": (*(lambda block=block: fuzzed(ALL, block, 5) for block in range(4)),
+                 *(lambda block=block: fuzzed(ALL, block, 8) + fuzzed(PERSPECTIVE, block - 4, 8)
+                   + fuzzed(PERSPECTIVE, block, 8) for block in range(4, 8)),
+                 lambda: runs(0),
                  lambda: written("mappers", "wide", "dithered", "lit", "panel", "default")),
     "meshes": (lambda: written("cube", "corridor", "environment", "face", "floor", "grove", "lamps"),
                lambda: written("keep", "movers", "rooms", "torch", "terrace", "mist", "crane", "shaded"),

@@ -2,13 +2,14 @@
 
 import importlib
 import pkgutil
+import subprocess
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
 from tests.helpers import kernel_checker as checker
-from tests.kernels import trials as trials_of_rooms
-from tests.mutants import corpora, workshop
+from tests.kernels import test_tables, trials as trials_of_rooms
+from tests.mutants import corpora, python_source, workshop
 from tests.mutants.changes import Mutant
 from tmap.base.errors import UserError
 from tmap.base.paths import ROOT
@@ -114,6 +115,8 @@ def by_frames(subjects: Iterable[str], changed: dict[str, Path], folder: Path) -
 def judge(mutant: Mutant, trials: Trials, subjects: Iterable[str]) -> Verdict:
     """Builds a mutant and tries it."""
     sources, all_changed = workshop.concerned(mutant), {}
+    if mutant.file == test_tables.FILE and " dc." in mutant.text and test_tables.wrong(workshop.changed_text(mutant)):
+        return Verdict("trials", "tests/kernels/test_tables.py")
     with emulator.workspace() as folder:
         for first in range(0, len(sources), TOGETHER):
             here = folder / str(first)
@@ -133,3 +136,16 @@ def judge(mutant: Mutant, trials: Trials, subjects: Iterable[str]) -> Verdict:
             return by_frames(subjects, all_changed, folder) or Verdict(SURVIVES)
         except workshop.Unbuilt as error:
             return Verdict(UNBUILT, str(error).splitlines()[0][:100])
+
+
+def judge_python(mutant: Mutant, subjects: Iterable[str]) -> Verdict:
+    """Tries a mutant of the model in a copy of the tools; the processor's programs are the tree's."""
+    try:
+        done = python_source.check(mutant, ["-m", "tests.mutants.model_check", *subjects])
+    except subprocess.TimeoutExpired:
+        return Verdict("no end")
+    if not done.returncode:
+        return Verdict(SURVIVES)
+    said = (done.stderr.strip().splitlines() or ["nothing"])[-1]
+    kind = said.partition(":")[0]
+    return Verdict("crash" if "Error" in kind else "frames" if "frame" in said or "polygon " in said else "trials", said)

@@ -12,6 +12,7 @@ from tmap.base.markdown import table
 
 PAGE = Path(__file__).with_name("MUTANTS.md")
 WIDTH = 130
+UNEXPLAINED = "**Not explained.**"
 HEAD = """# Mutants
 
 `make mutants` changes one line at a time in assembly, C and the integer model, builds what the line is in, and runs what should
@@ -46,7 +47,7 @@ def listed(found: list[dict]) -> list[str]:
     for room in ROOMS:
         reasons: dict[str, list[dict]] = {}
         for each in sorted((e for e in found if e["room"] == room and e["how"] == SURVIVES), key=lambda e: (e["file"], e["line"])):
-            reasons.setdefault(explanations().get(key(each), "**Not explained.**"), []).append(each)
+            reasons.setdefault(explanations().get(key(each), UNEXPLAINED), []).append(each)
         if reasons:
             lines += ["", f"## {room}"]
         for why, some in reasons.items():

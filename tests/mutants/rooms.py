@@ -2,8 +2,9 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
-from tests.mutants import assembly, c_source
+from tests.mutants import assembly, c_source, python_source
 from tests.mutants.changes import Mutant
 
 
@@ -17,8 +18,9 @@ class Room:
 
     def mutants(self) -> list[Mutant]:
         """Returns all that there could be."""
+        makers = {".c": c_source, ".py": python_source}
         return [each for file in self.files()
-                for each in (c_source if file.endswith(".c") else assembly).mutants(file)]
+                for each in makers.get(Path(file).suffix, assembly).mutants(file)]
 
 
 def included(*names: str) -> list[str]:
@@ -29,22 +31,23 @@ def included(*names: str) -> list[str]:
 EDGES = "edge", "extent", "starts", "scissor", "chain", "upright"
 #: By name; those of C are called so.
 ROOMS = {
-    "edges": Room(80, lambda: assembly.files("edge") + included("edge", "extent", "level_reciprocal", "eye"),
+    "edges": Room(50, lambda: assembly.files("edge") + included("edge", "extent", "level_reciprocal", "eye"),
                   ("polygons", "meshes")),
-    "set-up": Room(90, lambda: assembly.files("polygon", "math") + included(
+    "set-up": Room(60, lambda: assembly.files("polygon", "math") + included(
         "gentle", "outline", "plane", "quotient", "vertices", "perspective", "starts", "level", "cubic", "upright", "clamp"),
         ("polygons", "meshes")),
-    "spans": Room(80, lambda: assembly.files("span") + included(
+    "spans": Room(50, lambda: assembly.files("span") + included(
         "span", "chain", "dither", "far", "far_even", "keyed", "short", "wide", "pieces", "perspective_curves",
         "perspective_pieces", "level_draw"), ("polygons", "meshes")),
-    "triangles": Room(40, lambda: assembly.files("triangle") + included(
+    "triangles": Room(25, lambda: assembly.files("triangle") + included(
         "triangle", "triangle_chain", "triangle_lines", "triangle_small", "triangle_table", "triangle_wide"),
         ("meshes", "polygons")),
-    "meshes": Room(80, lambda: assembly.files("mesh", "depths", "coverage") + included("transform", "depths", "nearest"),
+    "meshes": Room(50, lambda: assembly.files("mesh", "depths", "coverage") + included("transform", "depths", "nearest"),
                    ("meshes",)),
-    "N64": Room(60, lambda: assembly.files("n64") + included("n64"), ("n64",)),
-    "Glide": Room(60, lambda: assembly.files("glide") + included("glide"), ("glide",)),
-    "set-up in C": Room(60, lambda: c_source.files("polygon", "perspective", "drawing", "triangle"), ("polygons", "meshes")),
-    "meshes in C": Room(40, lambda: c_source.files("mesh", "depths", "coverage"), ("meshes",)),
-    "units in C": Room(40, lambda: c_source.files("n64/polygons", "glide/polygons"), ("n64", "glide")),
+    "N64": Room(40, lambda: assembly.files("n64") + included("n64"), ("n64",)),
+    "Glide": Room(40, lambda: assembly.files("glide") + included("glide"), ("glide",)),
+    "set-up in C": Room(30, lambda: c_source.files("polygon", "perspective", "drawing", "triangle"), ("polygons", "meshes")),
+    "meshes in C": Room(15, lambda: c_source.files("mesh", "depths", "coverage"), ("meshes",)),
+    "model": Room(20, lambda: python_source.files("setup", "model"), ("polygons", "meshes")),
+    "units in C": Room(15, lambda: c_source.files("n64/polygons", "glide/polygons"), ("n64", "glide")),
 }

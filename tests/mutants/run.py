@@ -16,8 +16,7 @@ from multiprocessing import active_children, get_context
 from tests.mutants import page
 from tests.mutants.changes import Mutant, chosen
 from tests.mutants.explained import explanations
-from tests.mutants.judge import KILLED, SURVIVES, Trials, Verdict, judge
-from tests.mutants.python_source import judge_model
+from tests.mutants.judge import KILLED, SURVIVES, Trials, Verdict, judge, judge_python
 from tests.mutants.rooms import ROOMS, Room
 from tmap.base.errors import UserError
 from tmap.base.paths import BUILD
@@ -31,24 +30,29 @@ trials: Trials  # made before the processes that use it are forked
 
 def tried(mutant: Mutant, room: str) -> Verdict:
     """Returns a mutant's verdict, in a process of its own."""
-    return judge_model(mutant) if mutant.file.endswith(".py") else judge(mutant, trials, ROOMS[room].subjects)
+    subjects = ROOMS[room].subjects
+    return judge_python(mutant, subjects) if mutant.file.endswith(".py") else judge(mutant, trials, subjects)
 
 
 class Draw:
     """The mutants of a room in their order: as many as it asks for that count."""
 
-    def __init__(self, name: str, room: Room, seed: int, count: int, only: set[tuple]) -> None:
+    def __init__(self, name: str, room: Room, seed: int, count: int, only: set[tuple], known: dict[tuple, Verdict]) -> None:
         self.name, self.count = name, count
         self.left: Iterator[Mutant] = iter([each for each in chosen(room.mutants(), seed) if not only or each.key in only])
-        self.found: dict[Mutant, Verdict] = {}
+        self.known, self.found = known, dict[Mutant, Verdict]()
         self.running = 0
 
     def next(self) -> Mutant | None:
         """Returns the next one to try, None if there are enough."""
-        counted = sum(each.how in (*KILLED, SURVIVES) for each in self.found.values())
-        mutant = next(self.left, None) if counted + self.running < self.count else None
-        self.running += mutant is not None
-        return mutant
+        while sum(each.how in (*KILLED, SURVIVES) for each in self.found.values()) + self.running < self.count:
+            if not (mutant := next(self.left, None)):
+                break
+            if mutant.key not in self.known:
+                self.running += 1
+                return mutant
+            self.found[mutant] = self.known[mutant.key]
+        return None
 
 
 def show(draws: list[Draw], begun: float) -> None:
@@ -90,12 +94,29 @@ def as_json(draws: list[Draw]) -> list[dict]:
     return [{"room": draw.name, **vars(mutant), **vars(verdict)} for draw in draws for mutant, verdict in draw.found.items()]
 
 
+def keep(draws: list[Draw], is_part: bool) -> list[dict]:
+    """Writes the results, of a part of the rooms beside those of the last run; returns them."""
+    found = as_json(draws)
+    if is_part and RESULTS.exists():
+        new = {page.key(each) for each in found}
+        found += [each for each in json.loads(RESULTS.read_text()) if page.key(each) not in new]
+    RESULTS.parent.mkdir(exist_ok=True)
+    RESULTS.write_text(json.dumps(found, indent=0))
+    return found
+
+
+def last() -> dict[tuple, Verdict]:
+    """Returns the verdicts of the last run by the mutants' keys."""
+    found = json.loads(RESULTS.read_text()) if RESULTS.exists() else ()
+    return {page.key(each): Verdict(each["how"], each["by"]) for each in found}
+
+
 def survivors() -> set[tuple]:
     """Returns the keys of those that survived in the last run and are not explained."""
     if not RESULTS.exists():
         raise UserError(f"{RESULTS}: no run was made yet")
     return {key for each in json.loads(RESULTS.read_text()) if each["how"] == SURVIVES
-            and (key := tuple(each[name] for name in ("file", "within", "before", "after"))) not in explanations()}
+            and (key := page.key(each)) not in explanations()}
 
 
 def main(words: list[str] | None = None) -> int:
@@ -106,6 +127,7 @@ def main(words: list[str] | None = None) -> int:
     parser.add_argument("--room", action="append", choices=tuple(ROOMS), help="one room, or several; all if none is named")
     parser.add_argument("--count", type=int, help="how many mutants of each room (as many as the page has)")
     parser.add_argument("--again", action="store_true", help="only those that survived in the last run, not explained")
+    parser.add_argument("--more", action="store_true", help="go on with a run that was interrupted: keep what it found")
     parser.add_argument("--page", action="store_true", help="only write the page of the last run")
     args = parser.parse_args(words)
     if not args.page:
@@ -114,17 +136,14 @@ def main(words: list[str] | None = None) -> int:
         if args.again and not only:
             print("mutants: none survived")
             return 0
-        draws = [Draw(name, room, args.seed, args.count or room.count, only) for name, room in ROOMS.items()
+        draws = [Draw(name, room, args.seed, args.count or room.count, only, last() if args.more else {})
+                 for name, room in ROOMS.items()
                  if name in (args.room or ROOMS)]
         trials = Trials()
-        run(draws)
-        RESULTS.parent.mkdir(exist_ok=True)
-        found = as_json(draws)
-        if args.again or args.room:
-            new = {(each["file"], each["within"], each["before"], each["after"]) for each in found}
-            found += [each for each in (json.loads(RESULTS.read_text()) if RESULTS.exists() else ())
-                      if (each["file"], each["within"], each["before"], each["after"]) not in new]
-        RESULTS.write_text(json.dumps(found, indent=0))
+        try:
+            run(draws)
+        finally:
+            keep(draws, args.again or bool(args.room))
     found = json.loads(RESULTS.read_text())
     unexplained = [each for each in found if each["how"] == SURVIVES and page.key(each) not in explanations()]
     if args.page or not (args.room or args.count or args.seed != SEED):

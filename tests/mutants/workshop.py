@@ -38,7 +38,8 @@ def includes() -> dict[str, set[str]]:
     found = {}
     for path in (BUILD / "obj" / "asm").rglob("*.d"):
         _, source, *others = path.read_text().split("\n")[0].split()
-        found[source] = {source, *others}
+        if object_of(source) in objects()[1]:  # or its source is gone
+            found[source] = {source, *others}
     return found
 
 
@@ -113,13 +114,18 @@ def command(*words: str | Path) -> None:
         raise Unbuilt((done.stdout + done.stderr).strip())
 
 
-def write_changed(mutant: Mutant, folder: Path) -> Path:
-    """Writes the changed file below a folder; returns it."""
+def changed_text(mutant: Mutant) -> str:
+    """Returns the changed file's text."""
     lines = (ROOT / mutant.file).read_text(encoding="utf-8").splitlines()
     lines[mutant.line - 1] = mutant.text
+    return "\n".join(lines) + "\n"
+
+
+def write_changed(mutant: Mutant, folder: Path) -> Path:
+    """Writes the changed file below a folder; returns it."""
     path = folder / mutant.file
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    path.write_text(changed_text(mutant), encoding="utf-8")
     return path
 
 
