@@ -24,6 +24,8 @@ from tmap.base.signals import ENDING, end_by
 
 SEED = 1
 PROCESSES = 2
+#: Rooms whose mutants are not built into kernels.
+WITHOUT_TRIALS = ("set-up in C", "meshes in C", "units in C", "model")
 RESULTS = BUILD / "mutants" / "results.json"
 trials: Trials  # made before the processes that use it are forked
 
@@ -98,8 +100,8 @@ def keep(draws: list[Draw], is_part: bool) -> list[dict]:
     """Writes the results, of a part of the rooms beside those of the last run; returns them."""
     found = as_json(draws)
     if is_part and RESULTS.exists():
-        new = {page.key(each) for each in found}
-        found += [each for each in json.loads(RESULTS.read_text()) if page.key(each) not in new]
+        new, there = {page.key(each) for each in found}, {each.key for room in ROOMS.values() for each in room.mutants()}
+        found += [each for each in json.loads(RESULTS.read_text()) if page.key(each) in there - new]
     RESULTS.parent.mkdir(exist_ok=True)
     RESULTS.write_text(json.dumps(found, indent=0))
     return found
@@ -139,7 +141,8 @@ def main(words: list[str] | None = None) -> int:
         draws = [Draw(name, room, args.seed, args.count or room.count, only, last() if args.more else {})
                  for name, room in ROOMS.items()
                  if name in (args.room or ROOMS)]
-        trials = Trials()
+        if any(draw.name not in WITHOUT_TRIALS for draw in draws):
+            trials = Trials()
         try:
             run(draws)
         finally:
