@@ -8,7 +8,7 @@ import numpy as np
 from tests.glide import random_scenes as glide_scenes
 from tests.helpers import mesh_cases
 from tests.n64 import random_scenes as n64_scenes
-from tests.polygon import test_runs
+from tests.polygon import test_high, test_runs
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.fuzz import fuzz
@@ -61,7 +61,7 @@ PARTS: dict[str, tuple[Callable[[], list[Drawing]], ...]] = {
     "polygons": (*(lambda block=block: fuzzed(ALL, block, 5) for block in range(4)),
                  *(lambda block=block: fuzzed(ALL, block, 8) + fuzzed(PERSPECTIVE, block - 4, 8)
                    + fuzzed(PERSPECTIVE, block, 8) for block in range(4, 8)),
-                 lambda: runs(0),
+                 lambda: [*runs(0), (test_high.high_scene(), "addx")],
                  lambda: written("mappers", "wide", "dithered", "lit", "panel", "default")),
     "meshes": (lambda: written("cube", "corridor", "environment", "face", "floor", "grove", "lamps"),
                lambda: written("keep", "movers", "rooms", "torch", "terrace", "mist", "crane", "shaded"),
