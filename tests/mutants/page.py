@@ -8,7 +8,6 @@ from tests.mutants.changes import KINDS
 from tests.mutants.explained import explanations
 from tests.mutants.judge import KILLED, SAME, SURVIVES, UNBUILT
 from tests.mutants.rooms import ROOMS
-from tmap.base.markdown import table
 
 PAGE = Path(__file__).with_name("MUTANTS.md")
 WIDTH = 130
@@ -38,7 +37,15 @@ def counts(found: list[dict], field: str, names: tuple[str, ...]) -> str:
         explained = sum(each["how"] == SURVIVES and key(each) in explanations() for each in some)
         total = sum(ends[how] for how in (*KILLED, SURVIVES))
         rows.append([name, *(f"{n:,}" for n in (total, *(ends[how] for how in KILLED), explained, ends[SURVIVES] - explained))])
-    return table([field, "mutants", *KILLED, "explained", "unexplained"], rows)
+    return columns([[field, "mutants", *KILLED, "explained", "unexplained"], *rows])
+
+
+def columns(rows: list[list[str]]) -> str:
+    """Returns rows as text in columns: the tables in Markdown are those that scripts/tmap readme writes."""
+    widths = [max(map(len, column)) for column in zip(*rows)]
+    lines = ("  ".join(cell.rjust(width) if k else cell.ljust(width) for k, (cell, width) in enumerate(zip(row, widths)))
+             for row in rows)
+    return "\n".join(["```text", *(line.rstrip() for line in lines), "```"])
 
 
 def listed(found: list[dict]) -> list[str]:

@@ -24,10 +24,11 @@ from tmap.base.signals import ENDING, end_by
 
 SEED = 1
 PROCESSES = 2
+LAST_SECONDS = 20  # that a process may take to tidy up
 #: Rooms whose mutants are not built into kernels.
 WITHOUT_TRIALS = ("set-up in C", "meshes in C", "units in C", "model")
 RESULTS = BUILD / "mutants" / "results.json"
-trials: Trials  # made before the processes that use it are forked
+trials: Trials | None = None  # made before the processes that use it are forked
 
 
 def tried(mutant: Mutant, room: str) -> Verdict:
@@ -85,8 +86,11 @@ def run(draws: list[Draw]) -> None:
                         print(f"{mutant.file}:{mutant.line}: {mutant.before} -> {mutant.after}", flush=True)
                 show(draws, begun)
         except BaseException:
-            for process in active_children():  # they may not have had the signal
+            for process in (some := active_children()):  # they may not have had the signal
                 process.terminate()
+            for process in some:
+                process.join(LAST_SECONDS)
+                process.kill()
             pool.shutdown(cancel_futures=True)
             raise
 
