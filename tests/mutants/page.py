@@ -71,5 +71,5 @@ def write(found: list[dict]) -> None:
     left_out = Counter(each["how"] for each in found)
     parts = [HEAD, counts(found, "room", tuple(ROOMS)), "", counts(found, "kind", KINDS), "",
              f"{left_out[SAME]} more changes made the same code, {left_out[UNBUILT]} could not be built.", "",
-             "Those that nothing notices, by what makes them equivalent:", *listed(found)]
+             "Those that nothing notices, by what makes them equivalent; where it says so, they are not, and what would tell is named:", *listed(found)]
     PAGE.write_text("\n".join(parts) + "\n")
