@@ -5,10 +5,11 @@ from functools import cache
 
 import numpy as np
 
+from tests.accuracy import test_high
 from tests.glide import random_scenes as glide_scenes
 from tests.helpers import mesh_cases
 from tests.n64 import random_scenes as n64_scenes
-from tests.polygon import test_high, test_runs
+from tests.polygon import test_runs
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.fuzz import fuzz
