@@ -14,12 +14,13 @@ WIDTH = 130
 UNEXPLAINED = "**Not explained.**"
 HEAD = """# Mutants
 
-`make mutants` changes one line of assembly at a time, builds what the line is in, and runs what should notice it on the second
-processor: the trials of the kernels that have it or call it, then frames of polygons and scenes that the suite compares with the
-model. C and the model have rooms of mutants too, which its option `--room` tries and this page does not list yet. A condition becomes another one, a carry is left out, a constant or an offset is one more or less,
-an operation has another size or sign or is its opposite, an instruction is removed. Which lines are chosen depends on a seed and
-on the lines alone. Changes that make the same code, or that cannot be built, do not count. This page is written by that command;
-`tests/mutants/explained.json` has the reasons below.
+`make mutants` changes one line of assembly at a time, builds what the line is in, and runs what should notice it on
+the second processor: the trials of the kernels that have it or call it, then frames of polygons and scenes that the
+suite compares with the model. C and the model have rooms of mutants too, which its option `--room` tries and this
+page does not list yet. A condition becomes another one, a carry is left out, a constant or an offset is one more or
+less, an operation has another size or sign or is its opposite, an instruction is removed. Which lines are chosen
+depends on a seed and on the lines alone. Changes that make the same code, or that cannot be built, do not count. This
+page is written by that command; `tests/mutants/explained.json` has the reasons below.
 """
 
 
