@@ -3,7 +3,7 @@
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
 # What is made under the lock of `programs`, or beside it.
-OUTER := help run show demo scene-program bench accuracy polys profile report adf sdk fuzz check test diff clean programs setup
+OUTER := help run show demo scene-program bench accuracy polys profile report adf sdk fuzz check mutants test diff clean programs setup
 .PHONY: $(OUTER) built FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
@@ -74,6 +74,7 @@ help:
 	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
 	@echo 'make fuzz [SEED=N] [COUNT=N] [FAMILY=perspective] random polygons against model and bounds'
 	@echo 'make check                                        tests of what you changed, a sample of others: a minute'
+	@echo 'make mutants                                      small wrong changes, each of which a test must notice'
 	@echo 'make test                                         run all tests'
 	@echo 'make diff A=DIR B=DIR                             compare two runs'
 	@echo 'make programs [CC68K=gcc|vbcc]                    build the Amiga programs only'
@@ -127,6 +128,10 @@ test:
 # A change's own tests, and a sample of the others.
 check:
 	@scripts/setup second & second=$$!; $(MAKE) programs && wait $$second && $(PYTHON) -m tests.helpers.check
+
+# Half an hour; python -m tests.mutants --help has its options.
+mutants:
+	@scripts/setup second & second=$$!; $(MAKE) programs && wait $$second && $(PYTHON) -m tests.mutants
 
 diff:
 	@test -n "$$A" -a -n "$$B" || { echo 'make diff: say which: A=DIR B=DIR' >&2; exit 2; }

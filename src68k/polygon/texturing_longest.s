@@ -97,8 +97,7 @@ cut     macro
         moveq   #0,d0
         lsr.l   #1,d1
         roxr.l  #1,d0
-        add.l   d7,d0
-        addx.l  d6,d1
+        add.l   d7,d0                   ; no carry: 0 or 2^31, and less than 2^31
         divu.l  d4,d1:d0
         move.l  d0,d5
         minus   <subq.l #1,d5>

@@ -32,11 +32,17 @@ def test_a_fixed_slice_holds() -> None:
     assert set(found.worst) == set(scene_file.MAPPERS[1])
 
 
-def test_a_slice_in_perspective_holds() -> None:
-    """The same of the family whose polygons all have depth and a perspective."""
-    found = fuzz.run(SEED, 0, 300, family="perspective")
+def test_frames_of_all_sizes_hold() -> None:
+    """Polygons of the blocks behind the slice: high and narrow frames, and some of few pixels."""
+    found = fuzz.run_part(SEED, range(4 * fuzz_polygons.BLOCK, 8 * fuzz_polygons.BLOCK, 8), fuzz.MACHINE)
     assert not found.failed, {n: f.text for n, f in found.failed.items()}
-    assert found.counts["judged"] > 100
+
+
+def test_a_slice_in_perspective_holds() -> None:
+    """The same of the family whose polygons all have depth and a perspective, in frames of every size."""
+    found = fuzz.run_part(SEED, range(0, 8 * fuzz_polygons.BLOCK, 16), fuzz.MACHINE, "perspective")
+    assert not found.failed, {n: f.text for n, f in found.failed.items()}
+    assert found.counts["judged"] > 200
     assert not found.worst.keys() - IN_DEPTH
 
 

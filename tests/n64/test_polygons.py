@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 from tests.n64.random_scenes import HEIGHT, WIDTH, Case, case, scene
-from tests.helpers.engine_polygons import Polygons, vertex_lines
+from tests.helpers.engine_polygons import MOST, Polygons, vertex_lines
+from tmap.guest import guest_frames
+from tmap.guest.emulator import SECOND
 from tmap.model import model
 from tmap.n64.combiner import samples
 from tmap.scene_file.scene_file import ONE
@@ -82,3 +84,13 @@ def test_frames_are_the_models_without_rules(pixels: str) -> None:
     _, spans = POLYGONS.check(pixels, "all")
     if not POLYGONS.asked("CASE"):
         assert "n64_pixels" in spans and "n64_passes" not in spans, spans
+
+
+@pytest.mark.parametrize("pixels", PIXELS)
+def test_the_second_processor_draws_the_same(pixels: str) -> None:
+    """It refuses what takes more stack than a shell gives, which an Amiga would not tell."""
+    cases = [case(SEED, number, pixels) for number in POLYGONS.numbers(None)]
+    made = scene(cases[:MOST], SEED, pixels)
+    digests, = guest_frames.draw([(made, "addx")], SECOND, timed=False)
+    guest_frames.require_models([model.render(made, number) for number in range(made.frames)], digests,
+                                "polygons", (made, "addx", SECOND))

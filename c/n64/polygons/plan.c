@@ -149,7 +149,7 @@ static int32 find_coordinates(struct n64_plan *plan)
 static int32 find_tables(struct n64_plan *plan)
 {
     struct n64_unit *unit = plan->unit;
-    uint32 colours[256];
+    uint32 *colours = plan->scratch->tables.colours;
 
     plan->tables = unit->tables;
     if (unit->tables && unit->tables_made == unit->n64.mode_generation)

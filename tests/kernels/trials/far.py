@@ -147,6 +147,15 @@ def polygons(rng, count: int) -> Iterator[list[tuple[int, ...]]]:
                 int(1 + (16384 if k % 3 else 40) * ratio ** float(rng.random()))) for point in points]
 
 
+def far_corners(rng, count: int) -> Iterator[list[tuple[int, ...]]]:
+    """Triangles whose first corner is at an end of the range of vertices, to the left or above the frame."""
+    for k in range(count):
+        far = (-16384 + int(rng.integers(20)), -int(rng.integers(9, 90)))[::1 if k % 2 else -1]
+        points = far, (WIDTH - 9, int(rng.integers(9, HEIGHT // 2))), (int(rng.integers(9, 30)), HEIGHT - 9)
+        yield [(x << 16, y << 16, *(int(c) for c in rng.integers(-4 << 16, 4 << 16, 2)), int(rng.integers(60000, 70000)))
+               for x, y in points]
+
+
 def depth_made(deep: Perspective, box, count: int, depth: int, plan: int) -> list[Write]:
     """What is written where the polygon is drawn with perspective."""
     number = lambda n: (n & (1 << 64) - 1).to_bytes(8, "big")  # noqa: E731
@@ -309,7 +318,7 @@ def far_span_trial(vertices, sides, exact: bool, every: str) -> Trial | None:
 
 def depth_trials(rng) -> Iterator[Trial]:
     """Depths of polygons, and how they are drawn."""
-    found = [(vertices, sides) for vertices in polygons(rng, 260)
+    found = [(vertices, sides) for vertices in (*polygons(rng, 260), *far_corners(rng, 24))
              if (sides := measure(vertices, WIDTH, HEIGHT)) and len({v[4] for v in vertices}) > 1]
     for k, each in enumerate(found):
         yield depth_trial(*each)

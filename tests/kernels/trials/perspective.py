@@ -1,5 +1,6 @@
 """Trials of perspective: planes against exact fractions, lines and spans against the model."""
 
+from bisect import bisect_left
 from fractions import Fraction
 
 import numpy as np
@@ -16,6 +17,7 @@ from tmap.build import layout
 from tmap.guest.kernels import M32, Case
 from tmap.setup import perspective as model
 from tmap.setup.level import bends
+from tmap.setup.level_reciprocal import find
 from tmap.setup.texturing import Line
 
 SOME = [count for count in COUNTS if count < 260]  # that fit in rows of PITCH bytes
@@ -161,6 +163,10 @@ def level_trial(rng, is_held: bool = False) -> Trial:
         deep.s.at, deep.t.at = abs(deep.s.at), abs(deep.t.at)
     deep.tilt = int(rng.integers(0, 2)) * any_size(rng, 30)
     deep.chained = bool(rng.integers(2))
+    if rng.integers(2):  # steps that q divides
+        deep.tilt = deep.q.dx = deep.q.dy = 0
+        for plane in (deep.s, deep.t):
+            plane.dx = (deep.q.at >> 32) * int(rng.integers(-1 << 18, 1 << 18))
     return perspective.level_trial(Memory(), deep, lines, f"{len(lines)} lines, {deep}")
 
 
@@ -178,6 +184,9 @@ def reciprocal_trial(rng, drawn: str = "") -> Trial:
             plane.dx = any_size(rng, 40)
         deep.q.dx = any_size(rng, 20) * int(rng.integers(2))
     deep.chained, spare = bool(rng.integers(2) or drawn), int(rng.choice([50, 500, 1 << 20]))
+    if not drawn and rng.integers(2) and find(deep, count, width, 1 << 20):  # the least that is enough, or one less
+        least = bisect_left(range(1 << 20), True, key=lambda some: bool(find(deep, count, width, some)))
+        spare = least - int(rng.integers(2))
     if drawn:
         upright, memory = drawn == "columns", Memory(int(rng.integers(1 << 30)))
         return perspective.draw_trial(memory, picture_ground(), deep, lines, width, spare, 8 if upright else 1280,

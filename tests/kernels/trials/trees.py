@@ -5,11 +5,12 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.mesh import ONE, UNIT, number, points_of, scene, view
-from tmap.bench.mesh import walk_trial
+from tmap.bench.mesh import outside, walk_trial
 from tmap.bench.mesh_batches import vertices_trial
 from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial
-from tmap.bench.visible import Faces, Near, near_face_trial, near_trial
+from tmap.bench.visible import Faces, Near, near_face_trial, near_trial, place_of
+from tmap.model import mesh
 
 
 def tree(rng, count: int) -> list[list[int]]:
@@ -79,6 +80,45 @@ def near_face_trials(rng) -> list[Trial]:
     return made
 
 
+def grazing_trials(rng) -> list[Trial]:
+    """Faces that the eye's plane just misses or not, by a unit; lines and columns that are gaps just beside their
+    boxes, the last that count or the first that do not."""
+    made = []
+    while len(made) < 64:
+        about, row, corners = scene(rng), view(rng), rng.permutation(24)[:3].tolist()
+        points = points_of(rng, 24)
+        placed = mesh.transform(about, points, row)
+        outsides = [outside(point, about.near_plane) for point in placed]
+        inside, beside = ([k for k, border in enumerate(outsides) if is_wanted(border)]
+                          for is_wanted in (lambda border: not border, lambda border: border and not border & 1))
+        if len(inside) > 2 and beside:
+            corners = inside[:2] + (inside[2:] if len(made) % 3 else beside)[:1]
+        borders = [outsides[k] for k in corners]
+        some = borders[0] | borders[1] | borders[2]
+        if some & 1 or borders[0] & borders[1] & borders[2]:
+            continue
+        normal = [number(rng, UNIT) for _ in range(3)]
+        product = sum(n * e for n, e in zip(normal, row[12:15])) >> 30
+        if not -1 << 31 < product < 1 << 31:
+            continue
+        places = [place_of(point, about, border) for point, border in zip((placed[k] for k in corners), borders)]
+        more, beyond = 2 * bool(some), int(rng.integers(2))
+        (left, right), (top, bottom) = ((min(side) - more - beyond, max(side) + 1 + more + beyond)
+                                        for side in ([at[k] >> 16 for at in places] for k in range(2)))
+        everywhere, gaps = [(BIAS, BIAS + about.width - 1)], [[] for _ in range(about.height)]
+        side = int(rng.integers(4))
+        if side < 2 and 0 <= (line := (top, bottom)[side]) < about.height:
+            gaps[line] = everywhere
+        elif side >= 2 and 0 <= (column := (left, right)[side - 2]) < about.width:
+            gaps = [[(BIAS + column, BIAS + column)] for _ in gaps]
+        else:
+            continue
+        distance = product - 1 if len(made) % 8 else product - int(rng.integers(2))
+        made.append(near_face_trial(Memory(), about, Faces([([*normal, distance], corners)], points, [False] * 24, row, gaps),
+                                    f"side {side}, {beyond} beyond it, distance {distance}"))
+    return made
+
+
 def gaps_of(rng, width: int) -> list[tuple[int, int]]:
     """Up to three gaps of a line."""
     ends = np.sort(rng.choice(width, 2 * int(rng.integers(0, 4)), replace=False)) + BIAS
@@ -97,5 +137,5 @@ def vertices_trials(rng) -> list[Trial]:
 
 
 def trials() -> list[Trial]:
-    return [trial for seed, make in enumerate((walk_trials, near_trials, near_face_trials, vertices_trials))
+    return [trial for seed, make in enumerate((walk_trials, near_trials, near_face_trials, vertices_trials, grazing_trials))
             for trial in make(np.random.default_rng(81 + seed))]

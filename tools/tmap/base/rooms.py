@@ -18,7 +18,7 @@ TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model",
          "bench/modes bench/examples", "bench", "accuracy", "report", "product assets", ".")
 #: tests, in the same way. The top folder has conftest.py.
 TESTS = ("helpers", "mesh n64 glide", "compiler", "kernels/trials", "kernels", "polygon mipmap", "accuracy",
-         "screen", "guest", "product", ".")
+         "screen", "guest", "product", "mutants", ".")
 #: c, each with a description.
 C = {".": "integer types and the limits that all rooms keep to",
      "math system texture": "products and quotients in assembly; AmigaDOS, memory, clock; maps in memory",

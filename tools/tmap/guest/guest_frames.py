@@ -18,9 +18,9 @@ from tmap.scene_file.scene_file import Scene, write
 
 def draw(scenes: list[tuple[Scene, str]], machine: str,
          on_output: Callable[[str], None] | None = None, patience: float | None = None,
-         apart: bool = False, timed: bool = True) -> list[np.ndarray]:
+         apart: bool = False, timed: bool = True, programs: Path = emulator.PROGRAMS) -> list[np.ndarray]:
     """Returns the digests of each scene's frames, drawn in one boot. Each scene comes with its form
-    and any further arguments of ``render``. ``patience``, ``apart``: as in run_batch; ``timed``:
+    and any further arguments of ``render``. ``patience``, ``apart``, ``programs``: as in run_batch; ``timed``:
     False if no ticks are asked for, which saves the wait for the beam before each frame and emulator.UNTIMED's
     time."""
     shape = layout.load().struct("frame_digest").dtype
@@ -28,10 +28,10 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
     commands = [f"render {k}.scene FORM {form} DIGEST {k}.digest" + " UNTIMED" * (not timed)
                 for k, (_, form) in enumerate(scenes)]
     with emulator.workspace() as directory:
-        done = emulator.run_batch(commands, files, machine, directory, on_output,
-                                 patience=patience, apart=apart, timed=timed)
+        done = emulator.run_batch(commands, files, machine, directory, on_output, programs,
+                                 patience, apart=apart, timed=timed)
         for result in done:
-            fault = emulator.explain_fault(emulator.PROGRAMS / "render", result.output)
+            fault = emulator.explain_fault(programs / "render", result.output)
             if fault or result.code:
                 raise UserError(fault or f"render: {emulator.last_words(result.output)}")
         return [np.fromfile(done[0].directory / f"{k}.digest", shape) for k in range(len(scenes))]

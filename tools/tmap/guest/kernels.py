@@ -5,12 +5,14 @@ once, returns registers and memory, and then times repeats. Layouts come from c/
 """
 
 from dataclasses import asdict, dataclass, field
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from tmap.base.errors import UserError
 from tmap.base.fixed import M32
+from tmap.base.paths import PROGRAMS
 from tmap.build import layout
 from tmap.guest import emulator
 from tmap.guest.emulator import CYCLES_PER_TICK
@@ -240,12 +242,13 @@ def far_after(case: Case, data: memoryview) -> tuple[bytes, int]:
     return bytes(image), at
 
 
-def call_batch(cases: list[Case], machine: str, progress, timed: bool = True) -> list[Result]:
-    """Runs the cases in one boot; returns their results; ``timed``: as in emulator.run_batch. Raises Changed if a call wrote far memory
-    outside its case's ``writes``."""
+def call_batch(cases: list[Case], machine: str, progress, timed: bool = True, programs: Path = PROGRAMS,
+               patience: float | None = None) -> list[Result]:
+    """Runs the cases in one boot; returns their results; ``timed``, ``programs``, ``patience``: as in
+    emulator.run_batch. Raises Changed if a call wrote far memory outside its case's ``writes``."""
     with emulator.workspace() as directory:
         done = emulator.run("bench", "kernels.plan kernels.results", {"kernels.plan": plan(cases)},
-                            machine, directory, progress, timed=timed)
+                            machine, directory, progress, programs, patience, timed=timed)
         if done.code:
             raise UserError(f"bench: {emulator.last_words(done.output)}")
         data = (done.directory / "kernels.results").read_bytes()

@@ -26,6 +26,10 @@ def any_iterators(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
         start, step = ends[0], (ends[1] - ends[0]) // count
         if rng.random() < 0.3:  # very small w
             start[2], step[2] = 65536 * rng.integers(-2, 5), rng.integers(-8000, 9000)
+        elif count != BENCH and rng.random() < 0.3:  # S or T is twice W: the quotients are where 17 bits end
+            axis, twice = rng.integers(2), 2 * rng.choice((-1, 1))
+            start[2], step[2] = abs(start[2]) >> 1, step[2] >> 1
+            start[axis], step[axis] = twice * start[2], twice * step[2]
     return start, step
 
 
