@@ -14,7 +14,6 @@ from tests.helpers import kernel_checker as checker
 from tests.kernels.trials import span
 from tmap.base import paths
 from tmap.build import contracts
-from tmap.guest import emulator
 from tmap.guest.kernels import Case
 
 SOURCE = paths.ROOT / "tests" / "broken" / "span.s"
@@ -67,7 +66,7 @@ def reports(tmp_path_factory):
     build(out)
     called = [trial for kernel in COMPLAINTS for trial in trials(kernel)]
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(emulator, "run", partial(emulator.run, programs=out))
+        patch.setattr(checker.kernels, "call_batch", partial(checker.kernels.call_batch, programs=out))
         results = checker.run(called)
     swap = replace(contract("span_affine_swap"), trashes=frozenset(("d0", "d1", "a0", "a1")))
     return {kernel: checker.report(
