@@ -33,7 +33,6 @@ doubled macro
         lea     (a4,a2.l*2),a5
 .row    movea.l a0,a6
         adda.l  ROW(sp),a6              ; the end of the row's pixels
-        bra.s   .longs
         cnop    0,4
 .longs  move.l  (a0)+,d0
         move.l  d0,d1
