@@ -162,8 +162,7 @@ static void present(struct show *s)
     if (s->paused || screen_fields(&s->screen) >= s->next_measuring)
         measure(s);
     describe(s);
-    screen_convert(&s->screen, &s->frame);
-    screen_swap(&s->screen);
+    screen_show(&s->screen, &s->frame);
 }
 
 /* Moves a setting by one step; from the scene's setting, to the most exact step. */
@@ -254,7 +253,7 @@ static int32 make(struct show *s)
 {
     const struct scene_header *header = s->scene.header;
     const struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height,
-                                     header->format};
+                                     header->format, 1};
 
     if (!make_frame(&s->frame, header))
         return outcome_lack_memory("show", "the frame");

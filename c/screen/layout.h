@@ -25,6 +25,7 @@ struct screen_form {
     int32 width, height;        /* of frames, pixels: the picture is at most 320x256, its width a multiple of 8 */
     int32 pixel_width, pixel_height;    /* of a pixel in the picture, of low resolution: 1 or 2 */
     uint32 format;              /* enum pixel_format */
+    uint32 blitter;             /* 1: it does a part of the conversion in screen_show, if memory allows */
 };
 
 struct screen_layout {
