@@ -66,7 +66,7 @@ static int32 open_screen(const struct screen_form *form)
 static int32 open_for_scene(const struct part *part)
 {
     const struct scene_header *header = scene.header;
-    struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height, header->format};
+    struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height, header->format, 0};
 
     if (header->format == PIXEL_CHUNKY) {
         form.width = script.width / form.pixel_width;
@@ -188,7 +188,7 @@ int main(void)
     const char *directory = "PROGDIR:data", *name;
     char whole[PATH];
     int32 frames = 0, only = 0, result;
-    struct screen_form form = {0, 0, 1, 1, PIXEL_CHUNKY};
+    struct screen_form form = {0, 0, 1, 1, PIXEL_CHUNKY, 0};
 
     if (!args_read("DIR,FRAMES/K/N,PART/K/N,LOG/S", args))
         return refuse("usage: demo [DIR] [FRAMES n] [PART n] [LOG]");

@@ -1,8 +1,9 @@
 /* show - plays a scene on the screen and says what it costs.
 
-   show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n
+   show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n COUNT n
    Draws all frames from FRAME on, then again from the first, as 8 bitplanes or HAM8. PAUSE begins
-   paused. ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0; the default is the scene's
+   paused. COUNT shows so many frames without measuring their errors, and prints how many fields they
+   took. ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0; the default is the scene's
    settings. Keys: space pauses and resumes; cursor left and right change the accuracy, down and up
    the perspective, each from cheap to exact; S restores the scene's settings; escape leaves.
    Returns 0, 5 after Ctrl-C or if a polygon could not be drawn, 10 for arguments and files, 20.
@@ -22,12 +23,14 @@
 #include "screen/screen.h"
 #include "show/figures.h"
 #include "system/arguments.h"
+#include "system/machine.h"
 #include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
 
 #define NO_LIMIT 65535          /* of the clock: the watchdog is off */
 #define MEASURE_REST 4          /* the pause after measuring, in times that it took */
+#define COUNT_MAX 9999
 #define READ_BEYOND 32          /* bytes after a frame that its conversion may read */
 #define KEYS "arrows, S, space, Esc"    /* at the end of the second status line */
 
@@ -43,6 +46,7 @@ struct show {
     struct rate rate;
     uint32 next_measuring;      /* field */
     int32 number, paused;
+    int32 count;                /* of frames to show; 0: until a key ends it */
     int32 is_broken;            /* by Ctrl-C */
     int32 has_tables;           /* 0: no memory for tables of perspective */
     uint32 ticks;               /* of the last frame */
@@ -159,11 +163,10 @@ static void describe(struct show *s)
 static void present(struct show *s)
 {
     draw(s);
-    if (s->paused || screen_fields(&s->screen) >= s->next_measuring)
+    if (!s->count && (s->paused || screen_fields(&s->screen) >= s->next_measuring))
         measure(s);
     describe(s);
-    screen_convert(&s->screen, &s->frame);
-    screen_swap(&s->screen);
+    screen_show(&s->screen, &s->frame);
 }
 
 /* Moves a setting by one step; from the scene's setting, to the most exact step. */
@@ -231,6 +234,15 @@ static int32 follow_keys(struct show *s)
     return 1;
 }
 
+/* Returns the return code, after a line if something was refused. */
+static int32 ended(const struct show *s)
+{
+    if (s->refused == POLYGON_DRAWN)
+        return outcome_code(!s->is_broken);
+    text_refuse("show: not all could be drawn", scene_why(&s->scene, s->refused));
+    return RETURN_WARN;
+}
+
 static int32 play(struct show *s)
 {
     rate_begin(&s->rate, screen_fields(&s->screen));
@@ -242,10 +254,30 @@ static int32 play(struct show *s)
         rate_count(&s->rate, screen_fields(&s->screen));
     }
     screen_close(&s->screen);
-    if (s->refused == POLYGON_DRAWN)
-        return outcome_code(!s->is_broken);
-    text_refuse("show: not all could be drawn", scene_why(&s->scene, s->refused));
-    return RETURN_WARN;
+    return ended(s);
+}
+
+/* Shows s->count frames after a first one and prints how long that took. */
+static int32 play_counted(struct show *s)
+{
+    uint32 began;
+
+    present(s);
+    began = screen_wait(&s->screen);
+    for (int32 i = 0; i < s->count && !s->is_broken; i++) {
+        if (++s->number == s->scene.header->frames)
+            s->number = 0;
+        present(s);
+        s->is_broken = outcome_break();
+    }
+    began = screen_wait(&s->screen) - began;
+    screen_close(&s->screen);
+    text_number(s->count);
+    text_add(" frames in ");
+    text_number((int32)began);
+    text_add(" fields");
+    text_print();
+    return ended(s);
 }
 
 /* Allocates what is necessary, then what is optional. Prints a line and returns 0 if something
@@ -253,8 +285,8 @@ static int32 play(struct show *s)
 static int32 make(struct show *s)
 {
     const struct scene_header *header = s->scene.header;
-    const struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height,
-                                     header->format};
+    struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height,
+                               header->format, 0};
 
     if (!make_frame(&s->frame, header))
         return outcome_lack_memory("show", "the frame");
@@ -262,6 +294,7 @@ static int32 make(struct show *s)
         return outcome_lack_memory("show", "the counts");
     if (!clock_open())
         return outcome_lack("show", "another program uses CIA-B's timers");
+    form.blitter = !memory_is_chip(s->frame.pixels);
     if (!screen_open(&s->screen, &form))
         return 0;
     screen_palette(&s->screen, (const uint8 *)header + header->palette_at);
@@ -273,12 +306,12 @@ static int32 make(struct show *s)
 
 int main(void)
 {
-    enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, ITEMS };
+    enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, COUNT, ITEMS };
     int32 args[ITEMS] = {0};
     static struct show show;
 
-    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N", args)) {
-        text_refuse("show", "usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n]");
+    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N,COUNT/K/N", args)) {
+        text_refuse("show", "usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n] [COUNT n]");
         return RETURN_ERROR;
     }
     show.renderer.frame = &show.frame;
@@ -288,12 +321,15 @@ int main(void)
     if (!number_asked("show", args[ACCURACY], 0, ACCURACY_STEPS, &show.settings.accuracy,
                       "ACCURACY: not between 0 and 5")
         || !number_asked("show", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,
-                         &show.settings.perspective, "PERSPECTIVE: not between 0 and 4"))
+                         &show.settings.perspective, "PERSPECTIVE: not between 0 and 4")
+        || !number_asked("show", args[COUNT], 1, COUNT_MAX + 1, &show.count, "COUNT: not between 1 and 9999"))
         return RETURN_ERROR;
     if (!scene_load(&show.scene, (const char *)args[SCENE], MEMORY_ANY))
         return outcome_code(0);
     if (!number_asked("show", args[FRAME], 0, show.scene.header->frames, &show.number,
                       "FRAME: not one of the scene's"))
         return RETURN_ERROR;
-    return make(&show) ? play(&show) : outcome_code(0);
+    if (!make(&show))
+        return outcome_code(0);
+    return show.count ? play_counted(&show) : play(&show);
 }

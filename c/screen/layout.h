@@ -25,6 +25,8 @@ struct screen_form {
     int32 width, height;        /* of frames, pixels: the picture is at most 320x256, its width a multiple of 8 */
     int32 pixel_width, pixel_height;    /* of a pixel in the picture, of low resolution: 1 or 2 */
     uint32 format;              /* enum pixel_format */
+    uint32 blitter;             /* 1: it does a part of screen_show's conversion, if memory allows. For frames in
+                                   fast RAM: drawing in chip RAM is slowed by more than that saves */
 };
 
 struct screen_layout {

@@ -18,18 +18,27 @@ static int32 chip_needed(const struct screen_layout *layout)
         + STATUS_ROWS * STATUS_PITCH;
 }
 
-static int32 take_chip(struct screen *screen)
+/* Takes so many bytes of chip RAM, or keeps what there is. Returns 0 if memory is short. */
+static int32 take_bytes(struct screen *screen, int32 bytes)
 {
-    const int32 bytes = chip_needed(&screen->layout);
-
     if (screen->chip_bytes >= bytes)
         return 1;
     if (!mem_alloc(&screen->chip, bytes, MEMORY_CHIP))
-        return outcome_lack_memory(name, "planes and copper lists");
+        return 0;
     screen->chip_bytes = bytes;
     screen->blank = (uint16 *)screen->chip;
     copper_blank_make(screen->blank);
     return 1;
+}
+
+static int32 take_chip(struct screen *screen, uint32 blitter)
+{
+    const int32 bytes = chip_needed(&screen->layout);
+
+    screen->between = 0;
+    if (blitter && !screen->layout.ham && take_bytes(screen, bytes + blits_bytes(&screen->layout)))
+        screen->between = screen->chip + bytes;
+    return screen->between || take_bytes(screen, bytes) || outcome_lack_memory(name, "planes and copper lists");
 }
 
 static void clear(uint8 *from, int32 bytes)
@@ -78,6 +87,28 @@ static void plan_make(const struct screen *screen, struct planar_plan *plan)
     plan->planes = screen->planes[screen->hidden];
 }
 
+/* Sets a plan's pixels, for rows of so many pixels; they end with a whole longword of planes. */
+static void plan_pixels(const struct screen *screen, struct planar_plan *plan, const struct frame *frame,
+                        const uint8 *pixels, int32 width, int32 rows)
+{
+    const int32 whole = screen->layout.dots > 1 ? 15 : 31;
+
+    plan->pixels = pixels;
+    plan->pitch = frame->pitch;
+    plan->width = screen->layout.ham ? width : (width + whole) & ~whole;
+    plan->rows = rows;
+}
+
+/* Waits until the blitter has ended and its set is shown, if one is to come. */
+static void finish(struct screen *screen)
+{
+    if (!screen->work.list)
+        return;
+    blits_end();
+    screen->work.list = 0;
+    screen_wait(screen);
+}
+
 /* Writes HAM8's planes 0 and 1, and the colour that each line begins with. */
 static void make_ham(struct screen *screen)
 {
@@ -116,21 +147,26 @@ void screen_close(struct screen *screen)
 {
     if (!screen->is_open)
         return;
+    finish(screen);
     screen->is_open = 0;
     keys_close();
     display_close();
 }
 
-static int32 make(struct screen *screen, uint32 format)
+static int32 make(struct screen *screen, const struct screen_form *form)
 {
     if (!display_has_aga())
         return outcome_lack(name, "needs AGA: an A1200 or A4000");
-    if (!take_chip(screen) || (!screen->is_open && !take_machine(screen)))
+    if (!take_chip(screen, form->blitter) || (!screen->is_open && !take_machine(screen)))
         return 0;
-    screen->convert = converter(&screen->layout, format);
+    screen->convert = converter(&screen->layout, form->format);
+    screen->convert_part = screen->layout.dots > 1 ? c2p_8_2x1_blit : c2p_8_blit;
     place(screen);
-    make_list(screen, 0);
-    make_list(screen, 1);
+    for (int32 set = 0; set < 2; set++) {
+        make_list(screen, set);
+        if (screen->between)
+            screen->blit_count = blits_make(screen->blits[set], &screen->layout, screen->between, screen->planes[set]);
+    }
     if (screen->layout.ham)
         make_ham(screen);
     screen->hidden = 0;
@@ -143,10 +179,12 @@ int32 screen_open(struct screen *screen, const struct screen_form *form)
 {
     const char *why;
 
-    if (screen->is_open)
+    if (screen->is_open) {
+        finish(screen);
         display_show(screen->blank);
+    }
     why = screen_layout_find(&screen->layout, form);
-    if (why ? text_refuse(name, why) : make(screen, form->format))
+    if (why ? text_refuse(name, why) : make(screen, form))
         return 1;
     screen_close(screen);
     return 0;
@@ -156,6 +194,7 @@ void screen_palette(struct screen *screen, const uint8 *palette)
 {
     if (screen->layout.ham)
         return;
+    finish(screen);
     copper_palette_set(screen->palette[0], palette);
     copper_palette_set(screen->palette[1], palette);
 }
@@ -164,16 +203,39 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
                         int32 width, int32 height)
 {
     const struct screen_layout *layout = &screen->layout;
-    const int32 whole = layout->dots > 1 ? 15 : 31;
     struct planar_plan plan;
 
+    finish(screen);
     plan_make(screen, &plan);
-    plan.pixels = frame->pixels + y * frame->pitch + x * frame->pixel_bytes;
-    plan.pitch = frame->pitch;
-    plan.width = layout->ham ? width : (width + whole) & ~whole;
-    plan.rows = height;
+    plan_pixels(screen, &plan, frame, frame->pixels + y * frame->pitch + x * frame->pixel_bytes, width, height);
     plan.planes = screen->planes[screen->hidden] + y * layout->row_bytes + (x * layout->dots >> 3);
     screen->convert(&plan);
+}
+
+void screen_show(struct screen *screen, const struct frame *frame)
+{
+    const struct screen_layout *layout = &screen->layout;
+    struct planar_plan plan;
+
+    if (!screen->between) {
+        screen_wait(screen);
+        screen_convert(screen, frame);
+        screen_post(screen, 0);
+        return;
+    }
+    blits_end();
+    plan_make(screen, &plan);
+    plan_pixels(screen, &plan, frame, frame->pixels, layout->width, layout->height);
+    plan.planes = screen->between;
+    screen->convert_part(&plan);
+    if (screen->work.list)
+        screen_wait(screen);
+    screen->work.next = screen->blits[screen->hidden];
+    screen->work.left = screen->blit_count;
+    screen->work.list = screen->list[screen->hidden];
+    screen->work.field = 0;
+    screen->hidden ^= 1;
+    blits_start(&screen->work);
 }
 
 void screen_convert(struct screen *screen, const struct frame *frame)
@@ -183,12 +245,14 @@ void screen_convert(struct screen *screen, const struct frame *frame)
 
 void screen_swap(struct screen *screen)
 {
+    finish(screen);
     display_show(screen->list[screen->hidden]);
     screen->hidden ^= 1;
 }
 
 void screen_post(struct screen *screen, uint32 field)
 {
+    finish(screen);
     display_post(screen->list[screen->hidden], field + screen->since);
     screen->hidden ^= 1;
 }

@@ -5,6 +5,7 @@
 #define SCREEN_H
 
 #include "polygon/polygon.h"
+#include "screen/blits.h"
 #include "screen/display.h"
 #include "screen/layout.h"
 #include "screen/planar.h"
@@ -22,6 +23,11 @@ struct screen {
     uint16 *blank;              /* a copper list that shows nothing */
     uint16 *list[2], *palette[2];
     uint8 *status;
+    uint8 *between;             /* what the blitter still merges; 0: the processor converts alone */
+    void (*convert_part)(const struct planar_plan *plan);   /* to between */
+    struct blit blits[2][BLITS_MAX];        /* to each set */
+    int32 blit_count;
+    struct blit_list work;      /* the blitter's */
     int32 hidden;               /* the set that is not shown: 0 or 1 */
     uint32 since;               /* display_fields when the screen was opened */
     int32 is_open;
@@ -51,6 +57,10 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
 /* Shows the hidden planes from the next field on and returns when they are shown. The other set is
    hidden then. */
 void screen_swap(struct screen *screen);
+
+/* Converts a frame and shows it from the next field on, as soon as the blitter has merged what the processor has left.
+   Returns while it does so. Any other function of the screen but screen_text waits for it first. */
+void screen_show(struct screen *screen, const struct frame *frame);
 
 /* screen_post shows the hidden planes from a field on, counted as screen_fields does, or from the
    next field if that one is over; it returns at once. The other set becomes the hidden one, but

@@ -4,6 +4,7 @@
         include "amiga.i"
 
         xref    at_end
+        xdef    gfx_base
 
 LAST_LINE               equ     20      ; the last line in which a list may be started: it must
                                         ; have set its colours before the picture begins

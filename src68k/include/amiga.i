@@ -11,6 +11,7 @@ _LVOForbid              equ     -132
 _LVOPermit              equ     -138
 _LVODisable             equ     -120
 _LVOEnable              equ     -126
+_LVOSetIntVector        equ     -162
 _LVOAddIntServer        equ     -168
 _LVORemIntServer        equ     -174
 _LVOAllocMem            equ     -198
@@ -108,6 +109,9 @@ _LVOOpenFont            equ     -72
 _LVOCloseFont           equ     -78
 _LVOLoadView            equ     -222
 _LVOWaitTOF             equ     -270
+_LVOWaitBlit            equ     -228
+_LVOOwnBlitter          equ     -456
+_LVODisownBlitter       equ     -462
 
 gb_ActiView             equ     34
 gb_copinit              equ     38
@@ -150,6 +154,17 @@ vposr                   equ     $004
 vhposr                  equ     $006
 intenar                 equ     $01c
 intreqr                 equ     $01e
+bltcon0                 equ     $040
+bltafwm                 equ     $044
+bltbpt                  equ     $04c
+bltapt                  equ     $050
+bltdpt                  equ     $054
+bltsizv                 equ     $05c
+bltsizh                 equ     $05e
+bltbmod                 equ     $062
+bltamod                 equ     $064
+bltdmod                 equ     $066
+bltcdat                 equ     $070
 denise_id               equ     $07c
 cop1lc                  equ     $080
 copjmp1                 equ     $088
@@ -172,6 +187,8 @@ fmode                   equ     $1fc
 LISA                    equ     $f8     ; denise_id's low byte of AGA
 BEAMCON_PAL             equ     $0020
 INTB_VERTB              equ     5
+INTB_BLIT               equ     6
+INTF_BLIT               equ     $0040
 INTF_SETCLR             equ     $8000
 INTF_INTEN              equ     $4000
 INTF_EXTER              equ     $2000

@@ -14,7 +14,7 @@ uint32 break_signal(void);
 void spin(void);
 void illegal(void);
 
-enum mode { SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY };
+enum mode { SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY, BLITTER };
 enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
 #define DUMPED 7
@@ -61,7 +61,8 @@ static int32 dump(const char *name, int32 number)
     return file_save(file, screen.chip, (uint32)screen.chip_bytes);
 }
 
-static int32 show(struct frame *frame, const char *name)
+/* Shows frames: by screen_show, or converted by the processor alone; a box of the last one always so. */
+static int32 show(struct frame *frame, const char *name, int32 blits)
 {
     static const char *const texts[] = {"0 first line", "1 [\\]^_`{|}~\177 \200beyond", "2"};
     uint8 *palette, *pixels;
@@ -72,12 +73,17 @@ static int32 show(struct frame *frame, const char *name)
     screen_palette(&screen, palette);
     for (int32 i = 0; i < FRAMES; i++) {
         frame->pixels = pixels + i * frame->pitch * frame->height;
-        if (i < FRAMES - 1)
-            screen_convert(&screen, frame);
-        else
+        if (i == FRAMES - 1)
             screen_convert_box(&screen, frame, BOX_X, BOX_Y, BOX_WIDTH, BOX_HEIGHT);
+        else if (blits)
+            screen_show(&screen, frame);
+        else
+            screen_convert(&screen, frame);
         screen_text(&screen, i & 1, texts[i]);
-        screen_swap(&screen);
+        if (blits && i < FRAMES - 1)
+            screen_wait(&screen);
+        else
+            screen_swap(&screen);
         if (!dump(name, i))
             return RETURN_FAIL;
     }
@@ -110,7 +116,7 @@ static int32 keys(void)
 /* Opens other screens one after the other, in the same memory as long as they fit. */
 static int32 again(void)
 {
-    static const struct screen_form small = {96, 60, 1, 1, PIXEL_CHUNKY}, large = {320, 64, 1, 1, PIXEL_RGB565};
+    static const struct screen_form small = {96, 60, 1, 1, PIXEL_CHUNKY, 0}, large = {320, 64, 1, 1, PIXEL_RGB565, 0};
     const uint8 *first = screen.chip;
 
     screen_close(&screen);
@@ -185,7 +191,8 @@ static void take_chip(void)
 static int32 opened(enum mode mode, struct frame *frame, const char *name)
 {
     switch (mode) {
-    case SHOW: return show(frame, name);
+    case SHOW: return show(frame, name, 0);
+    case BLITTER: return show(frame, name, 1);
     case KEYS: return keys();
     case AGAIN: return again();
     case POST: return post();
@@ -213,6 +220,7 @@ int main(void)
     form.format = *(const uint32 *)args[FORMAT];
     frame.width = form.width = *(const int32 *)args[WIDTH];
     frame.height = form.height = *(const int32 *)args[HEIGHT];
+    form.blitter = mode == BLITTER;
     form.pixel_width = *(const int32 *)args[WIDE];
     form.pixel_height = *(const int32 *)args[HIGH];
     frame.pixel_bytes = form.format == PIXEL_CHUNKY ? 1 : form.format == PIXEL_RGBA8888 ? 4 : 2;

@@ -13,7 +13,7 @@ from tmap.base import maps, planar
 from tmap.build import layout
 from tmap.guest import emulator
 
-MODES = ("SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY")
+MODES = ("SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY", "BLITTER")
 FRAMES = 3
 BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
 TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and positions of the beam: the area for pictures
@@ -30,6 +30,7 @@ class Shown:
     height: int
     colours: object = None  # of pixels; None: from the palette
     pixel: tuple[int, int] = (1, 1)  # its width and height, of low resolution
+    mode: str = "SHOW"  # of MODES
 
     @property
     def format(self) -> int:
@@ -66,6 +67,12 @@ SHOWN = {
     "wide_pixels": Shown("c2p_8_2x1", 160, 256, pixel=(2, 1)),
     "high_pixels": Shown("c2p_8", 320, 127, pixel=(1, 2)),
     "odd_wide_pixels": Shown("c2p_8_2x1", 104, 61, pixel=(2, 1)),  # its columns end within 16
+    "blits": Shown("c2p_8", 320, 256, mode="BLITTER"),
+    "odd_blits": Shown("c2p_8", 200, 61, mode="BLITTER"),
+    "wide_blits": Shown("c2p_8_2x1", 160, 256, pixel=(2, 1), mode="BLITTER"),
+    "odd_wide_blits": Shown("c2p_8_2x1", 104, 61, pixel=(2, 1), mode="BLITTER"),
+    "large_blits": Shown("c2p_8_2x1", 136, 99, pixel=(2, 2), mode="BLITTER"),
+    "blits_of_colours": Shown("c2p_ham8_16", 96, 64, maps.from_rgb565, (2, 1), "BLITTER"),  # by the processor
     "large_pixels": Shown("c2p_8_2x1", 136, 99, pixel=(2, 2)),
     "wide_colours": Shown("c2p_ham8_16", 96, 200, maps.from_rgb565, (2, 1)),
     "high_colours": Shown("c2p_ham8_32", 160, 100, maps.from_rgba8888, (1, 2)),
@@ -112,7 +119,7 @@ def ended(programs, pixels, palette, tmp_path_factory) -> dict[str, endings.Ende
     files = {"palette": palette.tobytes(), "display": programs / "display"} | {
         name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in pixels.items()}
     # Two at first: the system frees all it can, and allocates what it needs on first use.
-    shows = [command("SHOW", f"{s.arguments} {name}") for name, s in SHOWN.items()]
+    shows = [command(s.mode, f"{s.arguments} {name}") for name, s in SHOWN.items()]
     commands = [command("AGAIN"), *shows, *ENDINGS]
     found = endings.run([(0, each) for each in commands], files, MACHINE,
                         tmp_path_factory.mktemp("run"), command("SHORT"))
@@ -139,7 +146,7 @@ class Dump:
 
 def dumps(ended, name: str) -> list[Dump]:
     """The dumps of all frames of a form."""
-    result = ended[command("SHOW", f"{SHOWN[name].arguments} {name}")]
+    result = ended[command(SHOWN[name].mode, f"{SHOWN[name].arguments} {name}")]
     assert result.code == 0, result.output
     lines = [[int(n) for n in line.split()] for line in result.output.splitlines()]
     return [Dump((result.directory / f"{name}.{k}").read_bytes(), line[0], line[1],

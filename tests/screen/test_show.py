@@ -186,6 +186,14 @@ def test_command_ends_with_the_window(server, steps) -> None:
     assert result == [0]
 
 
+@pytest.mark.parametrize("machine", emulator.MEASURED)
+def test_frames_are_counted(steps, machine: str, tmp_path) -> None:
+    """So many are shown, and how long they took is said: a field each at least."""
+    done = emulator.run("show", "a.scene COUNT 5", {"a.scene": write(steps[1])}, machine, tmp_path)
+    said = re.fullmatch(r"5 frames in (\d+) fields\n", done.output)
+    assert done.code == 0 and said and 5 <= int(said[1]) < 500, done.output
+
+
 def test_what_cannot_be_shown(tmp_path, monkeypatch, capsys) -> None:
     for name in show.DRIVERS:
         monkeypatch.delenv(name, raising=False)

@@ -28,7 +28,9 @@ def about(source: Path) -> tuple[str, str, str]:
 #: its title and the end of the row's name.
 PLANAR_LINES = (
     ("8 bits", "c2p_8", 320, (("eight planes", "_low"),)),
+    ("8 bits, with the blitter", "c2p_8_blit", 320, (("the processor's part", "_low"),)),
     ("8 bits, 2x1", "c2p_8_2x1", 160, (("eight planes", "_low"),)),
+    ("8 bits, 2x1, with the blitter", "c2p_8_2x1_blit", 160, (("the processor's part", "_low"),)),
     *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
       for title, row in (("`rgb565`", "c2p_ham8_16"), ("`rgba5551`", "c2p_ham8_5551"),
                          ("`rgba8888`", "c2p_ham8_32"))))
@@ -42,7 +44,7 @@ def planar_table(baseline: dict) -> str:
             cells = [f"{figures[name + kind, machine, width]:.1f}"
                      for kind in ("", end) for machine in ("a1200-mixed", "a1200")]
             rows.append([f"{title}: {shown}", *cells,
-                         f"{figures[f'{name}_c', 'a1200-mixed', width]:.0f}"])
+                         f"{figures[in_c]:.0f}" if (in_c := (f"{name}_c", "a1200-mixed", width)) in figures else ""])
     titles = [f"{display}: {MACHINES[machine]}" for display in ("display off", "shown")
               for machine in ("a1200-mixed", "a1200")]
     return table(["cycles a pixel", *titles, "plain C, off: data in chip"], rows)

@@ -1,5 +1,5 @@
 """What a scene's frames cost on the screen beside their drawing: the conversion to bitplanes, by the bench's committed
-figures, while the picture is shown."""
+figures, while the picture is shown. With fast RAM the blitter does a part of it, which takes the processor no time."""
 
 import json
 from functools import cache
@@ -8,7 +8,9 @@ from tmap.base.paths import BASELINE
 from tmap.guest.emulator import has_fast_memory
 from tmap.scene_file.scene_file import Scene
 
-#: The bench's row of a conversion and its length, by format and by a pixel's width on the screen.
+#: The bench's row of the processor's part of a conversion with the blitter, and its length, by a pixel's width.
+WITH_BLITTER = {1: ("c2p_8_blit_low", 320), 2: ("c2p_8_2x1_blit_low", 160)}
+#: The bench's row of a conversion without it, by format too.
 ROWS = {("chunky", 1): ("c2p_8_low", 320), ("chunky", 2): ("c2p_8_2x1_low", 160),
         **{(form, width): (f"c2p_ham8_{name}_{dots}", 160)
            for form, name in (("rgb565", "16"), ("rgba5551", "5551"), ("rgba8888", "32"))
@@ -32,6 +34,7 @@ def cycles(scene: Scene, machine: str) -> float | None:
     if scene.pixel.colours and max(width, scene.pixel_height) == 1 and all(
             2 * side <= most for side, most in zip(sides, SCREEN)):
         width = 2  # it is shown twice as large
-    name, length = ROWS[scene.format, width]
+    is_fast = has_fast_memory(machine)
+    name, length = WITH_BLITTER[width] if is_fast and not scene.pixel.colours else ROWS[scene.format, width]
     # Planes are in chip RAM, where "a1200-fast" has none of its data.
-    return figures()[name, "a1200-mixed" if has_fast_memory(machine) else "a1200", length] * scene.width * scene.height
+    return figures()[name, "a1200-mixed" if is_fast else "a1200", length] * scene.width * scene.height

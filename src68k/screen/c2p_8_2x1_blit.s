@@ -1,0 +1,49 @@
+        include "planar.i"
+
+; c2p_8_2x1_blit - a chunky frame as four half planes, which the blitter merges by 2 and doubles
+;
+; in:      a0  const planar_plan*  the pixels and the half planes; a width that is a multiple of 16 will do
+; writes:  the rows of four half planes
+; formats: 8-bit chunky pixels; half plane 2 b2 + p0 has the bits 4 b2 + 2 b1 + b0 of pixels whose number has p0 as
+;          bit 0: of four dots, those with b1 b0 = 11, 10, 01, 00
+
+        routine c2p_8_2x1_blit,a0
+        planar_open 0,2
+        move.l  #$0f0f0f0f,d6
+        lea     (a1,a2.l),a3
+        lea     (a1,a2.l*2),a4
+        lea     (a3,a2.l*2),a5
+.row    movea.l a0,a6
+        adda.l  ROW(sp),a6
+        cnop    0,4
+.longs  move.l  (a0)+,d0
+        move.l  d0,d1
+        swap    d1
+        move.w  4(a0),d0
+        move.w  6(a0),d1
+        move.l  (a0)+,d2
+        move.l  d2,d3
+        swap    d3
+        move.w  4(a0),d2
+        move.w  6(a0),d3
+        addq.l  #8,a0
+        merge   d0,d2,8,d5
+        merge   d1,d3,8,d5
+        merge   d0,d1,4,d6
+        move.l  d0,(a4)+
+        merge   d2,d3,4,d6
+        move.l  d1,(a1)+
+        move.l  d2,(a5)+
+        move.l  d3,(a3)+
+        cmpa.l  a6,a0
+        bne     .longs
+        adda.l  NEXT(sp),a0
+        move.l  NEXT_PLANE(sp),d0
+        adda.l  d0,a1
+        adda.l  d0,a3
+        adda.l  d0,a4
+        adda.l  d0,a5
+        subq.l  #1,ROWS(sp)
+        bne     .row
+        lea     LOCALS(sp),sp
+        return_all
