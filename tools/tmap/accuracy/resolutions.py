@@ -39,7 +39,7 @@ def row(name: str, pixel: str, machine: str, exact: list[np.ndarray]) -> tuple[l
     drawing, showing = run.total(drawn.figures)["cycles"] / scene.frames, conversion.cycles(scene, machine)
     off = np.stack(made) - np.stack(exact or made)
     figures = [f"{drawing:,.0f}", f"{showing:,.0f}", f"{CLOCK_HZ / (drawing + showing):.1f}",
-               f"{100 * off.any(axis=-1).mean():.1f}", f"{np.sqrt((off ** 2).sum(axis=-1).mean()):.1f}"]
+               f"{100 * off.any(axis=-1).mean():.1f}", f"{np.sqrt((off * off).sum(axis=-1).mean()):.1f}"]
     return [name, pixel, *figures], made
 
 

@@ -229,8 +229,10 @@ def moved(row: Cut, part: Part, form: str, steps: tuple[int, int], chained: bool
     return made | {"start0": start0, "start1": start1, "start2": start2}
 
 
-def cut_trial(rows: list[Cut], form: str, chained: bool, own_steps: bool, arena: Arena, title: str = "") -> Trial:
-    """One table. ``own_steps``: each line has its own; else all have those of the first."""
+def cut_trial(rows: list[Cut], form: str, chained: bool, own_steps: bool, arena: Arena, title: str = "",
+              calls: int = 1) -> Trial:
+    """One table. ``own_steps``: each line has its own; else all have those of the first. ``calls``: for which the lists
+    have room."""
     known = layout.load()
     shapes = {name: known.struct(name) for name in ("scanline", "scanline_step", "visible_part", "cut_lines", "parts_plan")}
     names = ("left", "last", "start0", "start1", "start2")
@@ -252,7 +254,8 @@ def cut_trial(rows: list[Cut], form: str, chained: bool, own_steps: bool, arena:
     for is_further, some in moves.items():
         before, size = int(is_further), {name: shapes[name].size for name in ("scanline", "scanline_step")}
         count = before + len(some)
-        to = {name: arena.add(bytes(each * (count + 1)), name=name) for name, each in
+        room = before + calls * len(some) + 1
+        to = {name: arena.add(bytes(each * room), name=name) for name, each in
               (("lines", size["scanline"]), ("steps", size["scanline_step"]), ("rows", 2))}
         lists[is_further] = arena.struct("cut_lines", to, count=before)
         for k, (number, made, pair) in enumerate(some, before):
@@ -290,6 +293,7 @@ def random_cuts(rng, count: int) -> list[Cut]:
 
 
 def cut_case():
-    """LINES lines of two parts, of which the second begins 40 pixels after the line."""
+    """LINES lines of two parts, of which the second begins 40 pixels after the line. Each call adds to the lists: rows
+    of so many cycles a line are called four times to be timed."""
     rows = [Cut((BIAS, BIAS + 99, 5, 7, 9), (70000, 3000), [(BIAS, BIAS + 20), (BIAS + 40, BIAS + 99)])] * LINES
-    return cut_trial(rows, "addx", True, True, Arena()).row(LINES)
+    return *cut_trial(rows, "addx", True, True, Arena(), calls=8).row(LINES), 700

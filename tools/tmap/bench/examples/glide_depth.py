@@ -57,7 +57,7 @@ def divide(rng, count: int) -> Example:
     ground.behind = int(rng.integers(2))
     if rng.random() < 0.6:  # w falls to a part: slopes grow by its square
         ends = (ONE >> rng.integers(14)) // np.array([1, rng.choice((4, 30, 100, 250))])
-        s, t = (rng.uniform(-1.5, 1.5) * ends + rng.choice((-1, 1)) * 2 ** rng.uniform(14, 30) for _ in range(2))
+        s, t = (rng.uniform(-1.5, 1.5) * ends + rng.choice((-1, 1)) * rng.uniform(1, 2) * (1 << rng.integers(14, 30)) for _ in range(2))
         return found(*between(*np.stack([s, t, ends], 1).astype(np.int64).tolist(), count), count, ground)
     return found(*iterators(rng, count), count, ground)
 
