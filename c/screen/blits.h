@@ -12,6 +12,7 @@ struct blit {
     uint8 *d;
     uint16 mask;                /* C */
     uint16 rows, words;         /* BLTSIZV, BLTSIZH: words that follow one another */
+    uint16 unused;              /* so that longwords of an array are at multiples of 4 */
 };
 
 enum blits_constants {

@@ -46,6 +46,7 @@ start   movea.l blit_list_next(a1),a5
         move.l  (a5)+,bltdpt(a0)
         move.w  (a5)+,bltcdat(a0)
         move.l  (a5)+,d0                ; blit_rows, blit_words
+        addq.l  #blit_sizeof-blit_unused,a5
         move.l  a5,blit_list_next(a1)
         move.l  d0,bltsizv(a0)          ; and bltsizh, which starts it
         rts

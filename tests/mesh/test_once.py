@@ -4,11 +4,16 @@ import random
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.helpers import guest_runs
 from tmap.base.errors import UserError
+from tmap.base.paths import SCENES
+from tmap.bench.scenes import some_frames
 from tmap.compiler.scene import compile_scene
+from tmap.model import model
+from tmap.run import run
 from tmap.scene_file import scene_file
 
 TEXTURED = ['texture = "brick"', *(f'texture = "brick", perspective = "{each}"' for each in
@@ -138,3 +143,11 @@ def test_nothing_is_taken_where_it_is_not_asked_for(tmp_path) -> None:
     text = boxes(random.Random(2), LOOKS[:1])
     assert make(tmp_path, text).once == 1
     assert make(tmp_path, text.replace('visible = "once"\n', "")).once == 0
+
+
+@pytest.mark.parametrize("pixel", ["2x1", "1x2"])
+def test_a_level_of_larger_pixels_is_the_models(pixel: str) -> None:
+    """Views stretch x or y there, and objects that z tests are looked for in them."""
+    scene = some_frames(compile_scene(SCENES / "keep.toml", pixel=pixel), [12, 72])
+    for number, frame in enumerate(run.render(scene, "a1200-fast", "addx", timed=False).frames):
+        assert np.array_equal(frame, model.render(scene, number)), (pixel, number)
