@@ -147,7 +147,8 @@ int32 perspective_is_level(const struct perspective_plan *plan, const struct num
     /* in units of q: its change over the width, times texels */
     off = mul_shift(((perspective_reach(plan) >> 16) + 1) * width, (int32)(part >> 16) + 1, 16)
         + 1;
-    return off <= (plan->q_low >> 16) * tolerance + ((plan->q_low & 0xffff) * tolerance >> 16);
+    return off <= (plan->q_low >> 16) * tolerance
+                  + (int32)(((uint32)plan->q_low & 0xffff) * (uint32)tolerance >> 16);
 }
 
 static void add(struct number64 *to, const struct number64 *what)

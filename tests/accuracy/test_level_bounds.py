@@ -78,7 +78,9 @@ def mirrored(found: Found) -> Found:
 
 
 HELD = TILTED | {f"{name}_mirrored": mirrored(found) for name, found in TILTED.items()} | {"deep": DEEP}
-ALL = HELD | {"eight_corners_left_of_the_frame": NARROW}
+#: Level by its tolerance of a texel: that times a part of the least q is over 2^31.
+TOLERANT = Found(404, 18899, polygons.polygon(404, 18899, PERSPECTIVE), 0)
+ALL = HELD | {"eight_corners_left_of_the_frame": NARROW, "tolerance_of_a_texel": TOLERANT}
 
 
 def set_up(found: Found) -> tuple[list[tuple], model.Polygon]:
