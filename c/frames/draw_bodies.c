@@ -1,6 +1,6 @@
 #include "frames/draw_bodies.h"
 
-/* Lines: it costs more to count pixels of a body with more than such a one, that is hidden less often, takes. */
+/* Lines. A body of more is hidden so rarely that counting its pixels costs more than it saves. */
 #define BODY_LARGE 64
 
 /* Sets the bodies that are outside of the frame; the others wait, if what hides them can be told. */

@@ -16,7 +16,7 @@ struct blit {
 };
 
 enum blits_constants {
-    BLITS_MAX = 12                  /* for a frame, at most */
+    BLITS_MAX = 12              /* for a frame, at most */
 };
 
 /* Returns the bytes of chip RAM that the processor's part and the blitter need beside the planes. */
@@ -26,6 +26,7 @@ int32 blits_bytes(const struct screen_layout *layout);
    pixels two dots wide half as large with as much room behind them. Returns how many. */
 int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *planes);
 
+/* Blits that are done one after the other. */
 struct blit_list {
     const struct blit *next;    /* to start */
     int32 left;                 /* that are not done */

@@ -87,7 +87,7 @@ static void plan_make(const struct screen *screen, struct planar_plan *plan)
     plan->planes = screen->planes[screen->hidden];
 }
 
-/* Sets a plan's pixels, for rows of so many pixels; they end with a whole longword of planes. */
+/* Sets a plan's pixels; rows of `width` are made longer to a whole longword of each plane. */
 static void plan_pixels(const struct screen *screen, struct planar_plan *plan, const struct frame *frame,
                         const uint8 *pixels, int32 width, int32 rows)
 {

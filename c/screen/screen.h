@@ -59,7 +59,8 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
 void screen_swap(struct screen *screen);
 
 /* Converts a frame and shows it from the next field on, as soon as the blitter has merged what the processor has left.
-   Returns while it does so. Any other function of the screen but screen_text waits for it first. */
+   Returns while it does so. screen_wait waits until the frame is shown; functions that write planes, the palette or
+   lists wait for the blitter first. */
 void screen_show(struct screen *screen, const struct frame *frame);
 
 /* screen_post shows the hidden planes from a field on, counted as screen_fields does, or from the

@@ -26,10 +26,10 @@
         move.l  d0,before
         st      is_ours
         lea     custom,a0
-        movea.l a2,a1
-        bsr.s   start
         move.w  #INTF_BLIT,intreq(a0)   ; of blits before
         move.w  #INTF_SETCLR|INTF_BLIT,intena(a0)
+        movea.l a2,a1
+        bsr.s   start
         movem.l (sp)+,a2/a5/a6
         rts
 

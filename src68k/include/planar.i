@@ -68,6 +68,44 @@ planar_next macro
         return_all
         endm
 
+; Begins a row of a loop whose planes' places are a1, a3, a4 and a5; the end of its pixels is in a6. \1: bytes on the
+; stack above planar_open's.
+places_row macro
+.row    movea.l a0,a6
+        adda.l  ROW+\1(sp),a6
+        cnop    0,4                     ; by nops
+        endm
+
+; Ends that loop and the row; \1: the same, \2: where the rows are counted.
+places_next macro
+        cmpa.l  a6,a0
+        bne     .longs
+        adda.l  NEXT+\1(sp),a0
+        move.l  NEXT_PLANE+\1(sp),d0
+        adda.l  d0,a1
+        adda.l  d0,a3
+        adda.l  d0,a4
+        adda.l  d0,a5
+        subq.l  #1,\2+\1(sp)
+        bne     .row
+        endm
+
+; 16 pixels from a0 on as words 8 bytes apart: d0 the first words and d1 the second ones, d2 and d3 those 4 bytes behind
+; them.
+words_16 macro
+        move.l  (a0)+,d0
+        move.l  d0,d1
+        swap    d1
+        move.w  4(a0),d0
+        move.w  6(a0),d1
+        move.l  (a0)+,d2
+        move.l  d2,d3
+        swap    d3
+        move.w  4(a0),d2
+        move.w  6(a0),d3
+        addq.l  #8,a0
+        endm
+
 ; Exchanges the bits of \1 in the mask \4 with those of \2 that are \3 to the left. Trashes d4.
 merge   macro
         move.l  \2,d4

@@ -23,7 +23,7 @@ doubled macro
 
 ; 16 pixels are four longwords, of which bits 3 and 2 of a pixel's number select one. Merges by 16 and 8
 ; exchange them with the pixel's bits 1 and 0, those by 4 and 2 these with the plane's bits 2 and 1. Then each
-; longword has two planes' bits by turns. (The last step as in Mikael Kalms' c2p2x1 routines.)
+; longword has two planes' bits by turns.
 
         routine c2p_8_2x1,a0
         planar_open 0,2
@@ -31,20 +31,8 @@ doubled macro
         lea     (a1,a2.l*2),a3
         lea     (a3,a2.l*2),a4
         lea     (a4,a2.l*2),a5
-.row    movea.l a0,a6
-        adda.l  ROW(sp),a6              ; the end of the row's pixels
-        cnop    0,4                     ; by a nop
-.longs  move.l  (a0)+,d0
-        move.l  d0,d1
-        swap    d1
-        move.w  4(a0),d0
-        move.w  6(a0),d1
-        move.l  (a0)+,d2
-        move.l  d2,d3
-        swap    d3
-        move.w  4(a0),d2
-        move.w  6(a0),d3
-        addq.l  #8,a0
+        places_row 0
+.longs  words_16
         merge   d0,d2,8,#$00ff00ff
         merge   d1,d3,8,#$00ff00ff
         merge   d0,d1,4,d5
@@ -55,15 +43,6 @@ doubled macro
         merge   d1,d3,2,d6
         doubled d1,a3
         doubled d3,a1
-        cmpa.l  a6,a0
-        bne     .longs
-        adda.l  NEXT(sp),a0
-        move.l  NEXT_PLANE(sp),d0
-        adda.l  d0,a1
-        adda.l  d0,a3
-        adda.l  d0,a4
-        adda.l  d0,a5
-        subq.l  #1,ROWS(sp)
-        bne     .row
+        places_next 0,ROWS
         lea     LOCALS(sp),sp
         return_all

@@ -13,20 +13,8 @@
         lea     (a1,a2.l),a3
         lea     (a1,a2.l*2),a4
         lea     (a3,a2.l*2),a5
-.row    movea.l a0,a6
-        adda.l  ROW(sp),a6
-        cnop    0,4
-.longs  move.l  (a0)+,d0
-        move.l  d0,d1
-        swap    d1
-        move.w  4(a0),d0
-        move.w  6(a0),d1
-        move.l  (a0)+,d2
-        move.l  d2,d3
-        swap    d3
-        move.w  4(a0),d2
-        move.w  6(a0),d3
-        addq.l  #8,a0
+        places_row 0
+.longs  words_16
         merge   d0,d2,8,d5
         merge   d1,d3,8,d5
         merge   d0,d1,4,d6
@@ -35,15 +23,6 @@
         move.l  d1,(a1)+
         move.l  d2,(a5)+
         move.l  d3,(a3)+
-        cmpa.l  a6,a0
-        bne     .longs
-        adda.l  NEXT(sp),a0
-        move.l  NEXT_PLANE(sp),d0
-        adda.l  d0,a1
-        adda.l  d0,a3
-        adda.l  d0,a4
-        adda.l  d0,a5
-        subq.l  #1,ROWS(sp)
-        bne     .row
+        places_next 0,ROWS
         lea     LOCALS(sp),sp
         return_all

@@ -30,9 +30,7 @@ half    move.l  ROWS+HELD(sp),BACK+HELD(sp)
         lea     (a1,a2.l),a3
         lea     (a1,a2.l*4),a4
         lea     (a3,a2.l*4),a5
-.row    movea.l a0,a6
-        adda.l  ROW+HELD(sp),a6
-        cnop    0,4
+        places_row HELD
 .longs  movem.l (a0)+,d0-d3
         move.w  (a0),d0
         move.w  4(a0),d1
@@ -49,14 +47,5 @@ half    move.l  ROWS+HELD(sp),BACK+HELD(sp)
         move.l  d2,(a4)+
         move.l  d1,(a3)+
         move.l  d3,(a1)+
-        cmpa.l  a6,a0
-        bne     .longs
-        adda.l  NEXT+HELD(sp),a0
-        move.l  NEXT_PLANE+HELD(sp),d0
-        adda.l  d0,a1
-        adda.l  d0,a3
-        adda.l  d0,a4
-        adda.l  d0,a5
-        subq.l  #1,BACK+HELD(sp)
-        bne     .row
+        places_next HELD,BACK
         rts
