@@ -1,38 +1,44 @@
 #include "frames/frames.h"
 
 #include "frames/draw_meshes.h"
+#include "frames/draw_touched.h"
 #include "math/math.h"
 #include "polygon/kind.h"
 #include "polygon/scratch.h"
+#include "span/box.h"
 
-enum { CLEAR_MOST = 16384 };    /* pixels of a span, which a scanline can have */
-
-/* Fills the frame with flat spans of the whole width, or of some lines where they are one behind the other. */
-static void clear(const struct renderer *renderer, uint32 colour)
+/* Fills a box, whose sides are at multiples of 4 pixels, with the background. */
+static void clear_box(const struct frame *frame, const struct rectangle *box, uint32 colour)
 {
-    const struct frame *frame = renderer->frame;
-    struct scanline *lines = renderer->scratch->lines;
-    struct span_plan plan;
-    int32 width = frame->width, height = frame->height;
+    const int32 bytes = frame->pixel_bytes;
+    struct box_plan plan;
 
-    if (frame->pitch == width * frame->pixel_bytes)
-        for (; !(height & 1) && width <= CLEAR_MOST / 2; height >>= 1)
-            width <<= 1;
-    for (int32 i = 0; i < height; i++) {
-        lines[i].left = EDGE_BIAS;
-        lines[i].last = (int16)(EDGE_BIAS + width - 1);
+    plan.first = (uint32 *)(frame->pixels + box->top * frame->pitch + box->left * bytes);
+    plan.longwords = (box->right - box->left) * bytes >> 2;
+    plan.rows = box->bottom - box->top;
+    plan.pitch = frame->pitch;
+    if (plan.longwords * 4 == plan.pitch) {     /* rows that follow each other are one */
+        plan.longwords *= plan.rows;
+        plan.rows = 1;
     }
-    plan.lines = lines;
-    plan.count = height;
-    plan.row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
-    plan.pitch = width == frame->width ? frame->pitch : width * frame->pixel_bytes;
-    plan.colour = colour;
-    if (frame->pixel_bytes == 4)
-        span_fill_32(&plan);
-    else if (frame->pixel_bytes == 2)
-        span_fill_16(&plan);
-    else
-        span_fill(&plan);
+    plan.pixels = bytes == 4 ? colour : bytes == 2 ? colour * 0x10001u : colour * 0x1010101u;
+    box_fill(&plan);
+}
+
+/* Clears the pixels that may differ from the background; touched 0: all. */
+static void clear(const struct frame *frame, const struct touched *touched, uint32 colour)
+{
+    struct rectangle box;
+
+    if (!touched) {
+        box.left = box.top = 0;
+        box.right = frame->width;
+        box.bottom = frame->height;
+        clear_box(frame, &box, colour);
+        return;
+    }
+    for (touched_next(touched, 0, &box); box.top < box.bottom; touched_next(touched, box.bottom, &box))
+        clear_box(frame, &box, colour);
 }
 
 /* Moves vertices by a pose. */
@@ -105,6 +111,8 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
             room += object->vertices;
             left -= object->vertices;
         }
+        if (scene->touched)
+            touched_vertices(scene->touched, vertices, (int32)object->vertices);
         polygon_set(last++, vertices, (int32)object->vertices, object->planar);
     }
     return last == run ? refused : draw_run(renderer, run, last, material, refused);
@@ -135,13 +143,27 @@ static enum polygon_result draw_all(struct renderer *renderer, const struct scen
     return result == POLYGON_DRAWN ? refused : result;
 }
 
+enum polygon_result scene_draw_over(struct renderer *renderer, struct scene *scene, int32 number,
+                                    struct touched *touched)
+{
+    const struct scene_header *header = scene->header;
+    enum polygon_result result;
+
+    if (header->units)
+        scene_start_units(scene, number);
+    if (header->cleared)
+        clear(renderer->frame, touched, header->background);
+    if (touched)
+        touched_clear(touched);
+    scene->touched = touched;
+    result = draw_all(renderer, scene, number);
+    scene->touched = 0;
+    return result;
+}
+
 enum polygon_result scene_draw(struct renderer *renderer, struct scene *scene, int32 number)
 {
-    if (scene->header->units)
-        scene_start_units(scene, number);
-    if (scene->header->cleared)
-        clear(renderer, scene->header->background);
-    return draw_all(renderer, scene, number);
+    return scene_draw_over(renderer, scene, number, 0);
 }
 
 void scene_count(struct renderer *renderer, struct scene *scene, int32 number,

@@ -3,6 +3,7 @@
 #include "frames/draw_meshes.h"
 
 #include "drawing/fan.h"
+#include "frames/draw_touched.h"
 #include "math/math.h"
 #include "polygon/setup.h"
 #include "triangle/polygon.h"
@@ -43,8 +44,11 @@ static void project(struct vertex *v, int32 count, const struct scene_header *he
 static struct vertex *clipped(const struct scene *scene, struct vertex *vertices, int32 *count, uint32 outside)
 {
     vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane, outside);
-    if (*count >= 3)
+    if (*count >= 3) {
         project(vertices, *count, scene->header);
+        if (scene->touched)
+            touched_vertices(scene->touched, vertices, *count);
+    }
     return vertices;
 }
 

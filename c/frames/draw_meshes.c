@@ -4,6 +4,7 @@
    their tree, or from the farthest to the nearest. */
 #include "frames/draw_meshes.h"
 
+#include "frames/draw_touched.h"
 #include "triangle/polygon.h"
 
 void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed, uint32 first,
@@ -213,6 +214,8 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
         orders.depth_shift = placed->view16 ? placed->view16->depth_shift : 0;
         mesh_orders(&orders);
     }
+    if (scene->touched && count)
+        touched_instance(scene->touched, placed, at->marks);
     at->placed++;
     at->points += mesh->points;
     at->places += mesh->points;

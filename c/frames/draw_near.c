@@ -1,6 +1,7 @@
 /* Draws a tree each pixel once, from its nearest node on: what is beyond the frame's borders, and what is behind when no
    pixel is left, is neither transformed nor looked at. */
 #include "coverage/coverage.h"
+#include "coverage/touched.h"
 #include "frames/draw_bodies.h"
 #include "frames/draw_meshes.h"
 
@@ -165,6 +166,8 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
         return NEAR_OTHERWISE;
     if (!tree.walk.view)
         return NEAR_DRAWN;
+    if (scene->touched)
+        touched_fill(scene->touched);
     begin_walk(&tree, root);
     bodies_begin(&bodies, scene, &tree.walk, number);
     coverage_begin(coverage, renderer->frame);

@@ -37,6 +37,8 @@
 struct show {
     struct scene scene;
     struct frame frame, exact;  /* exact.pixels is 0 if memory is short */
+    struct touched touched;     /* of frame, where that begins with the background */
+    struct touched *asked;      /* that, or 0 if it is drawn whole */
     struct screen screen;
     struct settings settings;
     struct renderer renderer;
@@ -79,8 +81,9 @@ static void draw(struct show *s)
 {
     enum polygon_result result;
 
+    s->asked = s->scene.header->cleared ? touched_ask(&s->touched) : 0;
     clock_start(NO_LIMIT);
-    result = scene_draw(&s->renderer, &s->scene, s->number);
+    result = scene_draw_over(&s->renderer, &s->scene, s->number, s->asked);
     s->ticks = clock_stop();
     if (result != POLYGON_DRAWN)
         s->refused = result;
@@ -166,7 +169,7 @@ static void present(struct show *s)
     if (!s->count && (s->paused || screen_fields(&s->screen) >= s->next_measuring))
         measure(s);
     describe(s);
-    screen_show(&s->screen, &s->frame);
+    screen_show_touched(&s->screen, &s->frame, s->asked);
 }
 
 /* Moves a setting by one step; from the scene's setting, to the most exact step. */
@@ -298,6 +301,8 @@ static int32 make(struct show *s)
     if (!screen_open(&s->screen, &form))
         return 0;
     screen_palette(&s->screen, (const uint8 *)header + header->palette_at);
+    touched_begin(&s->touched, header->width, header->height);
+    touched_fill(&s->touched);
     scene_reserve(&s->scene);
     make_frame(&s->exact, header);
     set(s);

@@ -52,6 +52,7 @@ struct scene {
     struct map *maps;           /* one a texture */
     struct scene_near *near;    /* of a scene with `once` that has trees, else 0 */
     struct coverage *coverage;  /* of a scene with `once` and instances, else 0 */
+    struct touched *touched;    /* coverage/touched.h: what is drawn is added to it; 0: it is not asked for */
     struct material *drawn;     /* one a material, with its map */
     const uint16 *reciprocals;  /* if a material needs them, else 0 */
     const struct triangle_tables *triangles;    /* the same */

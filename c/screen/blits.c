@@ -14,48 +14,61 @@ int32 blits_bytes(const struct screen_layout *layout)
     return PLANES * layout->plane_bytes;
 }
 
-/* Adds a blit over whole planes: where the mask is 1, a's bits, else b's, which move right by `shift`; or, with `left`,
+/* What all blits of a frame have. */
+struct extent {
+    int32 bytes;                /* of the rows of a plane */
+    uint16 rows, words;
+};
+
+/* Adds a blit over rows of planes: where the mask is 1, a's bits, else b's, which move right by `shift`; or, with `left`,
    a's move left and b's stay. */
-static struct blit *add(struct blit *to, const struct screen_layout *layout, const uint8 *a, const uint8 *b, uint8 *d,
+static struct blit *add(struct blit *to, const struct extent *extent, const uint8 *a, const uint8 *b, uint8 *d,
                         uint32 mask, uint32 shift, int32 left)
 {
-    const int32 first = left ? layout->plane_bytes - 2 : 0;
+    const int32 first = left ? extent->bytes - 2 : 0;
 
     to->control = MASKED | (left ? shift << SHIFT_A | DESCENDING : shift << SHIFT_B);
     to->a = a + first;
     to->b = b + first;
     to->d = d + first;
     to->mask = (uint16)mask;
-    to->rows = (uint16)layout->height;
-    to->words = (uint16)(layout->row_bytes >> 1);
+    to->rows = extent->rows;
+    to->words = extent->words;
     return to + 1;
 }
 
 /* Adds both blits of a pair of half planes x and y, which exchange x's right groups of `shift` bits and y's left
    ones: with x's left ones to the plane `high`, with y's right ones to `low`. */
-static struct blit *merge(struct blit *to, const struct screen_layout *layout, const uint8 *x, const uint8 *y,
+static struct blit *merge(struct blit *to, const struct extent *extent, const uint8 *x, const uint8 *y,
                           uint8 *high, uint8 *low, uint32 mask, uint32 shift)
 {
-    to = add(to, layout, x, y, high, mask, shift, 0);
-    return add(to, layout, x, y, low, mask, shift, 1);
+    to = add(to, extent, x, y, high, mask, shift, 0);
+    return add(to, extent, x, y, low, mask, shift, 1);
 }
 
-int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *planes)
+int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *planes, int32 top,
+                 int32 rows)
 {
-    const int32 bytes = layout->plane_bytes;
+    const int32 bytes = layout->plane_bytes, first = top * layout->row_bytes;
+    struct extent extent;
     struct blit *to = blits;
 
+    extent.bytes = rows * layout->row_bytes;
+    extent.rows = (uint16)rows;
+    extent.words = (uint16)(layout->row_bytes >> 1);
+    from += first;
+    planes += first;
     if (layout->dots == 1) {
         for (int32 i = 0; i < 4; i++) {
             const int32 at = ((i & 2) * 2 + (i & 1)) * bytes;
 
-            to = merge(to, layout, from + at, from + at + 2 * bytes, planes + at + 2 * bytes, planes + at, TWOS, 2);
+            to = merge(to, &extent, from + at, from + at + 2 * bytes, planes + at + 2 * bytes, planes + at, TWOS, 2);
         }
         return (int32)(to - blits);
     }
     for (int32 i = 0; i < 2; i++, from += 2 * bytes)
-        to = merge(to, layout, from, from + bytes, from + 5 * bytes, from + 4 * bytes, TWOS, 2);
+        to = merge(to, &extent, from, from + bytes, from + 5 * bytes, from + 4 * bytes, TWOS, 2);
     for (int32 i = 0; i < 4; i++, from += bytes, planes += 2 * bytes)
-        to = merge(to, layout, from, from, planes + bytes, planes, ONES, 1);
+        to = merge(to, &extent, from, from, planes + bytes, planes, ONES, 1);
     return (int32)(to - blits);
 }

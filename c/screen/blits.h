@@ -22,9 +22,10 @@ enum blits_constants {
 /* Returns the bytes of chip RAM that the processor's part and the blitter need beside the planes. */
 int32 blits_bytes(const struct screen_layout *layout);
 
-/* Writes the blits that make a frame's planes from the half planes at `from`: as large as a set of planes, and for
-   pixels two dots wide half as large with as much room behind them. Returns how many. */
-int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *planes);
+/* Writes the blits that make rows of a frame's planes from the half planes at `from`: as large as a set of planes, and
+   for pixels two dots wide half as large with as much room behind them. rows: 1 or more. Returns how many. */
+int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *planes, int32 top,
+                 int32 rows);
 
 /* Blits that are done one after the other. */
 struct blit_list {

@@ -153,6 +153,13 @@ void screen_close(struct screen *screen)
     display_close();
 }
 
+/* Nothing is known of what the memory has. */
+static void begin_touched(struct touched *had, const struct screen_layout *layout)
+{
+    touched_begin(had, layout->width, layout->height);
+    touched_fill(had);
+}
+
 static int32 make(struct screen *screen, const struct screen_form *form)
 {
     if (!display_has_aga())
@@ -164,9 +171,9 @@ static int32 make(struct screen *screen, const struct screen_form *form)
     place(screen);
     for (int32 set = 0; set < 2; set++) {
         make_list(screen, set);
-        if (screen->between)
-            screen->blit_count = blits_make(screen->blits[set], &screen->layout, screen->between, screen->planes[set]);
+        begin_touched(&screen->had[set], &screen->layout);
     }
+    begin_touched(&screen->had_between, &screen->layout);
     if (screen->layout.ham)
         make_ham(screen);
     screen->hidden = 0;
@@ -199,48 +206,117 @@ void screen_palette(struct screen *screen, const uint8 *palette)
     copper_palette_set(screen->palette[1], palette);
 }
 
+/* Converts a box of a frame to `planes`. */
+static void convert_box(const struct screen *screen, const struct frame *frame, const struct rectangle *box,
+                        void (*convert)(const struct planar_plan *plan), uint8 *planes)
+{
+    const struct screen_layout *layout = &screen->layout;
+    struct planar_plan plan;
+
+    plan_make(screen, &plan);
+    plan_pixels(screen, &plan, frame, frame->pixels + box->top * frame->pitch + box->left * frame->pixel_bytes,
+                box->right - box->left, box->bottom - box->top);
+    plan.planes = planes + box->top * layout->row_bytes + (box->left * layout->dots >> 3);
+    convert(&plan);
+}
+
 void screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
                         int32 width, int32 height)
 {
-    const struct screen_layout *layout = &screen->layout;
-    struct planar_plan plan;
+    struct rectangle box;
 
     finish(screen);
-    plan_make(screen, &plan);
-    plan_pixels(screen, &plan, frame, frame->pixels + y * frame->pitch + x * frame->pixel_bytes, width, height);
-    plan.planes = screen->planes[screen->hidden] + y * layout->row_bytes + (x * layout->dots >> 3);
-    screen->convert(&plan);
-}
-
-void screen_show(struct screen *screen, const struct frame *frame)
-{
-    const struct screen_layout *layout = &screen->layout;
-    struct planar_plan plan;
-
-    if (!screen->between) {
-        screen_wait(screen);
-        screen_convert(screen, frame);
-        screen_post(screen, 0);
-        return;
-    }
-    blits_end();
-    plan_make(screen, &plan);
-    plan_pixels(screen, &plan, frame, frame->pixels, layout->width, layout->height);
-    plan.planes = screen->between;
-    screen->convert_part(&plan);
-    if (screen->work.list)
-        screen_wait(screen);
-    screen->work.next = screen->blits[screen->hidden];
-    screen->work.left = screen->blit_count;
-    screen->work.list = screen->list[screen->hidden];
-    screen->work.field = 0;
-    screen->hidden ^= 1;
-    blits_start(&screen->work);
+    box.left = x;
+    box.top = y;
+    box.right = x + width;
+    box.bottom = y + height;
+    touched_fill(&screen->had[screen->hidden]);
+    convert_box(screen, frame, &box, screen->convert, screen->planes[screen->hidden]);
 }
 
 void screen_convert(struct screen *screen, const struct frame *frame)
 {
     screen_convert_box(screen, frame, 0, 0, screen->layout.width, screen->layout.height);
+}
+
+/* Adds what a frame has touched to what is in memory that it is converted to; touched 0: all of it. */
+static void widen(struct touched *had, const struct touched *touched)
+{
+    if (touched)
+        touched_join(had, touched);
+    else
+        touched_fill(had);
+}
+
+/* The memory has this frame alone. */
+static void keep(struct touched *had, const struct touched *touched)
+{
+    if (touched)
+        touched_copy(had, touched);
+}
+
+static void convert_touched(const struct screen *screen, const struct frame *frame, const struct touched *touched,
+                            void (*convert)(const struct planar_plan *plan), uint8 *planes)
+{
+    struct rectangle box;
+
+    for (touched_next(touched, 0, &box); box.top < box.bottom; touched_next(touched, box.bottom, &box))
+        convert_box(screen, frame, &box, convert, planes);
+}
+
+/* Converts a frame to the hidden planes and posts them. */
+static void show_alone(struct screen *screen, const struct frame *frame, const struct touched *touched)
+{
+    struct touched *const had = &screen->had[screen->hidden];
+
+    screen_wait(screen);
+    widen(had, touched);
+    convert_touched(screen, frame, had, screen->convert, screen->planes[screen->hidden]);
+    keep(had, touched);
+    screen_post(screen, 0);
+}
+
+/* Begins the blits of the rows that this frame, or the hidden planes', has touched; the last one posts the planes. */
+static void start_blits(struct screen *screen, const struct touched *touched)
+{
+    struct touched *const had = &screen->had[screen->hidden];
+    struct blit_list *const work = &screen->work;
+    struct rectangle box;
+
+    widen(had, touched);
+    touched_box(had, &box);
+    keep(had, touched);
+    if (box.top == box.bottom) {
+        screen_post(screen, 0);
+        return;
+    }
+    work->next = screen->blits;
+    work->left = blits_make(screen->blits, &screen->layout, screen->between, screen->planes[screen->hidden], box.top,
+                            box.bottom - box.top);
+    work->list = screen->list[screen->hidden];
+    work->field = 0;
+    screen->hidden ^= 1;
+    blits_start(work);
+}
+
+void screen_show_touched(struct screen *screen, const struct frame *frame, const struct touched *touched)
+{
+    if (!screen->between) {
+        show_alone(screen, frame, touched);
+        return;
+    }
+    blits_end();
+    widen(&screen->had_between, touched);
+    convert_touched(screen, frame, &screen->had_between, screen->convert_part, screen->between);
+    keep(&screen->had_between, touched);
+    if (screen->work.list)
+        screen_wait(screen);
+    start_blits(screen, touched);
+}
+
+void screen_show(struct screen *screen, const struct frame *frame)
+{
+    screen_show_touched(screen, frame, 0);
 }
 
 void screen_swap(struct screen *screen)

@@ -4,6 +4,7 @@
 #ifndef SCREEN_H
 #define SCREEN_H
 
+#include "coverage/touched.h"
 #include "polygon/polygon.h"
 #include "screen/blits.h"
 #include "screen/display.h"
@@ -25,8 +26,9 @@ struct screen {
     uint8 *status;
     uint8 *between;             /* what the blitter still merges; 0: the processor converts alone */
     void (*convert_part)(const struct planar_plan *plan);   /* to between */
-    struct blit blits[2][BLITS_MAX];        /* to each set */
-    int32 blit_count;
+    struct touched had[2];      /* of each set, what may differ from the background that frames begin with */
+    struct touched had_between;
+    struct blit blits[BLITS_MAX];
     struct blit_list work;      /* the blitter's */
     int32 hidden;               /* the set that is not shown: 0 or 1 */
     uint32 since;               /* display_fields when the screen was opened */
@@ -62,6 +64,10 @@ void screen_swap(struct screen *screen);
    Returns while it does so. screen_wait waits until the frame is shown; functions that write planes, the palette or
    lists wait for the blitter first. */
 void screen_show(struct screen *screen, const struct frame *frame);
+
+/* The same for frames that begin with one background: converts only what this frame or the one that was there has
+   touched. touched 0: all of it. */
+void screen_show_touched(struct screen *screen, const struct frame *frame, const struct touched *touched);
 
 /* screen_post shows the hidden planes from a field on, counted as screen_fields does, or from the
    next field if that one is over; it returns at once. The other set becomes the hidden one, but

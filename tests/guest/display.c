@@ -14,7 +14,7 @@ uint32 break_signal(void);
 void spin(void);
 void illegal(void);
 
-enum mode { SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY, BLITTER };
+enum mode { SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY, BLITTER, BOXES, BLIT_BOXES };
 enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
 #define DUMPED 7
@@ -88,6 +88,40 @@ static int32 show(struct frame *frame, const char *name, int32 blits)
             return RETURN_FAIL;
     }
     return RETURN_OK;                   /* the screen stays open */
+}
+
+/* Shows frames of which a file has the boxes that differ from their background: how many frames there are; for each, how
+   many boxes, or -1 if nobody knows, and these. */
+static int32 show_boxes(struct frame *frame, const char *name)
+{
+    struct touched touched;
+    char file[64];
+    uint8 *boxes, *pixels;
+    const int32 *at;
+    uint32 bytes;
+    int32 frames;
+
+    text_add(name);
+    text_add(".boxes");
+    text_take(file);
+    if (!file_load(file, &boxes, &bytes) || !file_load(name, &pixels, &bytes))
+        return RETURN_FAIL;
+    at = (const int32 *)boxes;
+    frames = *at++;
+    touched_begin(&touched, frame->width, frame->height);
+    for (int32 i = 0; i < frames; i++) {
+        const int32 count = *at++;
+
+        touched_clear(&touched);
+        for (int32 left = count; left > 0; left--, at += 4)
+            touched_add(&touched, (const struct rectangle *)at);
+        frame->pixels = pixels + i * frame->pitch * frame->height;
+        screen_show_touched(&screen, frame, count < 0 ? 0 : &touched);
+        screen_wait(&screen);
+        if (!dump(name, i))
+            return RETURN_FAIL;
+    }
+    return RETURN_OK;
 }
 
 static int32 keys(void)
@@ -193,6 +227,8 @@ static int32 opened(enum mode mode, struct frame *frame, const char *name)
     switch (mode) {
     case SHOW: return show(frame, name, 0);
     case BLITTER: return show(frame, name, 1);
+    case BOXES:
+    case BLIT_BOXES: return show_boxes(frame, name);
     case KEYS: return keys();
     case AGAIN: return again();
     case POST: return post();
@@ -220,7 +256,7 @@ int main(void)
     form.format = *(const uint32 *)args[FORMAT];
     frame.width = form.width = *(const int32 *)args[WIDTH];
     frame.height = form.height = *(const int32 *)args[HEIGHT];
-    form.blitter = mode == BLITTER;
+    form.blitter = mode == BLITTER || mode == BLIT_BOXES;
     form.pixel_width = *(const int32 *)args[WIDE];
     form.pixel_height = *(const int32 *)args[HIGH];
     frame.pixel_bytes = form.format == PIXEL_CHUNKY ? 1 : form.format == PIXEL_RGBA8888 ? 4 : 2;

@@ -13,7 +13,8 @@ from tmap.base import maps, planar
 from tmap.build import layout
 from tmap.guest import emulator
 
-MODES = ("SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY", "BLITTER")
+MODES = ("SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY", "BLITTER",
+         "BOXES", "BLIT_BOXES")
 FRAMES = 3
 BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
 TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and positions of the beam: the area for pictures
@@ -79,6 +80,20 @@ SHOWN = {
     "large_colours": Shown("c2p_ham8_5551", 128, 90, maps.from_rgba5551, (2, 2)),
 }
 
+#: Kinds of frames of which only what was touched is converted.
+BOXED = {
+    "boxes": Shown("c2p_8", 320, 96, mode="BOXES"),
+    "odd_boxes": Shown("c2p_8", 200, 61, mode="BOXES"),
+    "wide_boxes": Shown("c2p_8_2x1", 104, 61, pixel=(2, 1), mode="BOXES"),
+    "colour_boxes": Shown("c2p_ham8_16", 136, 59, maps.from_rgb565, mode="BOXES"),
+    "blit_boxes": Shown("c2p_8", 320, 96, mode="BLIT_BOXES"),
+    "odd_blit_boxes": Shown("c2p_8", 200, 61, mode="BLIT_BOXES"),
+    "wide_blit_boxes": Shown("c2p_8_2x1", 136, 99, pixel=(2, 2), mode="BLIT_BOXES"),
+}
+#: Boxes by frame, in tenths of the frame's sides: left, top, right, bottom. None: nobody knows them.
+BOXES = [[(2, 1, 4, 3)], [(2, 1, 4, 3), (7, 6, 12, 9)], [(0, 5, 1, 6)], [], [], None, [(-3, -2, 1, 1), (9, 8, 10, 10)],
+         [(5, 2, 4, 3), (4, 4, 6, 6), (4, 7, 6, 8)], [(1, 2, 9, 9)]]
+
 
 def command(mode: str, rest: str = "0 320 256 1 1") -> str:
     """The guest's command line."""
@@ -108,18 +123,50 @@ def pixels():
             for name, s in SHOWN.items()}
 
 
+def places(shown: Shown, boxes) -> list[list[int]]:
+    """A frame's boxes in pixels."""
+    sides = (shown.width, shown.height) * 2
+    return [[tenths * side // 10 for tenths, side in zip(box, sides)] for box in boxes or ()]
+
+
+@pytest.fixture(scope="module")
+def boxed() -> dict[str, np.ndarray]:
+    """Frames by name, one background but for noise in boxes: [frame][row][x]."""
+    rng, made = np.random.default_rng(19), {}
+    for name, shown in BOXED.items():
+        noise = np.stack([planar.noise(shown.kernel, rng, shown.width, shown.height) for _ in BOXES])
+        frames = np.full_like(noise, 0xa5)
+        for frame, content, boxes in zip(frames, noise, BOXES):
+            for left, top, right, bottom in places(shown, boxes):
+                part = slice(max(top, 0), bottom), slice(max(left, 0), right)
+                frame[part] = content[part]
+            if boxes is None:
+                frame[:] = content
+        made[name] = frames
+    return made
+
+
+def boxes_file(shown: Shown) -> bytes:
+    """As tests/guest/display.c reads it."""
+    numbers = [len(BOXES)]
+    for boxes in BOXES:
+        numbers += [-1 if boxes is None else len(boxes), *np.ravel(places(shown, boxes)).astype(int)]
+    return np.array(numbers, ">i4").tobytes()
+
+
 @pytest.fixture(scope="module")
 def palette():
     return np.random.default_rng(10).integers(0, 256, (256, 4), np.uint8)
 
 
 @pytest.fixture(scope="module")
-def ended(programs, pixels, palette, tmp_path_factory) -> dict[str, endings.Ended]:
+def ended(programs, pixels, boxed, palette, tmp_path_factory) -> dict[str, endings.Ended]:
     """All commands in one boot."""
     files = {"palette": palette.tobytes(), "display": programs / "display"} | {
-        name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in pixels.items()}
+        name: p.astype(p.dtype.newbyteorder(">")).tobytes() for name, p in (pixels | boxed).items()} | {
+        f"{name}.boxes": boxes_file(shown) for name, shown in BOXED.items()}
     # Two at first: the system frees all it can, and allocates what it needs on first use.
-    shows = [command(s.mode, f"{s.arguments} {name}") for name, s in SHOWN.items()]
+    shows = [command(s.mode, f"{s.arguments} {name}") for name, s in (SHOWN | BOXED).items()]
     commands = [command("AGAIN"), *shows, *ENDINGS]
     found = endings.run([(0, each) for each in commands], files, MACHINE,
                         tmp_path_factory.mktemp("run"), command("SHORT"))
@@ -146,7 +193,8 @@ class Dump:
 
 def dumps(ended, name: str) -> list[Dump]:
     """The dumps of all frames of a form."""
-    result = ended[command(SHOWN[name].mode, f"{SHOWN[name].arguments} {name}")]
+    shown = (SHOWN | BOXED)[name]
+    result = ended[command(shown.mode, f"{shown.arguments} {name}")]
     assert result.code == 0, result.output
     lines = [[int(n) for n in line.split()] for line in result.output.splitlines()]
     return [Dump((result.directory / f"{name}.{k}").read_bytes(), line[0], line[1],
@@ -183,6 +231,19 @@ def test_planes_of_the_shown_list_are_the_frame(ended, pixels, name):
         assert abs(found.top + found.bottom - TOP - BOTTOM) <= 1
         assert abs(found.left + found.right - 2 * LEFT - 320) <= 1
         assert found.top >= TOP and found.bottom <= BOTTOM and found.left >= LEFT
+
+
+@pytest.mark.parametrize("name", BOXED)
+def test_what_was_not_touched_is_what_it_was(ended, boxed, name):
+    """Frames of which only touched boxes are converted are on the screen whole, whatever the set's last frame was."""
+    shown = BOXED[name]
+    for number, (dump, frame) in enumerate(zip(dumps(ended, name), boxed[name], strict=True)):
+        dots = planar.FORMS[shown.kernel].convert(frame)
+        if shown.colours:
+            dots = dots | planar.ham8_control(dots.shape[1])
+        found = copper_lists.picture(dump.regions[0], dump.memory, dump.address)
+        wrong = planar.difference(np.repeat(dots, shown.rows, axis=0), found.dots)
+        assert wrong is None, f"{name}, frame {number} of {BOXES}: {wrong}"
 
 
 @pytest.mark.parametrize("name", SHOWN)

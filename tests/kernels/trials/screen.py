@@ -50,6 +50,17 @@ def control_trial(groups: int, rows: int, layout: tuple[int, int], seed: int) ->
                  writes=screen.writes_of(planes, dots, out), where=screen.where_of(planes, out))
 
 
+def box_trials() -> list[Trial]:
+    """Rows up to two rounds of the loop, and one that is a frame; with and without bytes between rows."""
+    made = []
+    for seed, longwords in enumerate((*range(1, 70), 128, 4096)):
+        rows = 1 + seed % 4
+        apart = (0, 4, 40)[seed % 3]
+        made.append(screen.box_trial(longwords, rows, apart, 0x01020304 * (1 + seed % 60), Memory(seed),
+                                     f"{longwords} longwords in {rows} rows, {apart} bytes apart"))
+    return made
+
+
 def trials() -> list[Trial]:
     made, shapes = [], [(groups, rows) for groups in GROUPS for rows in ROWS]
     for k, (groups, rows) in enumerate(shapes):
@@ -59,4 +70,4 @@ def trials() -> list[Trial]:
             made += [frame_trial(kernel, groups, rows, layout, seed % 3, seed)
                      for kernel in [*planar.FORMS, *in_c]]
             made.append(control_trial(groups, rows, layout, seed))
-    return made
+    return made + box_trials()

@@ -96,6 +96,7 @@ def pixel_calls() -> Iterator[tuple[str, int, Call]]:
             yield name, n64.LENGTH, n64.pass_case(name, examples)
     for name in screen.NAMES:
         yield name, screen.SCREENS[screen.routine_of(name)][0], screen.screen_case(name)
+    yield "box_fill", screen.BOX[0], screen.box_case()
     for name, call in visible.CASES.items():
         yield name, visible.LENGTH, call()
     for end in ("_low", "_super"):  # what is drawn while something is shown

@@ -22,6 +22,9 @@ SHOWN = {"": "OFF", "_low": "LOW", "_high": "HIGH", "_super": "SUPER"}
 NAMES = [name + end for name in SCREENS
          for end in ("", *(() if name.endswith("_blit") else ("_c",)), *(("_low",) if name.startswith("c2p_8") else ("_high", "_super")))]
 
+#: Pixels of a row and rows of the box that box_fill's bench row fills.
+BOX = 256, 16
+
 
 def routine_of(row: str) -> str:
     """The assembly routine that a row is of, or is the yardstick of."""
@@ -89,3 +92,18 @@ def screen_case(row_name: str):
                         Arena(), bytes(planes.size))
     trial.case.display = SHOWN["" if in_c else row_name.removeprefix(name)]
     return trial.row(width * rows)
+
+
+def box_trial(longwords: int, rows: int, apart: int, pixels: int, arena: Arena, title: str = "") -> Trial:
+    """A call of box_fill; ``apart``: bytes from a row's end to the next one."""
+    pitch = 4 * longwords + apart
+    at = arena.add(bytes(rows * pitch))
+    plan = arena.struct("box_plan", {"first": at}, longwords=longwords, rows=rows, pitch=pitch, pixels=pixels)
+    writes = [Write(at + row * pitch, pixels.to_bytes(4, "big") * longwords) for row in range(rows)]
+    return Trial(Case("box_fill", arena, pointers={"a0": plan}), title, writes=writes)
+
+
+def box_case():
+    """A box in a frame of 320 pixels a row."""
+    width, rows = BOX
+    return box_trial(width // 4, rows, 320 - width, 0x05050505, Arena()).row(width * rows)
