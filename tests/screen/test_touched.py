@@ -12,8 +12,8 @@ from tmap.guest import emulator
 from tmap.scene_file import scene_file
 
 #: Scenes that are cleared, with meshes, objects, billboards, trees and both texture units, and frames of each.
-NAMES = {"cube": 50, "crane": 48, "floor": 50, "environment": 8, "shaded": 8, "grove": 30, "terrace": 12, "default": 4,
-         "lit": 4, "wide": 8, "panel": 8, "n64_rectangles": 4, "n64_palettes": 4, "glide_wall": 4}
+NAMES = {"cube": 12, "crane": 24, "floor": 12, "environment": 4, "shaded": 3, "grove": 12, "terrace": 4, "default": 2,
+         "lit": 2, "wide": 3, "panel": 3, "n64_rectangles": 2, "n64_palettes": 3, "glide_wall": 1}
 #: Random polygons with every setting and mapper, one a frame: seed, blocks, and polygons of each.
 SEED, BLOCKS, EACH = 77, range(8), 150
 

@@ -31,7 +31,8 @@ C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "mipmap", "depth
            "span", "texture", "triangle", "glide", "glide/polygons", "n64", "n64/polygons")
 C_FILES = (Path("frames/draw_bodies.c"), Path("frames/draw_bodies.h"), Path("frames/draw_faces.c"),
            Path("frames/draw_meshes.c"), Path("frames/draw_meshes.h"), Path("frames/draw_near.c"),
-           Path("frames/draw_once.c"), Path("frames/draw_depths.c"),
+           Path("frames/draw_once.c"), Path("frames/draw_depths.c"), Path("frames/draw_touched.c"),
+           Path("frames/draw_touched.h"),
            Path("screen/ham8.c"), Path("screen/planar.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
