@@ -46,8 +46,8 @@ static struct blit *merge(struct blit *to, const struct extent *extent, const ui
     return add(to, extent, x, y, low, mask, shift, 1);
 }
 
-int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *planes, int32 top,
-                 int32 rows)
+int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *merged, uint8 *planes,
+                 int32 top, int32 rows)
 {
     const int32 bytes = layout->plane_bytes, first = top * layout->row_bytes;
     struct extent extent;
@@ -58,6 +58,12 @@ int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *
     extent.words = (uint16)(layout->row_bytes >> 1);
     from += first;
     planes += first;
+    if (merged) {
+        merged += first;
+        for (int32 at = 0; at < PLANES * bytes; at += 2 * bytes)
+            to = merge(to, &extent, from + at + bytes, from + at, merged + at + bytes, merged + at, ONES, 1);
+        from = merged;
+    }
     if (layout->dots == 1) {
         for (int32 i = 0; i < 4; i++) {
             const int32 at = ((i & 2) * 2 + (i & 1)) * bytes;

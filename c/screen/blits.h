@@ -16,16 +16,18 @@ struct blit {
 };
 
 enum blits_constants {
-    BLITS_MAX = 12              /* for a frame, at most */
+    BLITS_MAX = 16              /* for a frame, at most */
 };
 
-/* Returns the bytes of chip RAM that the processor's part and the blitter need beside the planes. */
+/* Returns the bytes of chip RAM that the processor's part needs beside the planes, and for pixels two dots wide the
+   blitter. */
 int32 blits_bytes(const struct screen_layout *layout);
 
 /* Writes the blits that make rows of a frame's planes from the half planes at `from`: as large as a set of planes, and
-   for pixels two dots wide half as large with as much room behind them. rows: 1 or more. Returns how many. */
-int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *planes, int32 top,
-                 int32 rows);
+   for pixels two dots wide half as large with as much room behind them. rows: 1 or more. merged: 0, or room for a set of
+   planes for what quarter planes at `from` become first, not for pixels two dots wide. Returns how many. */
+int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *merged, uint8 *planes,
+                 int32 top, int32 rows);
 
 /* Blits that are done one after the other. */
 struct blit_list {

@@ -6,6 +6,10 @@
 #include "system/system.h"
 #include "system/text.h"
 
+/* Fields that the blitter must have rested before a frame so that it merges all of the next one twice: that takes it some
+   598,000 cycles more at 320x256, and a field has 283,750. */
+enum { BLITTER_REST = 4 };
+
 static const char name[] = "screen";
 
 /* Returns the bytes of chip RAM for both sets of planes, the copper lists and the status plane. In
@@ -33,11 +37,15 @@ static int32 take_bytes(struct screen *screen, int32 bytes)
 
 static int32 take_chip(struct screen *screen, uint32 blitter)
 {
-    const int32 bytes = chip_needed(&screen->layout);
+    const int32 bytes = chip_needed(&screen->layout), part = blits_bytes(&screen->layout);
 
-    screen->between = 0;
-    if (blitter && !screen->layout.ham && take_bytes(screen, bytes + blits_bytes(&screen->layout)))
-        screen->between = screen->chip + bytes;
+    screen->between = screen->merged = 0;
+    if (blitter && !screen->layout.ham) {
+        if (screen->layout.dots == 1 && take_bytes(screen, bytes + 2 * part))
+            screen->merged = screen->chip + bytes + part;
+        if (screen->merged || take_bytes(screen, bytes + part))
+            screen->between = screen->chip + bytes;
+    }
     return screen->between || take_bytes(screen, bytes) || outcome_lack_memory(name, "planes and copper lists");
 }
 
@@ -276,6 +284,24 @@ static void show_alone(struct screen *screen, const struct frame *frame, const s
     screen_post(screen, 0);
 }
 
+static int32 merges_twice(const struct screen *screen)
+{
+    return screen->convert_part == c2p_8_blits;
+}
+
+/* Lets the blitter merge twice from now on if it was ready long before, once if it was not. What is between is then of
+   the other kind. */
+static void balance(struct screen *screen)
+{
+    const int32 is_late = screen->work.left > 0;
+    const uint32 rest = is_late ? 0 : display_fields() - display_since();
+
+    if (merges_twice(screen) ? !is_late : !screen->merged || !screen->work.list || rest < BLITTER_REST)
+        return;
+    screen->convert_part = is_late ? c2p_8_blit : c2p_8_blits;
+    touched_fill(&screen->had_between);
+}
+
 /* Begins the blits of the rows that this frame, or the hidden planes', has touched; the last one posts the planes. */
 static void start_blits(struct screen *screen, const struct touched *touched)
 {
@@ -291,8 +317,8 @@ static void start_blits(struct screen *screen, const struct touched *touched)
         return;
     }
     work->next = screen->blits;
-    work->left = blits_make(screen->blits, &screen->layout, screen->between, screen->planes[screen->hidden], box.top,
-                            box.bottom - box.top);
+    work->left = blits_make(screen->blits, &screen->layout, screen->between, merges_twice(screen) ? screen->merged : 0,
+                            screen->planes[screen->hidden], box.top, box.bottom - box.top);
     work->list = screen->list[screen->hidden];
     work->field = 0;
     screen->hidden ^= 1;
@@ -305,6 +331,7 @@ void screen_show_touched(struct screen *screen, const struct frame *frame, const
         show_alone(screen, frame, touched);
         return;
     }
+    balance(screen);
     blits_end();
     widen(&screen->had_between, touched);
     convert_touched(screen, frame, &screen->had_between, screen->convert_part, screen->between);

@@ -25,7 +25,8 @@ struct screen {
     uint16 *list[2], *palette[2];
     uint8 *status;
     uint8 *between;             /* what the blitter still merges; 0: the processor converts alone */
-    void (*convert_part)(const struct planar_plan *plan);   /* to between */
+    uint8 *merged;              /* what it has merged once, if it merges twice; 0: no memory, or another conversion */
+    void (*convert_part)(const struct planar_plan *plan);   /* to between: c2p_8_blits if it merges twice */
     struct touched had[2];      /* of each set, what may differ from the background that frames begin with */
     struct touched had_between;
     struct blit blits[BLITS_MAX];

@@ -106,6 +106,55 @@ words_16 macro
         addq.l  #8,a0
         endm
 
+; The body of a conversion to eight half planes. Without the merge by 2, bit 1 of a pixel's number meets no other bit: even
+; words of the frame and odd ones are converted one after the other, by four registers. Merges exchange its bit 4 and bit
+; 1's place (by words), 3 and 0, 2 and the plane's bit 2, and, if \1 is 1, 0 and the plane's bit 0.
+half_planes macro
+HELD    set     12                      ; bytes on the stack above planar_open's
+        planar_open 0,3
+        move.l  #$0f0f0f0f,d6
+        movem.l a0/a1,-(sp)
+        bsr.s   half
+        movem.l (sp),a0/a1
+        addq.l  #2,a0
+        lea     (a1,a2.l*2),a1
+        bsr.s   half
+        lea     LOCALS+8(sp),sp
+        return_all
+
+; Words from a0 on, 4 bytes apart, to a1 and half planes behind it.
+half    move.l  ROWS+HELD(sp),BACK+HELD(sp)
+        lea     (a1,a2.l),a3
+        lea     (a1,a2.l*4),a4
+        lea     (a3,a2.l*4),a5
+        places_row HELD
+.longs  movem.l (a0)+,d0-d3
+        move.w  (a0),d0
+        move.w  4(a0),d1
+        move.w  8(a0),d2
+        move.w  12(a0),d3
+        lea     16(a0),a0
+        merge   d0,d2,8,d5
+        merge   d1,d3,8,d5
+        merge   d0,d1,4,d6
+        ifne    \1
+        merge   d2,d3,4,d6
+        merge   d0,d2,1,d7
+        move.l  d0,(a5)+
+        merge   d1,d3,1,d7
+        move.l  d2,(a4)+
+        move.l  d1,(a3)+
+        else
+        move.l  d0,(a5)+
+        merge   d2,d3,4,d6
+        move.l  d1,(a3)+
+        move.l  d2,(a4)+
+        endc
+        move.l  d3,(a1)+
+        places_next HELD,BACK
+        rts
+        endm
+
 ; Exchanges the bits of \1 in the mask \4 with those of \2 that are \3 to the left. Trashes d4.
 merge   macro
         move.l  \2,d4

@@ -111,6 +111,16 @@ def halves(pixels: np.ndarray) -> np.ndarray:
     return found
 
 
+def fourths(pixels: np.ndarray) -> np.ndarray:
+    """Returns what the blitter merges by 1 and by 2 to the planes of 8-bit pixels: quarter plane 4 b2 + 2 p1 + 1 - p0 has,
+    at a dot with bits d1 d0, the bit 4 b2 + 2 (1 - d1) + 1 - d0 of the pixel that is the dot with p1 p0 as these bits."""
+    x, found = np.arange(pixels.shape[1]), np.zeros_like(pixels)
+    for b2, p1, p0 in np.ndindex(2, 2, 2):
+        bits = pixels[:, x & ~3 | 2 * p1 | p0] >> (4 * b2 + 2 * (~x >> 1 & 1) + (~x & 1)).astype(np.uint8)
+        found |= (bits & 1) << np.uint8(4 * b2 + 2 * p1 + 1 - p0)
+    return found
+
+
 def quarters(pixels: np.ndarray) -> np.ndarray:
     """Returns what the blitter merges by 2 and doubles to the planes of pixels two dots wide: half plane 2 b2 + p0 has, at
     a dot 2 p + d, p's bit 0 = c, the bit 4 b2 + 2 (1 - c) + 1 - d of the pixel that is p with p0 as its bit 0."""
@@ -128,6 +138,7 @@ FORMS = {
     "c2p_8": Form(1, 1, (*CONTROL, *UPPER), lambda pixels: pixels),
     "c2p_8_2x1": Form(1, 2, (*CONTROL, *UPPER), lambda pixels: pixels.repeat(2, axis=1)),
     "c2p_8_blit": Form(1, 1, (*CONTROL, *UPPER), halves),
+    "c2p_8_blits": Form(1, 1, (*CONTROL, *UPPER), fourths),
     "c2p_8_2x1_blit": Form(1, 2, (0, 1, 2, 3), quarters),
     "c2p_ham8_16": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgb565(pixels))),
     "c2p_ham8_5551": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgba5551(pixels))),

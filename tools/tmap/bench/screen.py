@@ -13,14 +13,15 @@ from tmap.bench.trial import Trial, Write
 from tmap.guest.kernels import Arena, Case, Result
 
 #: Pixels: HAM8's are four dots wide each, of 640 in a row.
-SCREENS = {"c2p_8": (320, 256), "c2p_8_2x1": (160, 256), "c2p_8_blit": (320, 256), "c2p_8_2x1_blit": (160, 256),
+SCREENS = {"c2p_8": (320, 256), "c2p_8_2x1": (160, 256), "c2p_8_blit": (320, 256), "c2p_8_blits": (320, 256),
+           "c2p_8_2x1_blit": (160, 256),
            "c2p_ham8_16": (160, 256), "c2p_ham8_5551": (160, 256),
            "c2p_ham8_32": (160, 256)}
 ROWS_IN_C = 16
 #: What is displayed while it is converted, by the end of a row's name.
 SHOWN = {"": "OFF", "_low": "LOW", "_high": "HIGH", "_super": "SUPER"}
 NAMES = [name + end for name in SCREENS
-         for end in ("", *(() if name.endswith("_blit") else ("_c",)), *(("_low",) if name.startswith("c2p_8") else ("_high", "_super")))]
+         for end in ("", *(() if "_blit" in name else ("_c",)), *(("_low",) if name.startswith("c2p_8") else ("_high", "_super")))]
 
 #: Pixels of a row and rows of the box that box_fill's bench row fills.
 BOX = 256, 16

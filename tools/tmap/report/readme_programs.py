@@ -29,6 +29,7 @@ def about(source: Path) -> tuple[str, str, str]:
 PLANAR_LINES = (
     ("8 bits", "c2p_8", 320, (("eight planes", "_low"),)),
     ("8 bits, with the blitter", "c2p_8_blit", 320, (("the processor's part", "_low"),)),
+    ("8 bits, with the blitter, which merges twice", "c2p_8_blits", 320, (("the processor's part", "_low"),)),
     ("8 bits, 2x1", "c2p_8_2x1", 160, (("eight planes", "_low"),)),
     ("8 bits, 2x1, with the blitter", "c2p_8_2x1_blit", 160, (("the processor's part", "_low"),)),
     *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
