@@ -35,10 +35,14 @@ static int32 take_chip(struct screen *screen, uint32 blitter)
 {
     const int32 bytes = chip_needed(&screen->layout);
 
-    screen->between = 0;
-    if (blitter && !screen->layout.ham && take_bytes(screen, bytes + blits_bytes(&screen->layout)))
-        screen->between = screen->chip + bytes;
-    return screen->between || take_bytes(screen, bytes) || outcome_lack_memory(name, "planes and copper lists");
+    const int32 more = blits_bytes(&screen->layout);
+
+    screen->between[0] = screen->between[1] = 0;
+    if (blitter && !screen->layout.ham && take_bytes(screen, bytes + 2 * more)) {
+        screen->between[0] = screen->chip + bytes;
+        screen->between[1] = screen->between[0] + more;
+    }
+    return screen->between[0] || take_bytes(screen, bytes) || outcome_lack_memory(name, "planes and copper lists");
 }
 
 static void clear(uint8 *from, int32 bytes)
@@ -99,8 +103,7 @@ static void plan_pixels(const struct screen *screen, struct planar_plan *plan, c
     plan->rows = rows;
 }
 
-/* Waits until the blitter has ended and its set is shown, if one is to come. */
-static void finish(struct screen *screen)
+void screen_finish(struct screen *screen)
 {
     if (!screen->work.list)
         return;
@@ -147,7 +150,7 @@ void screen_close(struct screen *screen)
 {
     if (!screen->is_open)
         return;
-    finish(screen);
+    screen_finish(screen);
     screen->is_open = 0;
     keys_close();
     display_close();
@@ -164,12 +167,13 @@ static int32 make(struct screen *screen, const struct screen_form *form)
     place(screen);
     for (int32 set = 0; set < 2; set++) {
         make_list(screen, set);
-        if (screen->between)
-            screen->blit_count = blits_make(screen->blits[set], &screen->layout, screen->between, screen->planes[set]);
+        if (screen->between[0])
+            screen->blit_count = blits_make(screen->blits[set], &screen->layout, screen->between[set],
+                                            screen->planes[set]);
     }
     if (screen->layout.ham)
         make_ham(screen);
-    screen->hidden = 0;
+    screen->hidden = screen->is_prepared = 0;
     display_show(screen->list[1]);
     screen->since = display_fields();
     return 1;
@@ -180,7 +184,7 @@ int32 screen_open(struct screen *screen, const struct screen_form *form)
     const char *why;
 
     if (screen->is_open) {
-        finish(screen);
+        screen_finish(screen);
         display_show(screen->blank);
     }
     why = screen_layout_find(&screen->layout, form);
@@ -194,7 +198,7 @@ void screen_palette(struct screen *screen, const uint8 *palette)
 {
     if (screen->layout.ham)
         return;
-    finish(screen);
+    screen_finish(screen);
     copper_palette_set(screen->palette[0], palette);
     copper_palette_set(screen->palette[1], palette);
 }
@@ -205,37 +209,48 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
     const struct screen_layout *layout = &screen->layout;
     struct planar_plan plan;
 
-    finish(screen);
+    screen_finish(screen);
     plan_make(screen, &plan);
     plan_pixels(screen, &plan, frame, frame->pixels + y * frame->pitch + x * frame->pixel_bytes, width, height);
     plan.planes = screen->planes[screen->hidden] + y * layout->row_bytes + (x * layout->dots >> 3);
     screen->convert(&plan);
 }
 
-void screen_show(struct screen *screen, const struct frame *frame)
+void screen_prepare(struct screen *screen, const struct frame *frame)
 {
     const struct screen_layout *layout = &screen->layout;
     struct planar_plan plan;
 
-    if (!screen->between) {
-        screen_wait(screen);
+    if (!screen->between[0]) {
         screen_convert(screen, frame);
-        screen_post(screen, 0);
         return;
     }
-    blits_end();
     plan_make(screen, &plan);
     plan_pixels(screen, &plan, frame, frame->pixels, layout->width, layout->height);
-    plan.planes = screen->between;
+    plan.planes = screen->between[screen->hidden];
     screen->convert_part(&plan);
-    if (screen->work.list)
-        screen_wait(screen);
+    screen->is_prepared = 1;
+}
+
+/* Starts the blits of a frame; waits until the one before is shown. */
+static void blits_post(struct screen *screen, uint32 field)
+{
+    screen_finish(screen);
+    screen_wait(screen);
+    screen->is_prepared = 0;
     screen->work.next = screen->blits[screen->hidden];
     screen->work.left = screen->blit_count;
     screen->work.list = screen->list[screen->hidden];
-    screen->work.field = 0;
-    screen->hidden ^= 1;
+    screen->work.field = field;
     blits_start(&screen->work);
+}
+
+void screen_show(struct screen *screen, const struct frame *frame)
+{
+    if (!screen->between[0])
+        screen_wait(screen);
+    screen_prepare(screen, frame);
+    screen_post(screen, 0);
 }
 
 void screen_convert(struct screen *screen, const struct frame *frame)
@@ -245,15 +260,20 @@ void screen_convert(struct screen *screen, const struct frame *frame)
 
 void screen_swap(struct screen *screen)
 {
-    finish(screen);
+    screen_finish(screen);
     display_show(screen->list[screen->hidden]);
     screen->hidden ^= 1;
 }
 
 void screen_post(struct screen *screen, uint32 field)
 {
-    finish(screen);
-    display_post(screen->list[screen->hidden], field + screen->since);
+    field += screen->since;
+    if (screen->is_prepared)
+        blits_post(screen, field);
+    else {
+        screen_finish(screen);
+        display_post(screen->list[screen->hidden], field);
+    }
     screen->hidden ^= 1;
 }
 

@@ -19,7 +19,7 @@ enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 
 
 #define DUMPED 7
 #define FRAMES 3
-#define SPINS 400               /* some 230 fields */
+#define SPINS 1500              /* some 860 fields */
 #define NO_LIMIT 65535          /* of the clock */
 /* The part of the last frame that is converted. */
 #define BOX_X 32
