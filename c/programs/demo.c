@@ -111,7 +111,7 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
                    MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
                       MEMORY_ANY)
-        || (frames && !mem_alloc(&player.worked, (int32)(frames * sizeof *player.worked),
+        || (frames && !mem_alloc(&player.worked, (int32)(frames * CLOCK_FIELDS * sizeof *player.worked),
                                  MEMORY_ANY)))
         return text_refuse(name, "not enough memory for its frame");
     /* the blitter's interrupts would slow one pane more than another */
