@@ -19,7 +19,7 @@ SHEET = SCENES / "demo.png"
 LEFT, TOP, WIDTH, HEIGHT = 74, 12, 640, 512  # of the picture in the window
 TITLE = slice(TOP + 516, TOP + 532)  # rows of the first status line
 PARTS, ACROSS = 8, 4
-SECONDS = (5, 6, 4, 5, 4, 7, 5, 4)  # from each title on
+SECONDS = (6, 6, 4, 5, 4, 7, 5, 4)  # from each title on
 COLOURS = 96
 
 
@@ -61,13 +61,15 @@ def take() -> list[np.ndarray]:
     """Returns a picture of each part."""
     taken = []
     with tempfile.TemporaryDirectory() as folder, played("", Path(folder)) as (on, _):
-        title = on.wait("the first part", is_part, still=False)[TITLE]
+        on.wait("the first part", is_part, still=False)
         for part, seconds in enumerate(SECONDS, 1):
             time.sleep(seconds)
             on.wait(f"part {part}", is_part, still=False)
-            taken.append(shown(whole(on)))
+            shot = whole(on)
+            taken.append(shown(shot))
             if part < PARTS:
-                title = on.wait("the next title", lambda shot: not np.array_equal(shot[TITLE], title))[TITLE]
+                title = shot[TITLE]     # the emulator's words, which were over it, are gone
+                on.wait("the next title", lambda now: not np.array_equal(now[TITLE], title), still=False)
     return taken
 
 
