@@ -22,7 +22,7 @@ enum governor_constants {
 
 struct governor {
     int32 step, steps;
-    uint32 budget[GOVERNOR_STEPS];      /* ticks a frame of each step may take, less than GOVERNOR_WORK_MAX */
+    uint32 budget[GOVERNOR_STEPS];      /* ticks a frame of each step may take, less than 2^20 */
     int32 late;                 /* 2 for each late frame, less 1 for each frame in time */
     int32 calm;                 /* frames in time in a row, of this step, up to GOVERNOR_CALM */
     uint32 most;                /* ticks of the longest of these */

@@ -17,7 +17,7 @@ enum player_constants {
     FIELD_BUDGET = FIELD_TICKS * 95 / 100,      /* all work is timed; a twentieth is left for the system's */
     TURNS_BUDGET = FIELD_TICKS * 90 / 100,      /* panes that take turns leave another one to spare */
     FIGURES_FIELDS = 50,        /* from one update of the figures to the next */
-    COUNT_EVERY = 4             /* where panes are compared, one picture of these has its pixels counted: that takes time */
+    COUNT_EVERY = 4             /* where panes are compared, one picture of these is counted: that takes time */
 };
 
 /* No limit: the watchdog acts in quiet mode only. */

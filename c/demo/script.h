@@ -21,7 +21,7 @@
 enum script_constants {
     PARTS_MAX = 16,
     PANES_MAX = 5,
-    FIELDS_MAX = 25             /* for a picture */
+    FIELDS_MAX = 10             /* for a picture; the governor's products fit 32 bits */
 };
 
 enum part_kind {
