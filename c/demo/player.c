@@ -129,7 +129,7 @@ static void wait_shown(struct player *player)
     clock_start(CLOCK_LIMIT);
     if (player->frames && player->worked)
         player->worked[player->frames - 1].fields = fields;
-    player->late += player->frames && fields > player->due - player->shown;
+    player->late += player->part->kind != PART_FREE && player->frames && fields > player->due - player->shown;
     player->shown += fields;
 }
 

@@ -67,7 +67,7 @@ struct player {
     uint32 due;                 /* field of the frame that was posted after it */
     uint32 asked;               /* display_fields when the part was called for; */
     uint32 waited, black;       /* fields from then to its first picture; those of them with a black screen */
-    uint32 frames, late;        /* frames, and those that took more than their step's fields */
+    uint32 frames, late;        /* frames; those that took more than their step's fields, not in PART_FREE */
     uint32 figured, figured_frames;     /* field and frames at the last status line */
     uint32 work;                /* colour clocks of the next frame without waits */
     struct worked *worked;      /* one a frame, or 0 */

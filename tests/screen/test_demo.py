@@ -136,7 +136,7 @@ def test_frames_come_in_time(played, data):
 
 
 def test_waits_are_short(played):
-    """The first picture, and how long the screen is black before a part."""
+    """The first picture, from when the display is taken, and how long the screen is black before a part."""
     machine, parts, *_ = played
     assert parts[RACE].waited <= FIRST, f"{machine}: {parts[RACE].waited} fields"
     for number, part in parts.items():
