@@ -1,10 +1,9 @@
 #include "demo/governor.h"
 
-void governor_start(struct governor *governor, int32 steps, uint32 budget)
+void governor_start(struct governor *governor, int32 steps)
 {
     governor->step = 0;
     governor->steps = steps;
-    governor->budget = budget;
     governor->late = governor->calm = 0;
     governor->most = governor->left = 0;
 }
@@ -20,10 +19,9 @@ static void change(struct governor *governor, int32 by, uint32 left)
 /* Returns 1 if the better step would have been in time for all these calm frames. */
 static int32 has_room(const struct governor *governor)
 {
-    const uint32 room = governor->budget / 8 * GOVERNOR_ROOM;
-
     return governor->step > 0
-        && governor->most * governor->ratio[governor->step - 1] >> GOVERNOR_RATIO_BITS <= room;
+        && governor->most * governor->ratio[governor->step - 1] >> GOVERNOR_RATIO_BITS
+           <= governor->budget[governor->step - 1] / 8 * GOVERNOR_ROOM;
 }
 
 int32 governor_next(struct governor *governor, uint32 work)
@@ -36,7 +34,7 @@ int32 governor_next(struct governor *governor, uint32 work)
         governor->ratio[governor->step - 1] = ratio < 4096 ? ratio : 4095;
         governor->left = 0;
     }
-    if (work > governor->budget) {
+    if (work > governor->budget[governor->step]) {
         governor->late += 2;
         governor->calm = 0;
         governor->most = 0;

@@ -3,7 +3,7 @@
    Steps go from the best, 0, with which a part begins, to the cheapest. A late frame counts 2, a
    frame in time takes 1 back; at GOVERNOR_LATE the governor changes to the next cheaper step and
    keeps the ratio of the two steps' times. It goes back after GOVERNOR_CALM frames in time in a
-   row, if the longest of them, times that ratio, would leave an eighth of the budget. So a load
+   row, if the longest of them, times that ratio, would leave an eighth of the better step's budget. So a load
    that varies by less than a tenth changes the step in one direction only: the ratio is then too
    small by at most a tenth and its rounding, 1/256. */
 #ifndef GOVERNOR_H
@@ -22,7 +22,7 @@ enum governor_constants {
 
 struct governor {
     int32 step, steps;
-    uint32 budget;              /* ticks a frame may take, less than GOVERNOR_WORK_MAX */
+    uint32 budget[GOVERNOR_STEPS];      /* ticks a frame of each step may take, less than 2^20 */
     int32 late;                 /* 2 for each late frame, less 1 for each frame in time */
     int32 calm;                 /* frames in time in a row, of this step, up to GOVERNOR_CALM */
     uint32 most;                /* ticks of the longest of these */
@@ -31,7 +31,8 @@ struct governor {
                                            down, less than 16 */
 };
 
-void governor_start(struct governor *governor, int32 steps, uint32 budget);
+/* The budgets are set already. */
+void governor_start(struct governor *governor, int32 steps);
 
 /* Takes the ticks of a frame drawn with the current step; returns the next frame's step. */
 int32 governor_next(struct governor *governor, uint32 work);

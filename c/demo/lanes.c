@@ -5,8 +5,6 @@
 #include "polygon/counts.h"
 #include "system/system.h"
 
-#define BOTH 3u
-
 static void clear_counts(struct draw_counts *counts, uint32 materials)
 {
     uint32 *to = (uint32 *)counts;
@@ -31,7 +29,7 @@ static int32 scene_frame(const struct player *player, const struct lane *lane)
     uint32 age = lane->pictures;
 
     if (player->part->kind == PART_TOGETHER || player->part->kind == PART_FAIR)
-        age = (screen_fields(player->screen) - player->began) / FRAME_FIELDS;
+        age = (screen_fields(player->screen) - player->began) / CLOCK_FIELDS;
     return step->first + (int32)(age % (uint32)step->frames);
 }
 
@@ -56,7 +54,7 @@ static void draw(struct player *player, int32 number, int32 frame)
 {
     struct lane *lane = &player->lane[number];
     const uint32 materials = player->scene->header->materials;
-    const int32 counted = lane->pictures % COUNT_EVERY == 0;
+    const int32 counted = player->part->panes > 1 && lane->pictures % COUNT_EVERY == 0;
     struct renderer *renderer = &player->renderer;
 
     renderer->frame = &lane->frame;
@@ -78,7 +76,9 @@ static void draw(struct player *player, int32 number, int32 frame)
         lane->sum += lane->last;
     lane->used += lane->last;
     lane->pictures++;
-    lane->stale = BOTH;
+    if (player->part->panes > 1 && lane->frame.pixel_bytes == 1)
+        picture_caption(&lane->frame, player->part->pane[number].caption, player->screen->font, player->ink,
+                        player->ground);
 }
 
 void lane_draw(struct player *player, int32 number)
@@ -113,37 +113,19 @@ static int32 poorest(const struct player *player)
     return best;
 }
 
-/* Draws pictures in turn until the previous frame is shown, but none that might make this frame
-   late: conversion begins when the previous frame is shown, or after drawing. Draws at least one
-   if there is nothing to convert. */
+/* Draws pictures in turn until the next one might make this frame late; at least one. The conversion
+   begins when the frame before is shown, and is in that frame's age when the next one is drawn. */
 static void draw_fairly(struct player *player)
 {
-    const uint32 hidden = 1u << player->screen->hidden;
-    uint32 converting = 0, drawn = 0;
+    const uint32 fields = (uint32)player->part->step[player->governor.step].fields;
+    int32 next;
 
-    for (int32 i = 0; i < player->part->panes; i++) {
-        const struct lane *lane = &player->lane[i];
-
-        if (lane->stale & hidden)
-            converting += lane->converting;
-        if (lane->unlabelled & hidden)
-            converting += lane->converting * LETTER / (uint32)lane->frame.height;
-    }
     player_lap(player);
-    for (;; drawn++) {
-        const int32 next = poorest(player);
-        const struct lane *lane = &player->lane[next];
-        const uint32 more = lane->stale & hidden ? 0 : lane->converting;
-        const uint32 age = display_age() * LINE_TICKS;  /* read while the frame before waits */
-
-        if ((drawn || converting)
-            && (!screen_waits(player->screen)
-                || converting + more > TURNS_BUDGET - FRAME_TICKS
-                || age + lane->worst + converting + more > TURNS_BUDGET))
-            break;
-        converting += more;
-        lane_draw(player, next);
-    }
+    do {
+        lane_draw(player, poorest(player));
+        next = poorest(player);
+    } while (screen_waits(player->screen)
+             && display_age() * LINE_TICKS + player->lane[next].worst <= fields * TURNS_BUDGET);
 }
 
 void lanes_draw(struct player *player)
@@ -154,44 +136,4 @@ void lanes_draw(struct player *player)
     }
     for (int32 i = 0; i < player->part->panes; i++)
         lane_draw(player, i);
-}
-
-/* Converts rows of a pane, counted from its frame's top, over its whole width. */
-static void convert_rows(const struct player *player, int32 number, int32 top, int32 rows)
-{
-    const struct pane *pane = &player->part->pane[number];
-
-    screen_convert_box(player->screen, &player->frame, pane->x, pane->y + top,
-                       player->lane[number].frame.width, rows);
-}
-
-void lanes_convert(struct player *player)
-{
-    const uint32 hidden = 1u << player->screen->hidden;
-    const struct step *step = &player->part->step[player->governor.step];
-
-    for (int32 i = 0; i < player->part->panes; i++) {
-        struct lane *lane = &player->lane[i];
-
-        if (lane->stale & hidden) {
-            uint32 taken;
-
-            player_lap(player);
-            convert_rows(player, i, step->top, step->rows);
-            taken = player_lap(player);
-            if (lane->converting < taken)
-                lane->converting = taken;
-            lane->stale &= ~hidden;
-            if (player->whole) {
-                convert_rows(player, i, 0, lane->frame.height);
-                player->excluded += player_lap(player);
-            }
-        }
-        if (lane->unlabelled & hidden) {
-            convert_rows(player, i, lane->frame.height + CAPTION_GAP + lane->line * LETTER, LETTER);
-            lane->unlabelled &= ~hidden;
-        }
-    }
-    if (player->whole)
-        player->whole--;
 }

@@ -15,6 +15,8 @@ void log_part(const struct player *player, int32 number, int32 full)
     field(" fields ", player->shown - player->began);
     field(" late ", player->late);
     field(" step ", (uint32)player->governor.step + 1);
+    field(" waited ", player->waited);
+    field(" black ", player->black);
     text_add(" ");
     text_add(player->part->title);
     text_print();
@@ -36,7 +38,6 @@ void log_part(const struct player *player, int32 number, int32 full)
         field(" step ", worked->step + 1);
         field(" fields ", worked->fields);
         field(" work ", worked->work);
-        field(" excluded ", worked->excluded);
         field(" lines ", worked->lines);
         text_print();
     }

@@ -1,4 +1,4 @@
-/* Captions and colours within a frame. */
+/* Captions and colours within a frame of one byte a pixel. */
 #ifndef PICTURE_H
 #define PICTURE_H
 
@@ -8,17 +8,11 @@ enum picture_constants {
     LETTER = 8                  /* pixels, width and height */
 };
 
-/* Returns the pixel of an enum pixel_format that is nearest to a colour, 0x00rrggbb. For chunky
-   frames: the nearest of 256 palette entries of 4 bytes, 0, red, green, blue. */
-uint32 picture_pixel(uint32 format, const uint8 *palette, uint32 colour);
+/* Returns the one of 256 palette entries of 4 bytes, 0, red, green, blue, that is nearest to a colour, 0x00rrggbb. */
+uint32 picture_pixel(const uint8 *palette, uint32 colour);
 
-/* Fills a rectangle, inside the frame, with one pixel. */
-void picture_fill(const struct frame *frame, int32 x, int32 y, int32 width, int32 height,
-                  uint32 pixel);
-
-/* Writes text over the picture, from x on, in font_read's font; each dot is scale x scale pixels.
-   Letters not wholly inside the frame are left out. */
-void picture_text(const struct frame *frame, int32 x, int32 y, int32 scale, const char *text,
-                  const uint8 *font, uint32 pixel);
+/* Writes text in font_read's font on a ground, at the frame's lower left corner. Letters that are not wholly inside the
+   frame are left out. */
+void picture_caption(const struct frame *frame, const char *text, const uint8 *font, uint32 ink, uint32 ground);
 
 #endif

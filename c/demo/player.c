@@ -30,52 +30,72 @@ static void make_lanes(struct player *player)
         lane->frame.height = header->height;
         lane->frame.pixels = player->frame.pixels + pane->y * player->frame.pitch
             + pane->x * player->frame.pixel_bytes;
-        lane->used = lane->last = lane->converting = 0;
-        lane->pictures = lane->seen = lane->pixels = lane->counted = 0;
-        lane->stale = lane->unlabelled = lane->sum = lane->cost = 0;
+        lane->used = lane->last = lane->pictures = lane->seen = lane->pixels = lane->counted = 0;
+        lane->sum = lane->cost = 0;
     }
 }
 
-/* Starts a part: draws the first picture of all panes, texts and rectangles, converts them into
-   both sets of planes, and resets the figures. */
-static void begin(struct player *player)
+static void start_governor(struct player *player)
+{
+    for (int32 i = 0; i < player->part->steps; i++)
+        player->governor.budget[i] = (uint32)player->part->step[i].fields * FIELD_BUDGET;
+    governor_start(&player->governor, player->part->steps);
+}
+
+/* Turns the frame into planes. Without the blitter the frame before must be shown. */
+static void convert(struct player *player)
+{
+    screen_prepare(player->screen, &player->frame, 0);
+    player_lap(player);
+}
+
+/* Opens the screen and shows the first picture; returns 0 if it cannot. */
+static int32 show_first(struct player *player, const uint8 *palette)
+{
+    const uint32 from = display_fields();
+
+    if (!screen_open(player->screen, &player->form))
+        return 0;
+    screen_palette(player->screen, palette);
+    figures_first(player);
+    convert(player);
+    screen_post(player->screen, 0);
+    player->began = player->shown = player->due = player->figured = screen_wait(player->screen);
+    player->black = display_fields() - from;
+    player->waited = display_fields() - player->asked;
+    return 1;
+}
+
+/* Starts a part: draws the first picture of all panes, which also makes the data that they need, while the screen
+   still shows what it did, and resets the figures. */
+static int32 begin(struct player *player)
 {
     const struct scene_header *header = player->scene->header;
-    const uint8 *palette;
+    const uint8 *const palette = (const uint8 *)header + header->palette_at;
 
     make_lanes(player);
-    governor_start(&player->governor, player->part->steps, FRAME_BUDGET);
+    start_governor(player);
     player->set = -1;
     player->frames = player->late = player->figured_frames = 0;
-    player->whole = 0;
     clock_start(CLOCK_LIMIT);
     player->began = screen_fields(player->screen);
-    palette = (const uint8 *)header + header->palette_at;
-    player->ground = picture_pixel(header->format, palette, GROUND);
-    player->ink = picture_pixel(header->format, palette, INK);
-    picture_fill(&player->frame, 0, 0, player->frame.width, player->frame.height,
-                 player->ground);
-    figures_first(player);
-    for (int32 i = 0; i < player->part->panes; i++)
-        lane_draw(player, i);           /* also makes the data it needs */
-    lanes_probe(player);
-    for (int32 set = 0; set < 2; set++) {
-        screen_convert(player->screen, &player->frame);
-        if (!set)
-            screen_palette(player->screen, palette);
-        screen_swap(player->screen);
-        lanes_convert(player);          /* times the conversion */
+    if (header->format == PIXEL_CHUNKY) {
+        player->ground = picture_pixel(palette, GROUND);
+        player->ink = picture_pixel(palette, INK);
     }
-    screen_swap(player->screen);        /* returns at the start of a field */
+    for (int32 i = 0; i < player->part->panes; i++)
+        lane_draw(player, i);
+    lanes_probe(player);
+    if (!show_first(player, palette))
+        return 0;
     clock_start(CLOCK_LIMIT);
-    player->work = player->excluded = 0;
-    player->began = player->shown = player->figured = screen_wait(player->screen);
+    player->work = 0;
     for (int32 i = 0; i < player->part->panes; i++) {
         struct lane *lane = &player->lane[i];
 
         lane->used = lane->pictures = lane->counted = lane->pixels = lane->sum = 0;
-        lane->figured = player->began;
     }
+    return 1;
 }
 
 /* Returns the user's request, or PLAYED if there is none. */
@@ -93,6 +113,12 @@ static enum player_end asked(void)
     return PLAYED;
 }
 
+/* Returns the fields for which a frame is shown, at least. */
+static uint32 step_fields(const struct player *player)
+{
+    return (uint32)player->part->step[player->governor.step].fields;
+}
+
 /* Waits until the previous frame is shown. */
 static void wait_shown(struct player *player)
 {
@@ -103,28 +129,26 @@ static void wait_shown(struct player *player)
     clock_start(CLOCK_LIMIT);
     if (player->frames && player->worked)
         player->worked[player->frames - 1].fields = fields;
-    player->late += fields > FRAME_FIELDS;
+    player->late += player->part->kind != PART_FREE && player->frames && fields > player->due - player->shown;
     player->shown += fields;
 }
 
-/* Posts a frame for the second field after the previous one; in PART_FREE for the next field. */
+/* Posts a frame for its field. */
 static void post(struct player *player)
 {
-    player->due = player->part->kind == PART_FREE ? screen_fields(player->screen) + 1
-                : player->shown + FRAME_FIELDS;
+    player->due = player->shown + step_fields(player);
     screen_post(player->screen, player->due);
-    player->work = player->excluded = 0;
+    player->work = 0;
     player->frames++;
 }
 
-/* Returns the fields that a part takes. A frame counts as FRAME_FIELDS, in PART_FREE too. */
+/* Returns the fields that a part takes. A frame counts as CLOCK_FIELDS here. */
 static uint32 fields_of(const struct player *player, uint32 frames)
 {
-    return frames ? frames * FRAME_FIELDS : (uint32)player->part->seconds * FIELDS_SECOND;
+    return frames ? frames * CLOCK_FIELDS : (uint32)player->part->seconds * FIELDS_SECOND;
 }
 
-/* Chooses the next step. Steps of PART_FREE have equal shares of its time. After a change whole
-   panes are converted twice, once for each set of planes: a step may redraw only some rows. */
+/* Chooses the next step. Steps of PART_FREE have equal shares of its time. */
 static void govern(struct player *player, uint32 frames)
 {
     const int32 before = player->governor.step, steps = player->part->steps;
@@ -132,13 +156,11 @@ static void govern(struct player *player, uint32 frames)
     const uint32 share = fields * (uint32)steps / fields_of(player, frames);
 
     if (player->part->kind != PART_FREE)
-        governor_next(&player->governor, player->work - player->excluded);
+        governor_next(&player->governor, player->work);
     else if (before < (int32)share && before < steps - 1) {
         player->governor.step++;
         figures_again(player);
     }
-    if (player->governor.step != before)
-        player->whole = 2;
 }
 
 /* Records a frame's figures that are known before it is shown. */
@@ -150,7 +172,6 @@ static void note(struct player *player)
         return;
     to->step = (uint32)player->governor.step;
     to->work = player->work;
-    to->excluded = player->excluded;
     to->lines = display_age();
 }
 
@@ -165,12 +186,17 @@ enum player_end player_play(struct player *player, uint32 frames)
 {
     enum player_end end = PLAYED;
 
-    begin(player);
+    if (!begin(player))
+        return FAILED;
     while (end == PLAYED && !is_over(player, frames)) {
         lanes_draw(player);
-        wait_shown(player);
-        lanes_convert(player);
-        player_lap(player);
+        if (player->screen->between[0]) {
+            convert(player);
+            wait_shown(player);
+        } else {
+            wait_shown(player);
+            convert(player);
+        }
         note(player);
         govern(player, frames);
         post(player);
@@ -178,5 +204,6 @@ enum player_end player_play(struct player *player, uint32 frames)
         end = asked();
     }
     wait_shown(player);
+    screen_finish(player->screen);      /* a line is printed next */
     return end;
 }

@@ -1,8 +1,7 @@
 /* One part of the demo while it is played.
 
-   A frame is drawn while the one before it waits to be shown, and converted as soon as that one is
-   shown; the display then shows it at its field by itself. So drawing may extend into the time of
-   the next frame, and the next frames can catch up. */
+   A picture is drawn and converted while the one before it waits to be shown; the blitter ends its conversion, if it
+   has a share, while the next one is drawn. The display shows it at its field by itself. */
 #ifndef PLAYER_H
 #define PLAYER_H
 
@@ -12,18 +11,13 @@
 #include "screen/screen.h"
 
 enum player_constants {
-    FRAME_FIELDS = 2,           /* 25 frames a second */
+    CLOCK_FIELDS = 2,           /* a frame of a scene that follows the clock: 25 a second */
     LINE_TICKS = 227,           /* colour clocks */
-    FRAME_TICKS = FRAME_FIELDS * 312 * LINE_TICKS,
-    /* All work is timed; a twentieth is left for catching up after long frames. */
-    FRAME_BUDGET = FRAME_TICKS * 95 / 100,
-    /* Where panes take turns: from the start of one frame on the screen to the end of the next
-       one's conversion, less the system's own work of up to 46 lines each tenth of a second. */
-    TURNS_BUDGET = 2 * FRAME_TICKS - 2 * 46 * LINE_TICKS,
-    FIGURES_EVERY = 25,         /* frames from one update of the figures to the next; */
-    FIGURES_APART = 2,          /* from one of their lines to the next, as each takes time */
-    COUNT_EVERY = 4,            /* one picture of these has its pixels counted: that takes time */
-    CAPTION_GAP = 3, CAPTION_LINES = 3      /* pixels; below a pane: caption, cycles, rate */
+    FIELD_TICKS = 312 * LINE_TICKS,
+    FIELD_BUDGET = FIELD_TICKS * 95 / 100,      /* all work is timed; a twentieth is left for the system's */
+    TURNS_BUDGET = FIELD_TICKS * 90 / 100,      /* panes that take turns leave another one to spare */
+    FIGURES_FIELDS = 50,        /* from one update of the figures to the next */
+    COUNT_EVERY = 4             /* where panes are compared, one picture of these is counted: that takes time */
 };
 
 /* No limit: the watchdog acts in quiet mode only. */
@@ -41,21 +35,18 @@ enum player_end {
 struct lane {
     struct frame frame;         /* within the player's */
     uint32 used;                /* colour clocks of drawing: PART_RACE and PART_FAIR go by them */
-    uint32 last, converting;    /* of the last picture; the most that turning one into planes took */
+    uint32 last;                /* of the last picture */
     uint32 pictures;            /* drawn; */
-    uint32 seen, figured;       /* pictures and field of the last figures */
+    uint32 seen;                /* pictures at the last figures */
     uint32 counted, pixels;     /* colour clocks and pixels of the pictures that were counted since */
-    uint32 stale;               /* bit n: set n of planes does not have the picture; */
-    uint32 unlabelled;          /* nor the line of figures */
-    int32 line;                 /* that was written last */
-    uint32 worst;             /* colour clocks: no picture takes longer */
+    uint32 worst;               /* colour clocks: no picture takes longer */
     uint32 cost;                /* cycles a pixel, lately */
     uint32 sum;                 /* colour clocks of all other pictures, modulo 2^32 */
 };
 
 /* A frame's figures for LOG. */
 struct worked {
-    uint32 work, excluded;      /* as the player's */
+    uint32 work;                /* as the player's */
     uint32 lines;               /* raster lines since the previous frame was shown, when ready */
     uint32 step, fields;        /* fields from the previous frame on the screen to this one */
 };
@@ -64,7 +55,8 @@ struct player {
     struct screen *screen;
     struct scene *scene;
     const struct part *part;
-    struct frame frame;         /* the screen's; of 16- and 32-bit scenes the scene's */
+    struct screen_form form;
+    struct frame frame;         /* of all panes */
     struct renderer renderer;
     struct scratch scratch;
     struct draw_counts *counts; /* one a material */
@@ -73,22 +65,22 @@ struct player {
     int32 set;                  /* pane and step whose settings are in effect, or -1 */
     uint32 began, shown;        /* fields: start of the part, of the last frame shown */
     uint32 due;                 /* field of the frame that was posted after it */
-    uint32 frames, late;        /* frames, and those that took more than FRAME_FIELDS */
+    uint32 asked;               /* display_fields when the part was called for; */
+    uint32 waited, black;       /* fields from then to its first picture; those of them with a black screen */
+    uint32 frames, late;        /* frames; those that took more than their step's fields, not in PART_FREE */
     uint32 figured, figured_frames;     /* field and frames at the last status line */
-    int32 whole;                /* frames for which whole panes are converted: the step changed */
-    uint32 work;                /* colour clocks of the next frame without waits, */
-    uint32 excluded;            /* and those among them that the governor does not count */
+    uint32 work;                /* colour clocks of the next frame without waits */
     struct worked *worked;      /* one a frame, or 0 */
     uint32 ink, ground;         /* pixels */
 };
 
-/* Plays a part for its seconds or, if not 0, for so many frames. The screen must be open. */
+/* Opens the screen and plays a part for its seconds or, if not 0, for so many frames. */
 enum player_end player_play(struct player *player, uint32 frames);
 
 /* Returns the colour clocks since the last call and adds them to the frame's work. */
 uint32 player_lap(struct player *player);
 
-/* figures.c: writes a part's texts to the screen; updates the figures after each frame. */
+/* figures.c: writes a part's texts to the screen; updates the figures once a second. */
 void figures_first(struct player *player);
 void figures_make(struct player *player);
 
@@ -103,8 +95,5 @@ void lanes_probe(struct player *player);
 
 /* Draws a picture of each pane; if panes take turns, the pictures that there is time for. */
 void lanes_draw(struct player *player);
-
-/* Converts pictures and figures that the hidden planes lack. */
-void lanes_convert(struct player *player);
 
 #endif

@@ -1,6 +1,5 @@
 #include "demo/script.h"
 
-#include "screen/layout.h"
 #include "system/file.h"
 #include "system/text.h"
 
@@ -90,8 +89,7 @@ static int32 add_part(struct script *script, char *at)
     part->seconds = number(&at);
     part->kind = choice(&at, kinds, PART_KINDS);
     part->title = part->says = part->scene = "";
-    part->panes = part->steps = part->marks = 0;
-    part->width = part->height = 0;
+    part->panes = part->steps = 0;
     script->parts++;
     return part->seconds > 0 && part->kind < PART_KINDS;
 }
@@ -111,7 +109,7 @@ static int32 add_pane(struct part *part, char *at)
     pane->worst = number(&at);
     pane->caption = text(&at);
     part->panes++;
-    return pane->x >= 0 && !(pane->x & 31) && pane->y >= 0 && pane->form < 2
+    return pane->x >= 0 && !(pane->x & 7) && pane->y >= 0 && pane->form < 2
         && pane->settings.accuracy >= SETTINGS_OWN
         && pane->settings.perspective < PERSPECTIVE_KINDS && pane->worst >= 0;
 }
@@ -124,67 +122,12 @@ static int32 add_step(struct part *part, char *at)
         return 0;
     step->first = number(&at);
     step->frames = number(&at);
-    step->top = number(&at);
-    step->rows = number(&at);
+    step->fields = number(&at);
     step->perspective = perspective(&at);
     step->name = text(&at);
     part->steps++;
-    return step->first >= 0 && step->frames > 0 && step->top >= 0 && step->rows > 0
+    return step->first >= 0 && step->frames > 0 && step->fields > 0 && step->fields <= FIELDS_MAX
         && step->perspective < PERSPECTIVE_KINDS;
-}
-
-/* Reads six hexadecimal digits, small letters; returns 0xff000000 if the word is something else. */
-static uint32 colour(char **at)
-{
-    const char *digits = word(at);
-    uint32 value = 0;
-    int32 length = 0;
-
-    for (; digits[length]; length++) {
-        const char digit = digits[length];
-
-        if (digit >= '0' && digit <= '9')
-            value = value << 4 | (uint32)(digit - '0');
-        else if (digit >= 'a' && digit <= 'f')
-            value = value << 4 | (uint32)(digit - 'a' + 10);
-        else
-            return 0xff000000;
-    }
-    return length == 6 ? value : 0xff000000;
-}
-
-/* Adds a text or a rectangle; a rectangle has a scale of 0. */
-static int32 add_mark(struct part *part, char *at, int32 is_text)
-{
-    struct mark *mark = &part->mark[part->marks];
-    const char *x;
-
-    if (part->marks == MARKS_MAX)
-        return 0;
-    x = word(&at);
-    mark->x = text_same(x, "middle") ? MIDDLE : value_of(x);
-    mark->y = number(&at);
-    mark->scale = mark->width = mark->height = 0;
-    mark->text = "";
-    if (is_text)
-        mark->scale = number(&at);
-    else {
-        mark->width = number(&at);
-        mark->height = number(&at);
-    }
-    mark->colour = colour(&at);
-    if (is_text)
-        mark->text = text(&at);
-    part->marks++;
-    return mark->y >= 0 && mark->colour < 0x1000000
-        && (is_text ? mark->scale > 0 : mark->x >= 0 && mark->width > 0 && mark->height > 0);
-}
-
-static int32 read_size(int32 *width, int32 *height, char *at)
-{
-    *width = number(&at);
-    *height = number(&at);
-    return *width > 0 && *height > 0;
 }
 
 /* Reads a line; returns 0 if it is wrong. */
@@ -197,8 +140,6 @@ static int32 read_line(struct script *script, char *at)
         return 1;
     if (text_same(what, "part"))
         return add_part(script, at);
-    if (text_same(what, "screen"))
-        return read_size(&script->width, &script->height, at);
     if (!script->parts)
         return 0;
     if (text_same(what, "title"))
@@ -207,10 +148,6 @@ static int32 read_line(struct script *script, char *at)
         part->says = text(&at);
     else if (text_same(what, "scene"))
         part->scene = word(&at);
-    else if (text_same(what, "picture"))
-        return read_size(&part->width, &part->height, at);
-    else if (text_same(what, "text") || text_same(what, "fill"))
-        return add_mark(part, at, *what == 't');
     else if (text_same(what, "pane"))
         return add_pane(part, at);
     else if (text_same(what, "step"))
@@ -237,8 +174,6 @@ int32 script_load(struct script *script, const char *name)
 
     if (!file_load(name, &data, &bytes))
         return 0;
-    script->width = SCREEN_WIDTH;
-    script->height = SCREEN_HEIGHT;
     script->parts = 0;
     begin = (char *)data;
     for (uint32 i = 0; i < bytes; i++) {

@@ -8,6 +8,7 @@
 #include "demo/log.h"
 #include "demo/picture.h"
 #include "system/arguments.h"
+#include "system/machine.h"
 #include "system/outcome.h"
 #include "system/system.h"
 #include "system/text.h"
@@ -45,67 +46,48 @@ static const char *path(char *whole, const char *directory, const char *name)
     return *name || *directory ? 0 : whole;
 }
 
-static struct screen_form shown;        /* what the open screen shows; width 0: there is none */
-
-static int32 open_screen(const struct screen_form *form)
+/* Sets the player's frame, of all panes, and the screen for it. */
+static void make_form(const struct part *part)
 {
+    const struct scene_header *header = scene.header;
+    struct screen_form *form = &player.form;
+
+    form->width = form->height = 0;
+    for (int32 i = 0; i < part->panes; i++) {
+        const int32 right = part->pane[i].x + header->width, bottom = part->pane[i].y + header->height;
+
+        if (form->width < right)
+            form->width = right;
+        if (form->height < bottom)
+            form->height = bottom;
+    }
+    form->pixel_width = header->pixel_width;
+    form->pixel_height = header->pixel_height;
+    form->format = header->format;
     player.frame.width = form->width;
     player.frame.height = form->height;
     player.frame.pixel_bytes = scene_pixel_bytes(form->format);
     player.frame.pitch = form->width * player.frame.pixel_bytes;
-    if (form->width == shown.width && form->height == shown.height && form->pixel_width == shown.pixel_width
-        && form->pixel_height == shown.pixel_height && form->format == shown.format)
-        return 1;
-    shown.width = 0;
-    if (!screen_open(&screen, form))
-        return 0;
-    shown = *form;
-    return 1;
 }
 
-static int32 open_for_scene(const struct part *part)
-{
-    const struct scene_header *header = scene.header;
-    struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height, header->format, 0};
-
-    if (header->format == PIXEL_CHUNKY) {
-        form.width = script.width / form.pixel_width;
-        form.height = script.height / form.pixel_height;
-    } else if (part->width) {
-        form.width = part->width;
-        form.height = part->height;
-    }
-    return open_screen(&form);
-}
-
-/* Prints the part's number and returns 0 if panes or captions are outside the screen, or steps
-   outside the scene. */
+/* Prints the part's number and returns 0 if its frames are not the scene's. */
 static int32 is_usable(const struct part *part, int32 number)
 {
     const struct scene_header *header = scene.header;
     int32 wrong = 0;
 
     for (int32 i = 0; i < part->panes; i++)
-        wrong |= part->pane[i].worst >= header->frames
-            || part->pane[i].x + header->width > player.frame.width
-            || part->pane[i].y + header->height
-               + (part->panes > 1 ? CAPTION_GAP + CAPTION_LINES * LETTER : 0)
-               > player.frame.height;
-    for (int32 i = 0; i < part->marks; i++)
-        wrong |= part->mark[i].x + part->mark[i].width > player.frame.width
-            || part->mark[i].y + part->mark[i].height > player.frame.height;
+        wrong |= part->pane[i].worst >= header->frames;
     for (int32 i = 0; i < part->steps; i++)
-        wrong |= part->step[i].first + part->step[i].frames > header->frames
-            || part->step[i].top + part->step[i].rows > header->height;
+        wrong |= part->step[i].first + part->step[i].frames > header->frames;
     if (!wrong)
         return 1;
     text_add("part ");
     text_number(number + 1);
-    return text_refuse("", "something lies outside its scene or screen");
+    return text_refuse("", "a frame is none of its scene's");
 }
 
-/* Shows a message while a part is prepared, up to three seconds, mostly for tables of
-   perspective. */
+/* Shows a message while a part is prepared: tables of perspective take longest. */
 static void announce(const struct part *part)
 {
     screen_text(&screen, 0, part->title);
@@ -120,16 +102,20 @@ static int32 load(const struct part *part, int32 number, const char *directory, 
 
     if (!name)
         return text_refuse("DIR", "too long");
-    if (!scene_load(&scene, name, MEMORY_ANY) || !open_for_scene(part) || !is_usable(part, number))
+    if (!scene_load(&scene, name, MEMORY_ANY))
         return 0;
-    announce(part);                     /* again, as the screen may be a new one */
+    make_form(part);
+    if (!is_usable(part, number))
+        return 0;
     if (!mem_alloc(&player.frame.pixels, player.frame.pitch * player.frame.height + READ_BEYOND,
                    MEMORY_ANY)
         || !mem_alloc(&player.counts, (int32)(scene.header->materials * sizeof *player.counts),
                       MEMORY_ANY)
-        || (frames && !mem_alloc(&player.worked, (int32)(frames * sizeof *player.worked),
+        || (frames && !mem_alloc(&player.worked, (int32)(frames * CLOCK_FIELDS * sizeof *player.worked),
                                  MEMORY_ANY)))
         return text_refuse(name, "not enough memory for its frame");
+    /* the blitter's interrupts would slow one pane more than another */
+    player.form.blitter = !memory_is_chip(player.frame.pixels) && part->kind != PART_RACE && part->kind != PART_FAIR;
     scene_reserve(&scene);
     return 1;
 }
@@ -146,6 +132,7 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     player.scene = &scene;
     player.part = &script.part[number];
     player.worked = 0;
+    player.asked = display_fields();
     announce(player.part);
     if (load(player.part, number, directory, log ? frames : 0)) {
         end = player_play(&player, frames);
@@ -153,7 +140,6 @@ static enum player_end play(int32 number, const char *directory, uint32 frames, 
     }
     if (screen.chip != chip) {          /* the screen allocated more, which is released below */
         screen_close(&screen);
-        shown.width = 0;
         screen.chip = chip;
         screen.chip_bytes = chip_bytes;
     }
@@ -188,7 +174,7 @@ int main(void)
     const char *directory = "PROGDIR:data", *name;
     char whole[PATH];
     int32 frames = 0, only = 0, result;
-    struct screen_form form = {0, 0, 1, 1, PIXEL_CHUNKY, 0};
+    static const struct screen_form largest = {SCREEN_WIDTH, SCREEN_HEIGHT, 1, 1, PIXEL_CHUNKY, 0};
 
     if (!args_read("DIR,FRAMES/K/N,PART/K/N,LOG/S", args))
         return refuse("usage: demo [DIR] [FRAMES n] [PART n] [LOG]");
@@ -207,9 +193,7 @@ int main(void)
     if (!clock_open())
         return outcome_code(outcome_lack("demo", "another program uses CIA-B's timers"));
     player.renderer.scratch = &player.scratch;
-    form.width = script.width;
-    form.height = script.height;
-    if (!open_screen(&form))
+    if (!screen_open(&screen, &largest))        /* its memory has room for those of larger pixels and HAM8 */
         return RETURN_FAIL;
     result = play_all(directory, (uint32)frames, only, args[LOG]);
     screen_close(&screen);

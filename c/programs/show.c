@@ -169,7 +169,7 @@ static void present(struct show *s)
     if (!s->count && (s->paused || screen_fields(&s->screen) >= s->next_measuring))
         measure(s);
     describe(s);
-    screen_show_touched(&s->screen, &s->frame, s->asked);
+    screen_show(&s->screen, &s->frame, s->asked);
 }
 
 /* Moves a setting by one step; from the scene's setting, to the most exact step. */

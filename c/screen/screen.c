@@ -39,14 +39,16 @@ static int32 take_chip(struct screen *screen, uint32 blitter)
 {
     const int32 bytes = chip_needed(&screen->layout), part = blits_bytes(&screen->layout);
 
-    screen->between = screen->merged = 0;
+    screen->between[0] = screen->between[1] = screen->merged = 0;
     if (blitter && !screen->layout.ham) {
-        if (screen->layout.dots == 1 && take_bytes(screen, bytes + 2 * part))
-            screen->merged = screen->chip + bytes + part;
-        if (screen->merged || take_bytes(screen, bytes + part))
-            screen->between = screen->chip + bytes;
+        if (screen->layout.dots == 1 && take_bytes(screen, bytes + 3 * part))
+            screen->merged = screen->chip + bytes + 2 * part;
+        if (screen->merged || take_bytes(screen, bytes + 2 * part)) {
+            screen->between[0] = screen->chip + bytes;
+            screen->between[1] = screen->between[0] + part;
+        }
     }
-    return screen->between || take_bytes(screen, bytes) || outcome_lack_memory(name, "planes and copper lists");
+    return screen->between[0] || take_bytes(screen, bytes) || outcome_lack_memory(name, "planes and copper lists");
 }
 
 static void clear(uint8 *from, int32 bytes)
@@ -107,8 +109,7 @@ static void plan_pixels(const struct screen *screen, struct planar_plan *plan, c
     plan->rows = rows;
 }
 
-/* Waits until the blitter has ended and its set is shown, if one is to come. */
-static void finish(struct screen *screen)
+void screen_finish(struct screen *screen)
 {
     if (!screen->work.list)
         return;
@@ -155,17 +156,10 @@ void screen_close(struct screen *screen)
 {
     if (!screen->is_open)
         return;
-    finish(screen);
+    screen_finish(screen);
     screen->is_open = 0;
     keys_close();
     display_close();
-}
-
-/* Nothing is known of what the memory has. */
-static void begin_touched(struct touched *had, const struct screen_layout *layout)
-{
-    touched_begin(had, layout->width, layout->height);
-    touched_fill(had);
 }
 
 static int32 make(struct screen *screen, const struct screen_form *form)
@@ -179,12 +173,13 @@ static int32 make(struct screen *screen, const struct screen_form *form)
     place(screen);
     for (int32 set = 0; set < 2; set++) {
         make_list(screen, set);
-        begin_touched(&screen->had[set], &screen->layout);
+        screen->parts[set] = screen->convert_part;
+        touched_begin(&screen->had[set], screen->layout.width, screen->layout.height);
+        touched_fill(&screen->had[set]);        /* nothing is known of what is there */
     }
-    begin_touched(&screen->had_between, &screen->layout);
     if (screen->layout.ham)
         make_ham(screen);
-    screen->hidden = 0;
+    screen->hidden = screen->is_prepared = 0;
     display_show(screen->list[1]);
     screen->since = display_fields();
     return 1;
@@ -195,7 +190,7 @@ int32 screen_open(struct screen *screen, const struct screen_form *form)
     const char *why;
 
     if (screen->is_open) {
-        finish(screen);
+        screen_finish(screen);
         display_show(screen->blank);
     }
     why = screen_layout_find(&screen->layout, form);
@@ -209,7 +204,7 @@ void screen_palette(struct screen *screen, const uint8 *palette)
 {
     if (screen->layout.ham)
         return;
-    finish(screen);
+    screen_finish(screen);
     copper_palette_set(screen->palette[0], palette);
     copper_palette_set(screen->palette[1], palette);
 }
@@ -233,18 +228,13 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
 {
     struct rectangle box;
 
-    finish(screen);
+    screen_finish(screen);
     box.left = x;
     box.top = y;
     box.right = x + width;
     box.bottom = y + height;
     touched_fill(&screen->had[screen->hidden]);
     convert_box(screen, frame, &box, screen->convert, screen->planes[screen->hidden]);
-}
-
-void screen_convert(struct screen *screen, const struct frame *frame)
-{
-    screen_convert_box(screen, frame, 0, 0, screen->layout.width, screen->layout.height);
 }
 
 /* Adds what a frame has touched to what is in memory that it is converted to; touched 0: all of it. */
@@ -272,91 +262,93 @@ static void convert_touched(const struct screen *screen, const struct frame *fra
         convert_box(screen, frame, &box, convert, planes);
 }
 
-/* Converts a frame to the hidden planes and posts them. */
-static void show_alone(struct screen *screen, const struct frame *frame, const struct touched *touched)
+void screen_prepare(struct screen *screen, const struct frame *frame, const struct touched *touched)
 {
     struct touched *const had = &screen->had[screen->hidden];
+    const int32 is_merged = screen->between[0] != 0;
 
-    screen_wait(screen);
+    if (!is_merged)
+        screen_finish(screen);
+    else if (screen->parts[screen->hidden] != screen->convert_part) {
+        screen->parts[screen->hidden] = screen->convert_part;
+        touched_fill(had);
+    }
     widen(had, touched);
-    convert_touched(screen, frame, had, screen->convert, screen->planes[screen->hidden]);
+    if (is_merged)
+        convert_touched(screen, frame, had, screen->convert_part, screen->between[screen->hidden]);
+    else
+        convert_touched(screen, frame, had, screen->convert, screen->planes[screen->hidden]);
+    touched_box(had, &screen->prepared);
     keep(had, touched);
-    screen_post(screen, 0);
+    screen->is_prepared = is_merged;
 }
 
-static int32 merges_twice(const struct screen *screen)
-{
-    return screen->convert_part == c2p_8_blits;
-}
-
-/* Lets the blitter merge twice from now on if it was ready long before, once if it was not. What is between is then of
-   the other kind. */
+/* Lets the blitter merge twice from the next frame on if it has rested long before this one, once if this one waits for
+   it. */
 static void balance(struct screen *screen)
 {
-    const int32 is_late = screen->work.left > 0;
-    const uint32 rest = is_late ? 0 : display_fields() - display_since();
+    const int32 is_late = screen->work.left > 0, merges_twice = screen->convert_part == c2p_8_blits;
 
-    if (merges_twice(screen) ? !is_late : !screen->merged || !screen->work.list || rest < BLITTER_REST)
+    if (!screen->work.list || !screen->merged)
         return;
-    screen->convert_part = is_late ? c2p_8_blit : c2p_8_blits;
-    touched_fill(&screen->had_between);
+    if (is_late)
+        screen->convert_part = c2p_8_blit;
+    else if (!merges_twice && display_fields() - display_since() >= BLITTER_REST)
+        screen->convert_part = c2p_8_blits;
 }
 
-/* Begins the blits of the rows that this frame, or the hidden planes', has touched; the last one posts the planes. */
-static void start_blits(struct screen *screen, const struct touched *touched)
+/* Starts the blits of what was prepared; waits until the frame before is shown. */
+static void blits_post(struct screen *screen, uint32 field)
 {
-    struct touched *const had = &screen->had[screen->hidden];
+    const struct rectangle *const box = &screen->prepared;
     struct blit_list *const work = &screen->work;
-    struct rectangle box;
 
-    widen(had, touched);
-    touched_box(had, &box);
-    keep(had, touched);
-    if (box.top == box.bottom) {
-        screen_post(screen, 0);
+    balance(screen);
+    screen_finish(screen);
+    screen_wait(screen);
+    screen->is_prepared = 0;
+    if (box->top == box->bottom) {
+        display_post(screen->list[screen->hidden], field);
         return;
     }
     work->next = screen->blits;
-    work->left = blits_make(screen->blits, &screen->layout, screen->between, merges_twice(screen) ? screen->merged : 0,
-                            screen->planes[screen->hidden], box.top, box.bottom - box.top);
+    work->left = blits_make(screen->blits, &screen->layout, screen->between[screen->hidden],
+                            screen->parts[screen->hidden] == c2p_8_blits ? screen->merged : 0,
+                            screen->planes[screen->hidden], box->top, box->bottom - box->top);
     work->list = screen->list[screen->hidden];
-    work->field = 0;
-    screen->hidden ^= 1;
+    work->field = field;
     blits_start(work);
 }
 
-void screen_show_touched(struct screen *screen, const struct frame *frame, const struct touched *touched)
+void screen_show(struct screen *screen, const struct frame *frame, const struct touched *touched)
 {
-    if (!screen->between) {
-        show_alone(screen, frame, touched);
-        return;
-    }
-    balance(screen);
-    blits_end();
-    widen(&screen->had_between, touched);
-    convert_touched(screen, frame, &screen->had_between, screen->convert_part, screen->between);
-    keep(&screen->had_between, touched);
-    if (screen->work.list)
+    if (!screen->between[0])
         screen_wait(screen);
-    start_blits(screen, touched);
+    screen_prepare(screen, frame, touched);
+    screen_post(screen, 0);
 }
 
-void screen_show(struct screen *screen, const struct frame *frame)
+void screen_convert(struct screen *screen, const struct frame *frame)
 {
-    screen_show_touched(screen, frame, 0);
+    screen_convert_box(screen, frame, 0, 0, screen->layout.width, screen->layout.height);
 }
 
 void screen_swap(struct screen *screen)
 {
-    finish(screen);
+    screen_finish(screen);
     display_show(screen->list[screen->hidden]);
     screen->hidden ^= 1;
 }
 
 void screen_post(struct screen *screen, uint32 field)
 {
-    finish(screen);
-    display_post(screen->list[screen->hidden], field + screen->since);
+    field += screen->since;
+    if (screen->is_prepared)
+        blits_post(screen, field);
+    else {
+        screen_finish(screen);
+        display_post(screen->list[screen->hidden], field);
+    }
     screen->hidden ^= 1;
 }
 

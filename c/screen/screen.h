@@ -24,13 +24,16 @@ struct screen {
     uint16 *blank;              /* a copper list that shows nothing */
     uint16 *list[2], *palette[2];
     uint8 *status;
-    uint8 *between;             /* what the blitter still merges; 0: the processor converts alone */
-    uint8 *merged;              /* what it has merged once, if it merges twice; 0: no memory, or another conversion */
-    void (*convert_part)(const struct planar_plan *plan);   /* to between: c2p_8_blits if it merges twice */
+    uint8 *between[2];          /* what the blitter still merges, for each set; 0: the processor converts alone */
+    uint8 *merged;              /* what it has merged once, where it may merge twice; or 0 */
+    void (*convert_part)(const struct planar_plan *plan);   /* to between, from the next frame on: c2p_8_blits if the
+                                   blitter merges twice */
+    void (*parts[2])(const struct planar_plan *plan);       /* that made each between */
     struct touched had[2];      /* of each set, what may differ from the background that frames begin with */
-    struct touched had_between;
+    struct rectangle prepared;  /* around what was converted of the hidden set's frame */
     struct blit blits[BLITS_MAX];
     struct blit_list work;      /* the blitter's */
+    int32 is_prepared;          /* 1: the hidden set's frame is in between */
     int32 hidden;               /* the set that is not shown: 0 or 1 */
     uint32 since;               /* display_fields when the screen was opened */
     int32 is_open;
@@ -61,15 +64,6 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
    hidden then. */
 void screen_swap(struct screen *screen);
 
-/* Converts a frame and shows it from the next field on, as soon as the blitter has merged what the processor has left.
-   Returns while it does so. screen_wait waits until the frame is shown; functions that write planes, the palette or
-   lists wait for the blitter first. */
-void screen_show(struct screen *screen, const struct frame *frame);
-
-/* The same for frames that begin with one background: converts only what this frame or the one that was there has
-   touched. touched 0: all of it. */
-void screen_show_touched(struct screen *screen, const struct frame *frame, const struct touched *touched);
-
 /* screen_post shows the hidden planes from a field on, counted as screen_fields does, or from the
    next field if that one is over; it returns at once. The other set becomes the hidden one, but
    stays on the screen until screen_wait returns. screen_wait returns when the posted planes are
@@ -77,6 +71,18 @@ void screen_show_touched(struct screen *screen, const struct frame *frame, const
 void screen_post(struct screen *screen, uint32 field);
 int32 screen_waits(const struct screen *screen);
 uint32 screen_wait(const struct screen *screen);
+
+/* screen_prepare converts a frame for screen_post, which comes next. With the blitter it only begins to, beside the
+   planes, so the frame before may still wait to be shown; screen_post waits for that, and the blitter merges the rest
+   while the program goes on. Without, that frame must be shown. screen_show does both, for the next field. touched: if all
+   frames begin with one background, what this one has drawn over it; only that, and what the frame that was there has, is
+   converted; 0: all of it. Functions that write planes, the palette or lists wait for the blitter first. */
+void screen_prepare(struct screen *screen, const struct frame *frame, const struct touched *touched);
+void screen_show(struct screen *screen, const struct frame *frame, const struct touched *touched);
+
+/* Waits until the blitter has ended and its frame is shown, and gives the blitter back to the system: needed before the
+   program prints, as its console may draw. */
+void screen_finish(struct screen *screen);
 
 /* Writes status line 0 or 1, 80 characters; the rest of the line after the text is cleared. */
 void screen_text(struct screen *screen, int32 line, const char *text);

@@ -32,9 +32,9 @@ part 1 together
 title 1
 says all
 scene face.scene
-pane 32 8 addx 5 every8 0
-pane 128 8 addx 5 pixel 0
-step 0 1 0 72 own all
+pane 0 0 addx 5 every8 0
+pane 80 0 addx 5 pixel 0
+step 0 1 3 own all
 """
 
 

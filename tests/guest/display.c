@@ -19,7 +19,7 @@ enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 
 
 #define DUMPED 7
 #define FRAMES 3
-#define SPINS 400               /* some 230 fields */
+#define SPINS 1500              /* some 860 fields */
 #define NO_LIMIT 65535          /* of the clock */
 /* The part of the last frame that is converted. */
 #define BOX_X 32
@@ -76,7 +76,7 @@ static int32 show(struct frame *frame, const char *name, int32 blits)
         if (i == FRAMES - 1)
             screen_convert_box(&screen, frame, BOX_X, BOX_Y, BOX_WIDTH, BOX_HEIGHT);
         else if (blits)
-            screen_show(&screen, frame);
+            screen_show(&screen, frame, 0);
         else
             screen_convert(&screen, frame);
         screen_text(&screen, i & 1, texts[i]);
@@ -116,7 +116,7 @@ static int32 show_boxes(struct frame *frame, const char *name)
         for (int32 left = count; left > 0; left--, at += 4)
             touched_add(&touched, (const struct rectangle *)at);
         frame->pixels = pixels + i * frame->pitch * frame->height;
-        screen_show_touched(&screen, frame, count < 0 ? 0 : &touched);
+        screen_show(&screen, frame, count < 0 ? 0 : &touched);
         screen_wait(&screen);
         if (!dump(name, i))
             return RETURN_FAIL;

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from tests.screen import pictures
 from tmap import assets
 from tmap.base.paths import SCENES
 from tmap.guest import cache
@@ -35,7 +36,8 @@ def test_committed_file_is_what_its_maker_makes(name: str) -> None:
 def test_every_picture_and_mesh_has_a_maker_and_a_reader() -> None:
     """Pictures that show results belong to the pages and are left out."""
     drawn = {readme.PICTURE, readme.ANIMATION, readme.METHODS, readme.LEVEL,
-             SCENES / "terrace.gif"}  # tests/mipmap/shimmer.py
+             SCENES / "terrace.gif",  # tests/mipmap/shimmer.py
+             pictures.SHEET}
     there = {path for path in SCENES.rglob("*") if path.suffix in (".png", ".gif", ".obj")}
     assert there - drawn == {SCENES / name for name in assets.FILES}
     read = {file.resolve() for path in SCENES.rglob("*.toml") for file in cache.scene_files(path)}

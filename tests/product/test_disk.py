@@ -19,7 +19,7 @@ from tmap.product import disk
 #: Commands that AmigaDOS's shell has in the ROM, from Kickstart 2.0 on.
 IN_ROM = {"ask", "cd", "echo", "else", "endif", "endskip", "failat", "get", "if", "lab", "path",
           "prompt", "quit", "resident", "run", "set", "skip", "stack", "unset", "why"}
-PARTS = 7  # of the demo
+PARTS = 8  # of the demo
 #: Seconds of processor time for which a booted disk may write nothing.
 PATIENCE = emulator.PATIENT_SECONDS
 FIGURES = re.compile(r"(.{16})(.{7})(.{7})(.{6})  (\d+) colour clocks, (\d+) calls")

@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 from PIL import Image
 
-from tmap.assets import keep, light, meshes, mist, plants, rooms, signs, surfaces, views
+from tmap.assets import hall, keep, light, meshes, mist, plants, rooms, signs, surfaces, views
 
 
 def rounded(picture: np.ndarray) -> Image.Image:
@@ -81,7 +81,7 @@ PICTURES = {"n64/bricks.png": surfaces.bricks, "n64/planks.png": surfaces.planks
 
 # The maker of each file, by its path in tests/scenes.
 FILES: dict[str, Callable[[], bytes]] = {
-    "checker.png": checker, "demo/sunset.png": sunset, **meshes.FILES, **rooms.FILES,
+    "checker.png": checker, "demo/sunset.png": sunset, **hall.FILES, **meshes.FILES, **rooms.FILES,
     **keep.FILES, **mist.FILES, **{name: partial(few, make) for name, make in (keep.PICTURES | mist.PICTURES).items()},
     **{name: partial(plain, make) for name, make in PICTURES.items()},
     **{aspect_name(*shape): partial(plain, partial(signs.aspect, *shape, tint))

@@ -57,17 +57,4 @@ def section(angle: float, around: int, thick: float) -> list[np.ndarray]:
     return [line(angle) + thick * (cos(t) * out + sin(t) * side) for t in turns]
 
 
-def ring(along: int, around: int, thick: float) -> bytes:
-    """A ring of radius 1 about the y axis."""
-    points = []
-    for i in range(along):
-        way = math.tau * i / along
-        for k in range(around):
-            turn = math.tau * (k + 0.5) / around
-            reach = 1 + thick * cos(turn)
-            points.append((reach * cos(way), thick * sin(turn), reach * sin(way)))
-    return obj(f"A ring of {along} x {around} faces: radius 1, thickness {thick:g}", points,
-               tube(along, around))
-
-
-FILES = {"knot.obj": knot, "demo/ring80.obj": lambda: ring(10, 4, 0.45)}
+FILES = {"knot.obj": knot}

@@ -4,13 +4,13 @@ from tmap.build import layout
 
 
 class Governor:
-    """As struct governor; ``budget`` and times in colour clocks; step 0 is the best."""
+    """As struct governor; ``budgets`` of its steps and times in colour clocks; step 0 is the best."""
 
-    def __init__(self, steps: int, budget: int):
+    def __init__(self, budgets: list[int]):
         self.limits = layout.load().constants
-        self.steps, self.budget = steps, budget
+        self.budgets = budgets
         self.step = self.late = self.calm = self.most = self.left = 0
-        self.ratio = [0] * steps  # 24.8, time of a frame of a step to one of the next
+        self.ratio = [0] * len(budgets)  # 24.8, time of a frame of a step to one of the next
 
     def change(self, by: int, left: int) -> None:
         """Changes the step; the time of the new step's frames is not known yet."""
@@ -24,7 +24,7 @@ class Governor:
         if self.step == 0:
             return False
         above = self.most * self.ratio[self.step - 1] >> limits["GOVERNOR_RATIO_BITS"]
-        return above <= self.budget // 8 * limits["GOVERNOR_ROOM"]
+        return above <= self.budgets[self.step - 1] // 8 * limits["GOVERNOR_ROOM"]
 
     def next(self, work: int) -> int:
         """Takes the time of a frame of the present step; returns the next frame's step."""
@@ -34,10 +34,10 @@ class Governor:
             ratio = (self.left << limits["GOVERNOR_RATIO_BITS"]) // (work | 1)
             self.ratio[self.step - 1] = min(ratio, 4095)
             self.left = 0
-        if work > self.budget:
+        if work > self.budgets[self.step]:
             self.late += 2
             self.calm = self.most = 0
-            if self.late >= limits["GOVERNOR_LATE"] and self.step < self.steps - 1:
+            if self.late >= limits["GOVERNOR_LATE"] and self.step < len(self.budgets) - 1:
                 self.change(1, work)
             return self.step
         self.late = max(0, self.late - 1)
