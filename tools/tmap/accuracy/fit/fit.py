@@ -37,9 +37,10 @@ def marks(found: Found) -> dict[int, str]:
 
 
 def rows(found: Found) -> list[list[str]]:
-    """Returns the rows of the trials' table, the most exact first."""
+    """Returns the rows of the trials' table, of each choice that with the most frames, the most exact first."""
     said, made = marks(found), []
-    for trial in sorted(found.trials, key=lambda each: (each.off.rms, each.worst)):
+    most = {trial.choice: trial for trial in sorted(found.trials, key=lambda each: len(each.numbers))}
+    for trial in sorted(most.values(), key=lambda each: (each.off.rms, each.worst)):
         worst, mean = trial.rates
         made.append([trial.choice.pixel, in_words(found.space, trial.choice), f"{len(trial.numbers)}",
                      f"{trial.worst:,}", f"{worst:.1f}", f"{mean:.1f}", f"{trial.off.percent:.1f}",
@@ -53,6 +54,11 @@ def table(found: Found) -> str:
     widths = [max(map(len, column)) for column in zip(*lines)]
     return "\n".join("  ".join(word.rjust(width) if 1 < k < len(TITLES) - 1 else word.ljust(width)
                                for k, (word, width) in enumerate(zip(line, widths))).rstrip() for line in lines)
+
+
+def markdown_table(found: Found) -> str:
+    """Returns the table as Markdown."""
+    return markdown.table(list(TITLES), rows(found), "llrrrrrrl")
 
 
 def shortest_lines(found: Found, choice: Choice, path: Path) -> str:
@@ -94,7 +100,7 @@ def sentences(found: Found, path: Path, fps: float, machine: str) -> list[str]:
     name = f"pixels of {best.choice.pixel}, {in_words(found.space, best.choice)}"
     said = [f"Chosen: {name}." if found.holds else
             f"cannot: no settings hold {fps:g} frames a second on {machine}; the nearest that can are {name}: "
-            f"they hold {min(best.rates[0], FIELDS / max(best.fields)):.1f}.", cost_of(best), error_of(best)]
+            f"they hold {best.rates[0]:.1f}.", cost_of(best), error_of(best)]
     if found.own:
         said.append(f"As it is, the scene's worst frame allows {found.own.rates[0]:.1f} frames a second, with an error "
                     f"of {found.own.off.rms:.1f} (rms).")
@@ -132,11 +138,18 @@ def page(found: Found, path: Path, fps: float, machine: str) -> str:
     said = "\n\n".join(sentences(found, path, fps, machine))
     return (f"# {path.stem} at {fps:g} frames a second on {machine}\n\n{said}\n{pasted}\n"
             "![Error against frames a second](fit.png)\n\n"
-            + markdown.table(list(TITLES), rows(found), "llrrrrrrl") + "\n")
+            + markdown_table(found) + "\n")
 
 
-def make(path: Path, out: Path, fps: float, machine: str) -> tuple[Found, dict]:
-    """Searches, and writes what was found to ``out``."""
+def write(found: Found, path: Path, folder: Path, fps: float, machine: str) -> None:
+    """Writes what was found."""
+    plot(found, path.stem, fps, machine, folder / "fit.png")
+    (folder / "fit.md").write_text(page(found, path, fps, machine))
+    (folder / "fit.json").write_text(json.dumps(as_json(found, path, fps, machine), indent=1) + "\n")
+
+
+def command(path: Path, fps: float, machine: str, out: Path) -> int:
+    """``tmap fit``: searches, prints the choice. Returns 1 if no settings hold the rate."""
     if not 0 < fps <= MOST_FPS:
         raise UserError(f"fit: --fps: {fps:g} is not above 0 and at most {MOST_FPS}, the fields of a second")
     check_directory(out)
@@ -144,23 +157,14 @@ def make(path: Path, out: Path, fps: float, machine: str) -> tuple[Found, dict]:
         task = progress.add_task("fit", total=None)
         found = search.fit(path, fps, machine, lambda what, done, total:
                            progress.update(task, description=what, completed=done, total=total))
-    about = as_json(found, path, fps, machine)
     with replaced(out, WRITTEN, WRITTEN[0]) as folder:
-        plot(found, path.stem, fps, machine, folder / "fit.png")
-        (folder / "fit.md").write_text(page(found, path, fps, machine))
-        (folder / "fit.json").write_text(json.dumps(about, indent=1) + "\n")
-    return found, about
-
-
-def command(path: Path, fps: float, machine: str, out: Path) -> int:
-    """``tmap fit``: searches, prints the choice. Returns 1 if no settings hold the rate."""
-    found, about = make(path, out, fps, machine)
+        write(found, path, folder, fps, machine)
     print(f"{path.stem} on {machine}, {goal_of(fps)}\n\n{table(found)}\n")
     print("\n".join(sentences(found, path, fps, machine)))
     for choice, why in found.refused.items():
         print(f"Left out: pixels of {choice.pixel}, {in_words(found.space, choice)}: {why}")
-    if about["lines"]:
-        print(f"\nIn place of the same keys of {path.name}:\n\n{about['lines']}\n")
+    if lines := paste(found, path):
+        print(f"\nIn place of the same keys of {path.name}:\n\n{lines}\n")
     elif found.best:
         print(f"{path.name} has these settings already.")
     print(f"written to {out}: {', '.join(WRITTEN)}")

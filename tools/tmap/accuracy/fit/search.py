@@ -6,7 +6,7 @@ predicted too low, its worst frame is measured too, and the next choice is tried
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +14,6 @@ import numpy as np
 from tmap.accuracy.fit import steps
 from tmap.accuracy.fit.steps import Choice, Space
 from tmap.accuracy.fit.trials import Bench, Trial, joined, summed
-from tmap.accuracy.resolutions import Difference
 from tmap.base.errors import UserError
 from tmap.bench.scenes import some_frames
 from tmap.compiler.scene import compile_scene, content_of, parse, text_of
@@ -24,8 +23,8 @@ from tmap.run import conversion
 
 SAMPLES = 3  # frames that are measured beside the worst one
 TRIES = 12  # choices that are measured in all frames, at most
+NEXT = 1.02  # times shorter than a choice for which the blitter was late: what is tried next
 MORE = 3  # frames that are added to those of the search, at most, in pixels of a size
-WAITS = 1.05  # times the shortest conversion: a longer one has waited for the blitter
 
 
 @dataclass
@@ -39,6 +38,8 @@ class Found:
     best: Trial | None  # that holds the rate; or else, with ``holds`` False, the fastest
     holds: bool
     refused: dict[Choice, str]
+    numbers: list[int]  # frames that every trial but those of single frames has
+    predicted: list["Predicted"]
 
 
 @dataclass
@@ -47,7 +48,16 @@ class Predicted:
 
     choice: Choice
     worst: float  # cycles
-    squares: float  # sum of a pixel's squared differences
+    rms: float
+
+    def order(self, space: Space) -> tuple:
+        """Returns the order of choices: least error first; of equal ones, as they are said, the more exact settings."""
+        return shown(self.rms), space.edges.index(self.choice.edges), sum(self.choice.steps), self.worst
+
+
+def shown(rms: float) -> float:
+    """Returns an error as it is said: smaller differences are chance."""
+    return round(rms, 1)
 
 
 class Size:
@@ -57,7 +67,7 @@ class Size:
         self.bench, self.pixel = bench, pixel
         self.sets = [numbers]  # of frames
         exact = bench.space.exact(pixel)
-        self.squares = squares_of(summed(bench.differences(some_frames(bench.compiled(exact), numbers), numbers)))
+        self.rms = summed(bench.differences(some_frames(bench.compiled(exact), numbers), numbers)).rms
         self.choices: list[Predicted] = []  # none yet
         self.is_open = True
         self.above = 1.0  # times what was predicted
@@ -67,47 +77,43 @@ class Size:
         frames = self.sets[-1]
         what = f"pixels of {self.pixel}, " + (f"frame {frames[0]}" if len(self.sets) > 1 else "single changes")
         space, self.is_open = self.bench.space, False
-        singles = dict.fromkeys([*space.singles(self.pixel), space.cheap(self.pixel)])
+        singles = dict.fromkeys(space.singles(self.pixel))
         self.bench.measure(list(singles), frames, what)
         for choice in singles:
             some = [self.bench.trials.get((choice, *numbers)) for numbers in self.sets]
             singles[choice] = None if None in some else joined(some)
-        self.choices = predictions(space, self.pixel, singles) if singles[space.base(self.pixel)] else []
+        self.choices = predictions(space, self.pixel, singles)
 
     def left(self, budget: float, tried: set[Choice]) -> list[Predicted]:
         """Returns the choices that may hold the rate."""
         return [each for each in self.choices if each.worst * self.above <= budget and each.choice not in tried]
 
-    def learn(self, trial: Trial, first: Predicted) -> None:
-        """Takes a trial of all frames that does not hold the rate."""
-        frame = int(trial.work.argmax())
-        if len(self.sets) <= MORE and not any(frame in some for some in self.sets):
+    def learn(self, trial: Trial, first: Predicted, budget: float) -> None:
+        """Takes a trial of all frames that does not hold the rate: its worst frame is measured too, or what follows
+        must be predicted to take less."""
+        frame = int(np.argmax(trial.drawing))
+        if trial.busy <= budget:
+            self.above = NEXT * budget / first.worst
+        elif len(self.sets) <= MORE and not any(frame in some for some in self.sets):
             self.sets.append([frame])
             self.measure()
         else:
-            self.above = max(self.above, trial.worst / first.worst)
-
-
-def squares_of(off: Difference) -> float:
-    """Returns the sum of a pixel's squared differences."""
-    return off.squares / off.pixels
+            self.above = max(self.above, trial.busy / first.worst)
 
 
 def predictions(space: Space, pixel: str, singles: dict[Choice, Trial | None]) -> list[Predicted]:
     """Returns all choices in pixels of a size with what trials of single changes say of them."""
-    base, known = singles[space.base(pixel)], [each for each in singles.values() if each]
+    known = [each for each in singles.values() if each]
     showing = np.array([each.showing for each in known]).min(axis=0)  # where it waits for nothing
-    fastest_one = min(known, key=lambda each: sum(each.drawing))
-    waits = np.array(fastest_one.showing) > WAITS * showing
-    least = np.where(waits, fastest_one.work, 0)  # until the blitter has ended
     made = []
     for choice in space.every(pixel):
-        changes = [singles[each] for each in space.changes(choice)]
-        if None in changes:
+        parts = [(singles[each], factor) for each, factor in space.parts(choice).items() if factor]
+        if any(trial is None for trial, _ in parts):
             continue
-        drawing = np.array(base.drawing) + sum(np.array(each.drawing) - base.drawing for each in changes)
-        squares = squares_of(base.off) + sum(squares_of(each.off) - squares_of(base.off) for each in changes)
-        made.append(Predicted(choice, float(np.maximum(drawing + showing, least).max()), max(squares, 0)))
+        drawing = sum(factor * np.array(trial.drawing) for trial, factor in parts)
+        squares = sum(factor * trial.off.squares for trial, factor in parts)
+        off = replace(parts[0][0].off, squares=max(squares, 0))
+        made.append(Predicted(choice, float((drawing + showing).max()), off.rms))
     return made
 
 
@@ -142,17 +148,21 @@ def check_shown(path: Path, scene) -> None:
         raise UserError(f"{path}: width: {scene.width} pixels; the screen shows multiples of 8")
 
 
-def search(bench: Bench, sizes: list[str], numbers: list[int], every: list[int], fps: float) -> Trial | None:
-    """Returns the most exact choice that holds the rate in all frames. Looks at the choice of the least error first; of
-    a size that was not measured yet, that is the error of its most exact choice."""
+def search(bench: Bench, sizes: list[str], numbers: list[int], every: list[int], fps: float,
+           predicted: list[Predicted]) -> Trial | None:
+    """Returns the most exact choice that holds the rate in all frames. Looks at the choice of the least error first;
+    of a size that was not measured yet, that is the error of its most exact choice. Adds what it predicts to
+    ``predicted``."""
     budget, tried = CLOCK_HZ / fps, set()
-    cheap = dict(zip(sizes, bench.measure(list(map(bench.space.cheap, sizes)), numbers, "the cheapest of each size")))
-    known = {pixel: Size(bench, pixel, numbers) for pixel in sizes if cheap[pixel] and cheap[pixel].worst <= budget}
-    while len(tried) < TRIES:
+    ends = bench.measure(list(map(bench.space.cheap, sizes)), numbers, "the cheapest of each size")
+    cheap = dict(zip(sizes, ends))
+    known = {pixel: Size(bench, pixel, numbers) for pixel in sizes if cheap[pixel] and cheap[pixel].busy <= budget}
+    best = None
+    while not best and len(tried) < TRIES:
         left = [each for size in known.values() for each in size.left(budget, tried)]
-        first = min(left, key=lambda each: (each.squares, each.worst), default=None)
-        unknown = min((size for size in known.values() if size.is_open), key=lambda size: size.squares, default=None)
-        if unknown and (not first or unknown.squares <= first.squares):
+        first = min(left, key=lambda each: each.order(bench.space), default=None)
+        unknown = min((size for size in known.values() if size.is_open), key=lambda size: size.rms, default=None)
+        if unknown and (not first or shown(unknown.rms) <= shown(first.rms)):
             unknown.measure()
             continue
         if not first:
@@ -160,10 +170,11 @@ def search(bench: Bench, sizes: list[str], numbers: list[int], every: list[int],
         tried.add(first.choice)
         trial, = bench.measure([first.choice], every, "all frames")
         if trial and trial.holds(fps):
-            return trial
-        if trial:
-            known[first.choice.pixel].learn(trial, first)
-    return None
+            best = trial
+        elif trial:
+            known[first.choice.pixel].learn(trial, first, budget)
+    predicted += [each for size in known.values() for each in size.choices]
+    return best
 
 
 def fit(path: Path, fps: float, machine: str, tell: Callable[[str, int, int], None]) -> Found:
@@ -178,11 +189,11 @@ def fit(path: Path, fps: float, machine: str, tell: Callable[[str, int, int], No
     own, = bench.measure([Choice(spec["pixel"])], every, "as it is")
     numbers = sorted({*evenly(scene.frames, SAMPLES), *([int(own.work.argmax())] if own else [])})
     exact, = bench.measure([space.exact(sizes[0])], numbers, "the most exact")
-    best = search(bench, sizes, numbers, every, fps)
-    holds = best is not None
-    if not holds:
-        best = fastest(bench, sizes, every)
-    return Found(space, list(bench.trials.values()), own, exact, best, holds, bench.refused)
+    predicted: list[Predicted] = []
+    best = search(bench, sizes, numbers, every, fps, predicted)
+    best = best or fastest(bench, sizes, every)
+    holds = bool(best and best.holds(fps))
+    return Found(space, list(bench.trials.values()), own, exact, best, holds, bench.refused, numbers, predicted)
 
 
 def fastest(bench: Bench, sizes: list[str], every: list[int]) -> Trial | None:
@@ -191,6 +202,6 @@ def fastest(bench: Bench, sizes: list[str], every: list[int]) -> Trial | None:
     some = [trial for trial in bench.trials.values() if trial.choice in cheap or trial.choice.edges is None]
     if not some:
         return None
-    first = min(some, key=lambda trial: (trial.worst, trial.off.squares))
+    first = min(some, key=lambda trial: (trial.worst, trial.off.rms))
     trial, = bench.measure([first.choice], every, "the fastest")
     return trial

@@ -4,6 +4,7 @@ Steps of perspective are those that no other beats in the committed figures of `
 reads too, and one with a tolerance. What changes more than accuracy stays: mappers, mip maps, filters.
 """
 
+from collections import Counter
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from itertools import product
@@ -62,17 +63,31 @@ class Space:
         """Returns the cheapest settings with exact edges."""
         return replace(self.cheap(pixel), edges=self.edges[0])
 
-    def changes(self, choice: Choice) -> list[Choice]:
-        """Returns the choices that differ from the base in one group, or in the edges, as a choice does."""
+    def single(self, base: Choice, group: int, step: int) -> Choice:
+        """Returns the base with one group at another step."""
+        return replace(base, steps=(*base.steps[:group], step, *base.steps[group + 1:]))
+
+    def parts(self, choice: Choice) -> Counter:
+        """Returns the choices whose figures make a choice's, with their factors: the base, and what changing one group
+        alone adds. Other edges may add less to a group that is changed; one of its steps says by how much."""
         base = self.base(choice.pixel)
-        made = [replace(base, steps=(*base.steps[:k], step, *base.steps[k + 1:]))
-                for k, (step, first) in enumerate(zip(choice.steps, base.steps)) if step != first]
-        return made + [replace(base, edges=choice.edges)] * (choice.edges != base.edges)
+        other = replace(base, edges=choice.edges)
+        made = Counter([other])
+        for group, (step, first) in enumerate(zip(choice.steps, base.steps)):
+            if step == first:
+                continue
+            made[self.single(base, group, step)] += 1
+            made[base] -= 1
+            if other != base:
+                one = next(k for k in reversed(range(first)) if k == 0 or self.groups[group].steps[k] != OWN)
+                for each, factor in ((other, 1), (base, -1)):
+                    made[self.single(each, group, one)] += factor
+                    made[each] -= factor
+        return made
 
     def singles(self, pixel: str) -> list[Choice]:
-        """Returns the base, and all choices that differ from it in one group or in the edges."""
-        every = [each for choice in self.every(pixel) if len(each := self.changes(choice)) <= 1]
-        return [self.base(pixel), *(single for each in every for single in each)]
+        """Returns all choices that are parts of others."""
+        return list(dict.fromkeys(part for choice in self.every(pixel) for part in self.parts(choice)))
 
     def every(self, pixel: str) -> list[Choice]:
         """Returns all choices in pixels of a size."""
@@ -193,8 +208,8 @@ def words(step: dict) -> str:
 
 def in_words(space: Space, choice: Choice) -> str:
     """Returns a choice in words: the perspective of each group, and the edges."""
-    if choice.edges is None:
+    if choice.edges is None or not space.groups and len(space.edges) == 1:
         return "as the scene has them"
     said = [(group.names[0] + (f" and {len(group.names) - 1} more" if len(group.names) > 1 else "")) + " "
             + words(group.steps[step]) for group, step in zip(space.groups, choice.steps)]
-    return "; ".join(said + ([f"edges {choice.edges}"] if len(space.edges) > 1 else [])) or "exact"
+    return "; ".join(said + ([f"edges {choice.edges}"] if len(space.edges) > 1 else []))

@@ -27,6 +27,7 @@ from tmap.scene_file.scene_file import Scene, write
 
 FIELDS = 50  # a second
 LINE = re.compile(r"drawn (\d+) converted (\d+) field (\d+)")
+PARTS = ("numbers", "drawing", "showing", "fields", "exact")  # of a trial, one for each frame
 DRAWN_ON = "a1200-fast"  # what pictures are drawn on: they are every machine's
 
 
@@ -54,14 +55,27 @@ class Trial:
 
     @property
     def rates(self) -> tuple[float, float]:
-        """Frames a second of the worst frame and of the mean."""
-        return CLOCK_HZ / self.worst, CLOCK_HZ / float(self.work.mean())
+        """Frames a second of the worst frame and of the mean. A frame that waits for a field is as fast as the fields
+        say."""
+        return (max(CLOCK_HZ / self.worst, FIELDS / max(self.fields)),
+                max(CLOCK_HZ / float(self.work.mean()), FIELDS * len(self.fields) / sum(self.fields)))
+
+    @property
+    def busy(self) -> int:
+        """The cycles of the worst frame without waits for the blitter and for fields."""
+        return max(self.drawing) + min(self.showing)
 
     def holds(self, fps: float) -> bool:
-        """Returns True if every frame is in time, and was in time on the screen: frames begin with fields."""
-        most = -(-FIELDS // fps)
-        return self.worst * fps <= CLOCK_HZ and max(self.fields) <= most \
+        """Returns True if the processor is in time with every frame, and each was in time on the screen, where frames
+        begin with fields."""
+        return self.busy * fps <= CLOCK_HZ and max(self.fields) <= -(-FIELDS // fps) \
             and sum(self.fields) * fps <= FIELDS * len(self.fields) + fps
+
+    def of(self, numbers: list[int]) -> "Trial":
+        """Returns the trial of some of its frames alone."""
+        at = [self.numbers.index(number) for number in numbers]
+        parts = {name: [getattr(self, name)[k] for k in at] for name in PARTS}
+        return Trial(self.choice, **parts, off=summed(parts["exact"]))
 
 
 def count_of(scene: Scene) -> int:
@@ -153,8 +167,7 @@ class Bench:
 
 def joined(trials: list[Trial]) -> Trial:
     """Returns one trial of all frames that trials of a choice have."""
-    parts = {name: [value for trial in trials for value in getattr(trial, name)]
-             for name in ("numbers", "drawing", "showing", "fields", "exact")}
+    parts = {name: [value for trial in trials for value in getattr(trial, name)] for name in PARTS}
     return Trial(trials[0].choice, **parts, off=summed(parts["exact"]))
 
 
