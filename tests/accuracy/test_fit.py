@@ -23,12 +23,12 @@ from tmap.guest.emulator import CLOCK_HZ
 from tmap.model import model
 from tmap.scene_file.scene_file import Scene, write
 
-FRAMES = 5
+FRAMES = 3
 #: A floor and a wall in space that move, and a mark on the screen.
 TEXT = """\
-width = 64
-height = 48
-frames = 5
+width = 32
+height = 24
+frames = 3
 background = "#102030"
 [textures]
 noise.image = "noise.png"
@@ -39,7 +39,7 @@ mark.colour = "#ff0000"
 [camera]
 eye = [0, 1, 4]
 target = [0, 0.5, 0]
-keys = [{ frame = 0, eye = [0, 1, 4] }, { frame = 4, eye = [1, 0.7, 3] }]
+keys = [{ frame = 0, eye = [0, 1, 4] }, { frame = 2, eye = [1, 0.7, 3] }]
 [[objects]]
 material = "floor"
 points = [[-4, 0, 4], [4, 0, 4], [4, 0, -9], [-4, 0, -9]]
@@ -56,7 +56,8 @@ vertices = [[2, 2], [9, 2], [5, 9]]
 """
 #: The made-up machine's cycles of a pixel by perspective, and of a frame.
 PRICES = {"none": 20, "every16": 30, "every8": 34, "pixel": 80, "fine": 100}
-EACH, CONVERTED = 2_000, 12
+EACH, CONVERTED = 8_000, 12
+TWO = ["1x1", "2x2"]  # sizes of pixels that are searched
 DRAWN: dict[tuple[Choice, int], Difference] = {}
 SCENES: dict[Choice, Scene] = {}
 REFUSED: list[str] = []  # sizes of pixels for which it has no memory
@@ -66,7 +67,7 @@ REFUSED: list[str] = []  # sizes of pixels for which it has no memory
 def path(tmp_path_factory) -> Path:
     """The scene's file."""
     folder = tmp_path_factory.mktemp("fit")
-    noise = np.random.default_rng(3).integers(0, 256, (64, 64, 3), np.uint8)
+    noise = 85 * np.random.default_rng(3).integers(0, 4, (64, 64, 1), np.uint8).repeat(3, 2)
     Image.fromarray(noise).save(folder / "noise.png")
     (folder / "small.toml").write_text(TEXT)
     return folder / "small.toml"
@@ -123,7 +124,7 @@ def made_up(path: Path) -> MadeUp:
 
 def every_trial(bench: Bench) -> list[Trial]:
     """All choices, measured in all frames."""
-    choices = [choice for pixel in SIZES for choice in bench.space.every(pixel)]
+    choices = [choice for pixel in TWO for choice in bench.space.every(pixel)]
     return [trial for trial in bench.measure(choices, list(range(FRAMES)), "all") if trial]
 
 
@@ -157,9 +158,9 @@ def test_choice_is_the_most_exact_that_holds(path) -> None:
     none holds, none is chosen."""
     whole = every_trial(made_up(path))
     rates = sorted(CLOCK_HZ / trial.busy for trial in whole)
-    for rate in (rates[0] / 2, *rates[20::60], rates[-1] * 0.999, rates[-1] * 1.001):
+    for rate in (rates[0] / 2, *rates[20::40], rates[-1] * 0.999, rates[-1] * 1.001):
         bench, predicted = made_up(path), []
-        best = search.search(bench, list(SIZES), [0, 2], list(range(FRAMES)), rate, predicted)
+        best = search.search(bench, TWO, [0, 1], list(range(FRAMES)), rate, predicted)
         good = [trial for trial in whole if trial.holds(rate)]
         assert bool(best) == bool(good), rate
         if best:
@@ -172,7 +173,7 @@ def test_choice_is_the_most_exact_that_holds(path) -> None:
 def test_sums_predict_what_is_measured(path) -> None:
     """Where materials cost as much whatever the others are, the sums of single changes are exact."""
     bench = made_up(path)
-    size = search.Size(bench, "2x1", list(range(FRAMES)))
+    size = search.Size(bench, "2x2", list(range(FRAMES)))
     size.measure()
     whole = {trial.choice: trial for trial in every_trial(bench)}
     for each in size.choices:
@@ -209,7 +210,7 @@ def test_output_and_files(tmap, tmp_path) -> None:
     status, said, complaint = tmap("--fps", 50)
     assert (status, complaint) == (0, "")
     for words in ("small on a1200-fast, 50 frames a second: 1 field a frame, 283,752 cycles", "most exact", "as it is",
-                  "Chosen: pixels of 1x1", "The worst frame (4)", "of 255 (rms)", "as the scene has them"):
+                  "Chosen: pixels of 1x1", "The worst frame (2)", "of 255 (rms)", "as the scene has them"):
         assert words in said, words
     out = tmp_path / "out"
     assert sorted(path.name for path in out.iterdir()) == ["fit.json", "fit.md", "fit.png"]
@@ -233,7 +234,7 @@ def test_cannot(tmap, monkeypatch) -> None:
     assert 'pixel = "2x2"' in said and "Left out: pixels of 1x1" in said and "no memory" in said
 
 
-WIDE = TEXT.replace("width = 64", "width = 328")
+WIDE = TEXT.replace("width = 32", "width = 328")
 
 
 @pytest.mark.parametrize("arguments, text, words", [
@@ -242,9 +243,9 @@ WIDE = TEXT.replace("width = 64", "width = 328")
     (("--fps=9", "--machine=a500"), None, "--machine"),
     (("--fps=9",), "missing", "No such file"),
     (("--fps=9",), WIDE, "width: 328 pixels; the screen shows 320 at most"),
-    (("--fps=9",), TEXT.replace("width = 64", "width = 68"), "width: 68 pixels; the screen shows multiples of 8"),
-    (("--fps=9",), TEXT.replace("height = 48", "height = 257"), "height: 257 pixels; the screen shows 256 at most"),
-    (("--fps=9",), TEXT.replace("frames = 5", "frames = 0"), "frames"),
+    (("--fps=9",), TEXT.replace("width = 32", "width = 36"), "width: 36 pixels; the screen shows multiples of 8"),
+    (("--fps=9",), TEXT.replace("height = 24", "height = 257"), "height: 257 pixels; the screen shows 256 at most"),
+    (("--fps=9",), TEXT.replace("frames = 3", "frames = 0"), "frames"),
     (("--fps=9",), TEXT + "[", "is not TOML")])
 def test_bad_input_is_one_line(tmap, tmp_path, path, arguments, text, words) -> None:
     """Status 2, a line that names the field, and nothing is written."""
@@ -258,9 +259,9 @@ def test_bad_input_is_one_line(tmap, tmp_path, path, arguments, text, words) -> 
     assert not (tmp_path / "out").exists()
 
 
-@pytest.mark.parametrize("machine", ["a1200", "a1200-fast"])
-def test_choice_holds_on_the_screen(path, tmp_path, machine, capsys) -> None:
+def test_choice_holds_on_the_screen(path, tmp_path, capsys) -> None:
     """The emulated machine: what is said of the choice is what `show` says of the pasted scene."""
+    machine = "a1200-fast"
     assert main(["fit", str(path), "--fps", "25", "--machine", machine, "-o", str(tmp_path)]) == 0
     said = capsys.readouterr().out
     found = json.loads((tmp_path / "fit.json").read_text())

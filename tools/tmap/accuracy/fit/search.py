@@ -23,6 +23,7 @@ from tmap.run import conversion
 
 SAMPLES = 3  # frames that are measured beside the worst one
 TRIES = 12  # choices that are measured in all frames, at most
+NEAR = 1.1  # times as long as is allowed: what takes more is not made to hold the rate by single changes
 NEXT = 1.02  # times shorter than a choice for which the blitter was late: what is tried next
 MORE = 3  # frames that are added to those of the search, at most, in pixels of a size
 
@@ -154,9 +155,10 @@ def search(bench: Bench, sizes: list[str], numbers: list[int], every: list[int],
     of a size that was not measured yet, that is the error of its most exact choice. Adds what it predicts to
     ``predicted``."""
     budget, tried = CLOCK_HZ / fps, set()
-    ends = bench.measure(list(map(bench.space.cheap, sizes)), numbers, "the cheapest of each size")
-    cheap = dict(zip(sizes, ends))
-    known = {pixel: Size(bench, pixel, numbers) for pixel in sizes if cheap[pixel] and cheap[pixel].busy <= budget}
+    ends = bench.measure([choice for pixel in sizes for choice in (bench.space.cheap(pixel), bench.space.bent(pixel))],
+                         numbers, "the cheapest of each size")
+    near = {trial.choice.pixel for trial in ends if trial and trial.busy <= NEAR * budget}
+    known = {pixel: Size(bench, pixel, numbers) for pixel in sizes if pixel in near}
     best = None
     while not best and len(tried) < TRIES:
         left = [each for size in known.values() for each in size.left(budget, tried)]
@@ -191,17 +193,16 @@ def fit(path: Path, fps: float, machine: str, tell: Callable[[str, int, int], No
     exact, = bench.measure([space.exact(sizes[0])], numbers, "the most exact")
     predicted: list[Predicted] = []
     best = search(bench, sizes, numbers, every, fps, predicted)
-    best = best or fastest(bench, sizes, every)
+    best = best or fastest(bench, predicted, every)
     holds = bool(best and best.holds(fps))
     return Found(space, list(bench.trials.values()), own, exact, best, holds, bench.refused, numbers, predicted)
 
 
-def fastest(bench: Bench, sizes: list[str], every: list[int]) -> Trial | None:
+def fastest(bench: Bench, predicted: list[Predicted], every: list[int]) -> Trial | None:
     """Returns the fastest choice, measured in all frames: the nearest to a rate that none holds."""
-    cheap = {bench.space.cheap(pixel) for pixel in sizes}
-    some = [trial for trial in bench.trials.values() if trial.choice in cheap or trial.choice.edges is None]
+    some = [(trial.busy, trial.off.rms, trial.choice) for trial in bench.trials.values()]
+    some += [(each.worst, each.rms, each.choice) for each in predicted if each.choice not in bench.refused]
     if not some:
         return None
-    first = min(some, key=lambda trial: (trial.worst, trial.off.rms))
-    trial, = bench.measure([first.choice], every, "the fastest")
+    trial, = bench.measure([min(some, key=lambda each: each[:2])[2]], every, "the fastest")
     return trial

@@ -63,6 +63,15 @@ class Space:
         """Returns the cheapest settings with exact edges."""
         return replace(self.cheap(pixel), edges=self.edges[0])
 
+    def bent(self, pixel: str) -> Choice:
+        """Returns the cheapest settings with a perspective: polygons that bend little may take less with one."""
+        base = self.base(pixel)
+        return replace(base, steps=tuple(map(self.before, range(len(self.groups)), base.steps)))
+
+    def before(self, group: int, step: int) -> int:
+        """Returns the step before one, of those that are not the scene's own."""
+        return next((k for k in reversed(range(step)) if self.groups[group].steps[k] != OWN), step)
+
     def single(self, base: Choice, group: int, step: int) -> Choice:
         """Returns the base with one group at another step."""
         return replace(base, steps=(*base.steps[:group], step, *base.steps[group + 1:]))
@@ -79,7 +88,7 @@ class Space:
             made[self.single(base, group, step)] += 1
             made[base] -= 1
             if other != base:
-                one = next(k for k in reversed(range(first)) if k == 0 or self.groups[group].steps[k] != OWN)
+                one = self.before(group, first)
                 for each, factor in ((other, 1), (base, -1)):
                     made[self.single(each, group, one)] += factor
                     made[each] -= factor
