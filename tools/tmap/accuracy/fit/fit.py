@@ -26,13 +26,13 @@ TITLES = ("pixels", "settings", "frames", "cycles, worst", "frames a second, wor
 MOST_FPS = 50  # fields a second
 
 
-def marks(found: Found) -> dict[int, str]:
-    """Returns what is to be said of trials, by their id."""
+def marks(found: Found) -> dict[Choice, str]:
+    """Returns what is to be said of choices."""
     made = {}
     for trial, text in ((found.own, "as it is"), (found.exact, "most exact"),
                         (found.best, "chosen" if found.holds else "nearest")):
         if trial:
-            made[id(trial)] = ", ".join(filter(None, (made.get(id(trial)), text)))
+            made[trial.choice] = ", ".join(filter(None, (made.get(trial.choice), text)))
     return made
 
 
@@ -44,7 +44,7 @@ def rows(found: Found) -> list[list[str]]:
         worst, mean = trial.rates
         made.append([trial.choice.pixel, in_words(found.space, trial.choice), f"{len(trial.numbers)}",
                      f"{trial.worst:,}", f"{worst:.1f}", f"{mean:.1f}", f"{trial.off.percent:.1f}",
-                     f"{trial.off.rms:.1f}", said.get(id(trial), "")])
+                     f"{trial.off.rms:.1f}", said.get(trial.choice, "")])
     return made
 
 
@@ -126,7 +126,7 @@ def as_json(found: Found, path: Path, fps: float, machine: str) -> dict:
             "conditions": "drawing, conversion, and the wait for the blitter; display, DMA and interrupts on",
             "lines": paste(found, path),
             "trials": [{"pixel": trial.choice.pixel, "settings": in_words(found.space, trial.choice),
-                        "mark": said.get(id(trial), ""), "numbers": trial.numbers, "drawing": trial.drawing,
+                        "mark": said.get(trial.choice, ""), "numbers": trial.numbers, "drawing": trial.drawing,
                         "showing": trial.showing, "fields": trial.fields, **asdict(trial.off)}
                        for trial in found.trials]}
 

@@ -179,6 +179,14 @@ def search(bench: Bench, sizes: list[str], numbers: list[int], every: list[int],
     return best
 
 
+def whole(bench: Bench, trial: Trial | None, every: list[int], fps: float) -> Trial | None:
+    """Returns a trial of all frames if it holds the rate, as one of some frames does."""
+    if not trial or not trial.holds(fps):
+        return None
+    again, = bench.measure([trial.choice], every, "all frames")
+    return again if again and again.holds(fps) else None
+
+
 def fit(path: Path, fps: float, machine: str, tell: Callable[[str, int, int], None]) -> Found:
     """Searches the most exact settings of a scene that hold a rate on a machine's screen."""
     raw, spec = content_of(text_of(path), path), parse(path)
@@ -192,7 +200,7 @@ def fit(path: Path, fps: float, machine: str, tell: Callable[[str, int, int], No
     numbers = sorted({*evenly(scene.frames, SAMPLES), *([int(own.work.argmax())] if own else [])})
     exact, = bench.measure([space.exact(sizes[0])], numbers, "the most exact")
     predicted: list[Predicted] = []
-    best = search(bench, sizes, numbers, every, fps, predicted)
+    best = whole(bench, exact, every, fps) or search(bench, sizes, numbers, every, fps, predicted)
     best = best or fastest(bench, predicted, every)
     holds = bool(best and best.holds(fps))
     return Found(space, list(bench.trials.values()), own, exact, best, holds, bench.refused, numbers, predicted)

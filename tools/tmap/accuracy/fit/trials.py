@@ -106,8 +106,9 @@ def on_screen(scenes: list[Scene], machine: str, tell: Callable[[int], None]) ->
     for scene, result in zip(scenes, done):
         if fault := emulator.explain_fault(emulator.PROGRAMS / "show", result.output):
             raise UserError(fault)
-        made.append(result.output.strip().splitlines()[-1] if result.code else
-                    times_of(result.output, scene.frames))
+        said = result.output.strip().splitlines()[-1:]
+        made.append(re.sub(r"^\d+\.scene: ", "", said[0] if said else f"show: return code {result.code}")
+                    if result.code else times_of(result.output, scene.frames))
     return made
 
 
