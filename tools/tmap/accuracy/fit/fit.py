@@ -76,13 +76,18 @@ def shortest_lines(found: Found, choice: Choice, path: Path) -> str:
     return toml.lines(choice.pixel if choice.pixel != space.raw.get("pixel", "1x1") else None, changed)
 
 
+def count(number: float, noun: str) -> str:
+    """Returns a number of things."""
+    return f"{number:.4g} {noun}{'s' if number != 1 else ''}"
+
+
 def cost_of(trial: Trial) -> str:
     """Returns what a trial costs, in a sentence."""
     at, (worst, mean) = int(trial.work.argmax()), trial.rates
     return (f"The worst frame ({trial.numbers[at]}) takes {trial.worst:,} cycles, {trial.drawing[at]:,} to draw and "
             f"{trial.showing[at]:,} to convert and to show: {worst:.1f} frames a second; the mean is {mean:.1f}. "
-            f"On the screen {len(trial.fields)} frames took {sum(trial.fields)} fields, none more than "
-            f"{max(trial.fields)}.")
+            f"On the screen {count(len(trial.fields), 'frame')} took {count(sum(trial.fields), 'field')}, none more "
+            f"than {max(trial.fields)}.")
 
 
 def error_of(trial: Trial) -> str:
@@ -99,7 +104,7 @@ def sentences(found: Found, path: Path, fps: float, machine: str) -> list[str]:
         return [f"cannot: no settings of {path.name} can be shown on {machine}: {why}"]
     name = f"pixels of {best.choice.pixel}, {in_words(found.space, best.choice)}"
     said = [f"Chosen: {name}." if found.holds else
-            f"cannot: no settings hold {fps:g} frames a second on {machine}; the nearest that can are {name}: "
+            f"cannot: no settings hold {count(fps, 'frame')} a second on {machine}; the nearest that can are {name}: "
             f"they hold {best.rates[0]:.1f}.", cost_of(best), error_of(best)]
     if found.own:
         said.append(f"As it is, the scene's worst frame allows {found.own.rates[0]:.1f} frames a second, with an error "
@@ -109,9 +114,7 @@ def sentences(found: Found, path: Path, fps: float, machine: str) -> list[str]:
 
 def goal_of(fps: float) -> str:
     """Returns a rate as fields and cycles of a frame."""
-    fields = FIELDS / fps
-    return (f"{fps:g} frames a second: {fields:.4g} field{'s' if fields != 1 else ''} a frame, "
-            f"{CLOCK_HZ / fps:,.0f} cycles")
+    return f"{count(fps, 'frame')} a second: {count(FIELDS / fps, 'field')} a frame, {CLOCK_HZ / fps:,.0f} cycles"
 
 
 def paste(found: Found, path: Path) -> str:

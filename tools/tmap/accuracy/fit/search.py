@@ -200,8 +200,11 @@ def fit(path: Path, fps: float, machine: str, tell: Callable[[str, int, int], No
     numbers = sorted({*evenly(scene.frames, SAMPLES), *([int(own.work.argmax())] if own else [])})
     exact, = bench.measure([space.exact(sizes[0])], numbers, "the most exact")
     predicted: list[Predicted] = []
-    best = whole(bench, exact, every, fps) or search(bench, sizes, numbers, every, fps, predicted)
+    best = own if own and own.holds(fps) and not shown(own.off.rms) else whole(bench, exact, every, fps)
+    best = best or search(bench, sizes, numbers, every, fps, predicted)
     best = best or fastest(bench, predicted, every)
+    if best and own and own.holds(fps) and shown(own.off.rms) <= shown(best.off.rms):
+        best = own
     holds = bool(best and best.holds(fps))
     return Found(space, list(bench.trials.values()), own, exact, best, holds, bench.refused, numbers, predicted)
 
