@@ -3,7 +3,7 @@
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
 # What is made under the lock of `programs`, or beside it.
-OUTER := help run show demo scene-program bench accuracy polys profile report adf sdk fuzz check mutants test diff clean programs setup
+OUTER := help run show demo scene-program fit bench accuracy polys profile report adf sdk fuzz check mutants test diff clean programs setup
 .PHONY: $(OUTER) built FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
@@ -12,7 +12,7 @@ ifeq ($(filter gcc vbcc,$(CC68K)),)
 $(error CC68K is gcc or vbcc, not "$(CC68K)")
 endif
 # As they were given: $ in a file's name names no variable.
-GIVEN := SCENE MACHINE FRAMES SEED COUNT FAMILY A B
+GIVEN := SCENE MACHINE FRAMES FPS SEED COUNT FAMILY A B
 $(foreach name,$(GIVEN),$(eval override $(name) := $$(value $(name))))
 override SCENE := $(if $(SCENE),$(SCENE),tests/scenes/default.toml)
 export $(GIVEN)
@@ -65,6 +65,7 @@ help:
 	@echo 'make show [SCENE=FILE] [MACHINE=NAME]             play a scene in a window: space, cursor keys, escape'
 	@echo 'make demo [PLAY=1] [MACHINE=NAME]                 the demo, for an Amiga: build/demo; PLAY=1: in a window'
 	@echo 'make scene-program [SCENE=FILE] [MACHINE=NAME]    a program that draws one scene: build/scene/NAME'
+	@echo 'make fit FPS=RATE [SCENE=FILE] [MACHINE=NAME]     the most exact settings that hold a rate: build/fit/NAME'
 	@echo 'make profile [SCENE=FILE] [MACHINE=NAME]          where its cycles go: build/profile/NAME'
 	@echo 'make bench [MACHINE=NAME]                         measure every kernel: build/bench'
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
@@ -95,6 +96,10 @@ scene-program: programs
 
 profile: programs
 	@scripts/tmap profile "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FRAMES:+--frames "$$FRAMES"}
+
+fit: programs
+	@test -n "$$FPS" || { echo 'make fit: say which rate: FPS=12.5' >&2; exit 2; }
+	@scripts/tmap fit "$$SCENE" --fps "$$FPS" $${MACHINE:+--machine "$$MACHINE"}
 
 bench: programs
 	@scripts/tmap bench $${MACHINE:+--machine "$$MACHINE"} -o build/bench

@@ -1,11 +1,13 @@
 /* show - plays a scene on the screen and says what it costs.
 
-   show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n COUNT n
+   show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n COUNT n TIMES
    Draws all frames from FRAME on, then again from the first, as 8 bitplanes or HAM8. PAUSE begins
    paused. COUNT shows so many frames without measuring their errors, and prints how many fields they
-   took. ACCURACY and PERSPECTIVE are steps (scene/settings.h) from 0; the default is the scene's
-   settings. Keys: space pauses and resumes; cursor left and right change the accuracy, down and up
-   the perspective, each from cheap to exact; S restores the scene's settings; escape leaves.
+   took; TIMES shows no status lines, and prints a line for each frame too: ticks of its drawing and of its
+   conversion, with the wait for the blitter, and since which field it was shown. ACCURACY and PERSPECTIVE
+   are steps (scene/settings.h) from 0; the default is the scene's settings. Keys: space pauses and resumes;
+   cursor left and right change the accuracy, down and up the perspective, each from cheap to exact; S
+   restores the scene's settings; escape leaves.
    Returns 0, 5 after Ctrl-C or if a polygon could not be drawn, 10 for arguments and files, 20.
 
    The status lines below the picture:
@@ -14,14 +16,16 @@
    - cycles a pixel: of drawing alone, from the background to the last polygon, by the clock, over the
      pixels of all polygons, hidden ones too. DMA and interrupts are on, the display's too, so it is
      more than `render` says. Pixels are counted after that, for the frames that are measured;
-   - how many pixels differ from the most accurate steps of both axes: by drawing the frame a second time into a buffer of its own. A frame is measured when paused, and
-     one now and then while it runs, so that no more than a fifth of the time goes there; the figures
-     of all that were since the last change of a step are added up. */
+   - how many pixels differ from the most accurate steps of both axes: by drawing the frame a second time
+     into a buffer of its own. A frame is measured when paused, and one now and then while it runs, so that
+     no more than a fifth of the time goes there; the figures of all that were since the last change of a
+     step are added up. */
 #include "frames/frames.h"
 #include "polygon/scratch.h"
 #include "scene/settings.h"
 #include "screen/screen.h"
 #include "show/figures.h"
+#include "show/times.h"
 #include "system/arguments.h"
 #include "system/machine.h"
 #include "system/outcome.h"
@@ -52,6 +56,7 @@ struct show {
     int32 is_broken;            /* by Ctrl-C */
     int32 has_tables;           /* 0: no memory for tables of perspective */
     uint32 ticks;               /* of the last frame */
+    struct frame_time *times;   /* of each frame counted; 0: they are not asked for */
     uint32 refused;             /* enum polygon_result: the last one refused, or POLYGON_DRAWN */
 };
 
@@ -246,13 +251,19 @@ static int32 ended(const struct show *s)
     return RETURN_WARN;
 }
 
+static void next_frame(struct show *s)
+{
+    if (++s->number == s->scene.header->frames)
+        s->number = 0;
+}
+
 static int32 play(struct show *s)
 {
     rate_begin(&s->rate, screen_fields(&s->screen));
     present(s);
     while (follow_keys(s)) {
-        if (!s->paused && ++s->number == s->scene.header->frames)
-            s->number = 0;
+        if (!s->paused)
+            next_frame(s);
         present(s);
         rate_count(&s->rate, screen_fields(&s->screen));
     }
@@ -260,19 +271,41 @@ static int32 play(struct show *s)
     return ended(s);
 }
 
-/* Shows s->count frames after a first one and prints how long that took. */
+/* Shows s->count frames without status lines. */
+static void play_timed(struct show *s)
+{
+    const uint32 began = screen_wait(&s->screen);
+    int32 i = 0;
+
+    for (; i < s->count && !s->is_broken; i++) {
+        uint32 before;
+
+        next_frame(s);
+        draw(s);
+        s->times[i].drawing = s->ticks;
+        before = times_show(&s->screen, &s->frame, s->asked, &s->times[i]);
+        if (i)
+            s->times[i - 1].shown = before - began;
+        s->is_broken = outcome_break();
+    }
+    s->times[i - 1].shown = screen_wait(&s->screen) - began;
+}
+
+/* Shows s->count frames after a first one and prints how long that took, and what TIMES asks for. */
 static int32 play_counted(struct show *s)
 {
     uint32 began;
 
     present(s);
     began = screen_wait(&s->screen);
-    for (int32 i = 0; i < s->count && !s->is_broken; i++) {
-        if (++s->number == s->scene.header->frames)
-            s->number = 0;
-        present(s);
-        s->is_broken = outcome_break();
-    }
+    if (s->times)
+        play_timed(s);
+    else
+        for (int32 i = 0; i < s->count && !s->is_broken; i++) {
+            next_frame(s);
+            present(s);
+            s->is_broken = outcome_break();
+        }
     began = screen_wait(&s->screen) - began;
     screen_close(&s->screen);
     text_number(s->count);
@@ -280,12 +313,14 @@ static int32 play_counted(struct show *s)
     text_number((int32)began);
     text_add(" fields");
     text_print();
+    if (s->times && !s->is_broken)
+        times_print(s->times, s->count);
     return ended(s);
 }
 
 /* Allocates what is necessary, then what is optional. Prints a line and returns 0 if something
    necessary is lacking. */
-static int32 make(struct show *s)
+static int32 make(struct show *s, int32 has_times)
 {
     const struct scene_header *header = s->scene.header;
     struct screen_form form = {header->width, header->height, header->pixel_width, header->pixel_height,
@@ -293,6 +328,8 @@ static int32 make(struct show *s)
 
     if (!make_frame(&s->frame, header))
         return outcome_lack_memory("show", "the frame");
+    if (has_times && !mem_alloc(&s->times, s->count * (int32)sizeof *s->times, MEMORY_ANY))
+        return outcome_lack_memory("show", "the times");
     if (!counts_make(&s->counts, header->materials))
         return outcome_lack_memory("show", "the counts");
     if (!clock_open())
@@ -311,12 +348,12 @@ static int32 make(struct show *s)
 
 int main(void)
 {
-    enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, COUNT, ITEMS };
+    enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, COUNT, TIMES, ITEMS };
     int32 args[ITEMS] = {0};
     static struct show show;
 
-    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N,COUNT/K/N", args)) {
-        text_refuse("show", "usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n] [COUNT n]");
+    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N,COUNT/K/N,TIMES/S", args)) {
+        text_refuse("show", "usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n] [COUNT n [TIMES]]");
         return RETURN_ERROR;
     }
     show.renderer.frame = &show.frame;
@@ -334,7 +371,7 @@ int main(void)
     if (!number_asked("show", args[FRAME], 0, show.scene.header->frames, &show.number,
                       "FRAME: not one of the scene's"))
         return RETURN_ERROR;
-    if (!make(&show))
+    if (!make(&show, args[COUNT] && args[TIMES]))
         return outcome_code(0);
     return show.count ? play_counted(&show) : play(&show);
 }

@@ -37,7 +37,7 @@ def test_larger_pixels_are_samples_of_the_picture(name: str, pixel: str) -> None
     """Pixels on a texel's border or an edge may round the other way, and pieces of perspective are longer: below one
     in a hundred."""
     whole = compile_scene(SCENES / f"{name}.toml", FRAME + 1)
-    large = compile_scene(SCENES / f"{name}.toml", FRAME + 1, pixel=pixel)
+    large = compile_scene(SCENES / f"{name}.toml", FRAME + 1, keys={"pixel": pixel})
     across, down = SIZES[pixel]
     assert (large.width * across, large.height * down) == (whole.width, whole.height)
     full, found = model.render(whole, FRAME), model.render(large, FRAME)
@@ -84,4 +84,4 @@ def test_bad_sizes_are_refused(tmp_path, change: str, message: str) -> None:
 
 def test_texture_rectangles_need_pixels_of_1x1() -> None:
     with pytest.raises(UserError, match=r"objects\[\d+\].rectangle: has steps a pixel of 1x1, but the scene's are 2x2"):
-        compile_scene(SCENES / "n64_rectangles.toml", pixel="2x2")
+        compile_scene(SCENES / "n64_rectangles.toml", keys={"pixel": "2x2"})

@@ -148,6 +148,6 @@ def test_nothing_is_taken_where_it_is_not_asked_for(tmp_path) -> None:
 @pytest.mark.parametrize("pixel", ["2x1", "1x2"])
 def test_a_level_of_larger_pixels_is_the_models(pixel: str) -> None:
     """Views stretch x or y there, and objects that z tests are looked for in them."""
-    scene = some_frames(compile_scene(SCENES / "keep.toml", pixel=pixel), [12, 72])
+    scene = some_frames(compile_scene(SCENES / "keep.toml", keys={"pixel": pixel}), [12, 72])
     for number, frame in enumerate(run.render(scene, "a1200-fast", "addx", timed=False).frames):
         assert np.array_equal(frame, model.render(scene, number)), (pixel, number)

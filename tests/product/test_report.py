@@ -21,7 +21,7 @@ from tmap.report import bench_pictures, data, pictures, report
 from tmap.run import run
 
 SIZES = ((360, 740), (1280, 900))  # a phone, a desk; CSS pixels
-SECTIONS = ["scenes", "addx", "accuracy", "perspective", "bench", "ran", "hard", "polygons",
+SECTIONS = ["scenes", "addx", "accuracy", "perspective", "fit", "bench", "ran", "hard", "polygons",
             "whole", "n64", "glide"]
 SCENE = "mappers"
 NAME = '<script>alert("rows & columns")</script>'
@@ -74,7 +74,7 @@ def made(tmp_path_factory) -> tuple[Path, Path]:
 
 
 def test_sections_stand_in_order_and_open_with_a_sentence(made) -> None:
-    """All eleven sections are in order, with a paragraph under each title."""
+    """All twelve sections are in order, with a paragraph under each title."""
     text = (made[0] / report.PAGE).read_text()
     assert re.findall(r'<h2 id="(\w+)">', text) == SECTIONS
     for section in text.split("<h2")[1:]:
@@ -151,7 +151,7 @@ def complete(tmp_path_factory) -> Path:
             "spans": {"affine_addx": 100, "affine_row": 12345678}}, "plain": {
             "asked": asked, "polygons": 1, "unsure": 0, "rules": {}, "spans": {"fill": 1}}}}
     names = ("frame_000.png", "animation.gif", "methods.png", "swimming.png", "swimming.gif",
-             "accuracy.png", "sliver.png")
+             "accuracy.png", "sliver.png", "fit.png")
     for name in names:
         Image.fromarray(np.zeros((64, 1600, 3), np.uint8)).save(folder / name)
     (folder / "index.html").write_text("<p>cases")
@@ -165,6 +165,8 @@ def complete(tmp_path_factory) -> Path:
     hard = about | {"complaints": ["sliver: 2 texels off"]}
     found.scenes = [Entry(scene, folder)]
     found.sets, found.hard = Entry({}, folder), Entry(hard, folder)
+    found.fit = Entry(about | {"scene": "long", "conditions": "DMA on", "sentences": ["Chosen: pixels of 2x2."],
+                               "lines": 'pixel = "2x2"', "table": "| a | b |\n|---|--:|\n| 1 | 2 |"}, folder)
     found.methods = Entry(about | {"table": "| a | b |\n|---|--:|\n| 1 | 2 |"}, folder)
     report.write(found, out)
     return out

@@ -15,7 +15,7 @@ from tmap.base.paths import PROGRAMS, SCENES
 from tmap.compiler.scene import compile_scene
 from tmap.guest import emulator
 from tmap.model import model, settings
-from tmap.run import show
+from tmap.run import run, show
 from tmap.scene_file.scene_file import Scene, write
 
 #: Position of the screen's 640x512 high-resolution dots in the window.
@@ -192,6 +192,22 @@ def test_frames_are_counted(steps, machine: str, tmp_path) -> None:
     done = emulator.run("show", "a.scene COUNT 5", {"a.scene": write(steps[1])}, machine, tmp_path)
     said = re.fullmatch(r"5 frames in (\d+) fields\n", done.output)
     assert done.code == 0 and said and 5 <= int(said[1]) < 500, done.output
+
+
+@pytest.mark.parametrize("machine", emulator.MEASURED)
+def test_frames_are_timed(steps, machine: str, tmp_path) -> None:
+    """Drawing and conversion fit into the fields of which a frame is shown, and drawing with the display on takes longer
+    than without it."""
+    scene = steps[1]
+    done = emulator.run("show", "a.scene COUNT 8 TIMES", {"a.scene": write(scene)}, machine, tmp_path)
+    said = re.fullmatch(r"8 frames in (\d+) fields\n((?:drawn \d+ converted \d+ field \d+\n){8})", done.output)
+    assert done.code == 0 and said, done.output
+    times = np.array(re.findall(r"\d+", said[2]), int).reshape(8, 3)
+    assert times[-1, 2] == int(said[1]) and (np.diff(times[:, 2]) > 0).all()
+    cycles = emulator.CYCLES_PER_TICK * times[:, :2].sum(axis=1)
+    assert abs(cycles[1:].sum() / emulator.CLOCK_HZ * 50 - (times[-1, 2] - times[0, 2])) < 1.5
+    quiet = [frame["cycles"] for frame in run.render(scene, machine, "addx").figures]
+    assert quiet[1] < emulator.CYCLES_PER_TICK * times[4, 0] < 1.5 * quiet[1]
 
 
 def test_what_cannot_be_shown(tmp_path, monkeypatch, capsys) -> None:

@@ -15,7 +15,7 @@ from tmap.base.paths import ROOT
 #: tools/tmap; each room's docstring gives its purpose. The top folder has the command line.
 TOOLS = ("base", "build", "images", "setup", "n64 glide", "scene_file", "model", "trees", "shapes",
          "compiler", "guest", "vectors", "corpus", "ideal", "run", "fuzz",
-         "bench/modes bench/examples", "bench", "accuracy", "report", "product assets", ".")
+         "bench/modes bench/examples", "bench", "accuracy", "accuracy/fit", "report", "product assets", ".")
 #: tests, in the same way. The top folder has conftest.py.
 TESTS = ("helpers", "mesh n64 glide", "compiler", "kernels/trials", "kernels", "polygon mipmap", "accuracy",
          "screen", "guest", "product", "mutants", ".")

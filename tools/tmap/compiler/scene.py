@@ -236,16 +236,16 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
 
 
 def compile_scene(path: Path, frames: int | None = None, order: str | dict[str, str] | None = None,
-                  pixel: str | None = None) -> Scene:
+                  keys: dict | None = None) -> Scene:
     """Compiles the scene of a TOML file.
 
     ``frames``: how many frames to make, from the first, instead of the scene's number. Motion has
-    the same speed. ``order``: of all meshes, instead of their own; ``pixel``: instead of the scene's. Prints on stderr
-    what the scene's author should know.
+    the same speed. ``order``: of all meshes, instead of their own; ``keys``: of the scene, instead of the file's. Prints
+    on stderr what the scene's author should know.
     """
     path = Path(path)
     text = text_of(path)
-    content = content_of(text, path) | ({"pixel": pixel} if pixel else {})
+    content = content_of(text, path) | (keys or {})
     with located(str(path), text):
         spec = checked(content, path)
         for obj in filter(scene_space.is_mesh, spec["objects"]):

@@ -16,6 +16,8 @@ from tmap.guest.emulator import MEASURED
 
 #: The machine of methods and hard cases.
 MACHINE = "a1200-fast"
+#: What the section on settings by the clock shows.
+FIT_SCENE, FIT_RATE = "corridor", 12.5
 #: Files of a scene's run that the page shows.
 SCENE_FILES = ("run.json", "animation.gif", "frame_000.png")
 #: To be increased when the form of a part's cache entry changes.
@@ -35,6 +37,7 @@ class Found:
     sets: Entry | None = None  # the files beside accuracy.json
     methods: Entry | None = None
     hard: Entry | None = None
+    fit: Entry | None = None
 
 
 def scene_names(chosen: list[str] | None) -> list[str]:
@@ -136,6 +139,22 @@ def of_hard_cases(tell: Tell) -> Entry:
     return cache.kept("hard", key("tmap/accuracy/accuracy", [], MACHINE), make)
 
 
+def of_fit(tell: Tell) -> Entry:
+    """Returns the settings of a scene that hold a rate."""
+    path = SCENES / f"{FIT_SCENE}.toml"
+
+    def make(folder: Path) -> dict:
+        from tmap.accuracy.fit import fit
+
+        found = fit.search.fit(path, FIT_RATE, MACHINE, lambda _, done, total: tell(done, total))
+        fit.write(found, path, folder, FIT_RATE, MACHINE)
+        return fit.as_json(found, path, FIT_RATE, MACHINE) | {
+            "table": fit.markdown_table(found), "sentences": fit.sentences(found, path, FIT_RATE, MACHINE)}
+
+    identity = key("tmap/accuracy/fit/fit", cache.scene_files(path), MACHINE, f"{FIT_RATE:g}")
+    return cache.kept("fit", identity, make)
+
+
 def committed(path: Path) -> dict:
     """Reads a committed baseline."""
     return json.loads(path.read_text())
@@ -161,4 +180,5 @@ def gather(scenes: list[str], machine: str, only_committed: bool, progress: Prog
     methods, polys = part("methods", of_methods), part("polygons a second", of_polys)
     bench, sets = part("bench", of_bench), part("accuracy", of_accuracy)
     hard = part("hard cases", of_hard_cases)
-    return Found(bench.result, sets.result, polys.result, drawn, sets, methods, hard)
+    fit = part("settings by the clock", of_fit)
+    return Found(bench.result, sets.result, polys.result, drawn, sets, methods, hard, fit)

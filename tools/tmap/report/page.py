@@ -125,6 +125,7 @@ def page(found: Found, pictures: Path) -> str:
                   for name, machine in rows.tables(settings)],
         accuracy_source=source(MACHINE, found.accuracy),
         hard=hard_cases(found.hard) if found.hard else None,
+        fit_source=source(found.fit.result["machine"], found.fit.result) if found.fit else None,
         polys_030=polys.table(found.polys["rows_68030"]),
         polys_source=source("a1200, a1200-fast, a1200-030", found.polys),
         errors=scene_errors.table([(s["scene"], s["totals"], s["count"], Errors(**s["errors"]))

@@ -26,6 +26,8 @@ def write_pictures(found: Found, folder: Path) -> None:
     perspective_curves.plot(folder / "pieces.png")
     methods = found.methods.folder if found.methods else SCENES
     shutil.copyfile(methods / "methods.png", folder / "methods.png")
+    if found.fit:
+        shutil.copyfile(found.fit.folder / "fit.png", folder / "fit.png")
     if found.sets:
         for name in ("swimming.gif", "swimming.png", "accuracy.png"):
             shutil.copyfile(found.sets.folder / name, folder / name)

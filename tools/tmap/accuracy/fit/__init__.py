@@ -1,0 +1,1 @@
+"""Settings by the clock: the most exact ones of a scene that hold a frame rate on the screen."""
