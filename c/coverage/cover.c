@@ -111,16 +111,17 @@ static void span(struct setup *s)
 static void level(const struct setup *s)
 {
     struct coverage *const c = s->renderer->coverage;
+    struct scanline_step *const steps = (struct scanline_step *)s->scratch->room;
     struct span_plan plan;
-    span_routine *const routine
-        = perspective_make_level(s, (struct scanline_step *)s->scratch->room, &plan);
+    span_routine *routine;
 
-    if (!routine)
-        return;
     if (c->way != COVER_ASIDE || light_kind(s)) {
-        routine(&plan);
+        perspective_draw_level(s, steps);
         return;
     }
+    routine = perspective_make_level(s, steps, &plan);
+    if (!routine)
+        return;
     c->way = COVER_CUT;
     plan.row -= c->aside;
     cut_level(c, &plan, s->perspective->chained, routine);
