@@ -19,12 +19,6 @@ struct near_tree {
     struct mesh_face *seen;
 };
 
-/* Returns 1 if a material's polygons may have other vertices than the points: less than a pixel away. */
-static inline int32 rounds_vertices(const struct material *material)
-{
-    return material->edges != EDGES_EXACT && material->edges != EDGES_SUBPIXEL;
-}
-
 /* Sets mesh, view and points of the instances that are in the frame; returns 0 if their views differ. */
 static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
 {
@@ -35,7 +29,6 @@ static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
     struct mesh_placed *placed = tree->placed;
 
     tree->walk.view = 0;
-    near_set_edges(&tree->face, EDGE_ERROR);
     for (; instance < last && instance->tree == root; instance++, placed++) {
         const uint32 age = (uint32)number - instance->first_frame;
 
@@ -45,8 +38,6 @@ static int32 set_instances(struct near_tree *tree, int32 number, uint32 end)
         placed->mesh = &scene->meshes[instance->mesh];
         placed->view = &scene->views[instance->view + age];
         placed->points = 0;
-        if (rounds_vertices(&scene->drawn[instance->material]))
-            near_set_edges(&tree->face, 0xffff);
         if (!scene->near->is_still && tree->walk.view && !near_same_place(tree->walk.view, placed->view))
             return 0;
         tree->walk.view = placed->view;
@@ -94,6 +85,7 @@ static void begin_walk(struct near_tree *tree, int32 root)
     walk->is_hidden = is_hidden;
     near_set_borders(walk, walk->boxes[root].shift);
     near_set_view(&tree->face, &walk->frame, walk->view);
+    near_set_edges(&tree->face, EDGE_ERROR);    /* edges are exact: scene_wrong_once */
     tree->face.stamp = ++scene->near->stamp;
     tree->face.gaps = scene->coverage->rows;
     tree->face.points = tree->points;
