@@ -88,6 +88,7 @@ struct near_face {
 /* src68k/mesh: contracts there. */
 const struct scene_node *mesh_near(struct near_walk *walk);
 int32 mesh_near_face(struct near_face *plan);
+void mesh_project(struct vertex *vertices, int32 count, const struct near_frame *frame);
 
 /* Sets the borders of a walk, whose view and frame are set, for boxes of a shift: a face in a box that is outside one
    has no pixel in the frame. */
