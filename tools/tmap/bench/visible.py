@@ -276,15 +276,14 @@ def near_case():
 
 @dataclass
 class Faces:
-    """What mesh_near_face chooses from: of each slot normal and distance, the points of its corners, or None; points, those
-    that are transformed already; the row of a view; of each line of the frame the gaps, biased; how far edges are off."""
+    """What mesh_near_face chooses from."""
 
-    faces: list[tuple[list[int], list[int]] | None]
+    faces: list[tuple[list[int], list[int]] | None]  # of each slot normal and distance, the points of its corners
     points: list[list[int]]
-    stamped: list[bool]
-    row: list[int]
-    gaps: list[list[tuple[int, int]]]
-    off: int = 1024
+    stamped: list[bool]  # those that are transformed already
+    row: list[int]  # of a view
+    gaps: list[list[tuple[int, int]]]  # of each line of the frame, biased
+    off: int = 1024  # units by which edges may be beyond points
 
 
 def place_of(point, about, borders: int) -> tuple[int, int] | None:
@@ -300,8 +299,7 @@ def place_of(point, about, borders: int) -> tuple[int, int] | None:
 
 
 def box_of(places: list[tuple[int, int]], off: int, more: int) -> tuple[int, ...]:
-    """Returns the pixels that edges up to `off` units beyond places cover, and `more` beside them: left, right, top,
-    bottom."""
+    """Returns left, right, top, bottom of what edges `off` units beyond places cover, and `more` pixels beside it."""
     return tuple(-(-(pick(at[k] for at in places) + side * off) >> 16) - (side > 0) + side * more
                  for k in range(2) for pick, side in ((min, -1), (max, 1)))
 
