@@ -66,7 +66,8 @@ struct scan_plan {
     struct coverage *coverage;
 };
 
-/* Begins a frame: no pixel is covered. */
+/* Begins a frame: no pixel is covered. Until the next one, the renderer and the materials that are drawn stay as they
+   are. */
 void coverage_begin(struct coverage *coverage, const struct frame *frame);
 
 /* Returns 1 if all pixels of the frame in a box, right and bottom included, are covered. */
