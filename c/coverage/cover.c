@@ -111,16 +111,17 @@ static void span(struct setup *s)
 static void level(const struct setup *s)
 {
     struct coverage *const c = s->renderer->coverage;
+    struct scanline_step *const steps = (struct scanline_step *)s->scratch->room;
     struct span_plan plan;
-    span_routine *const routine
-        = perspective_make_level(s, (struct scanline_step *)s->scratch->room, &plan);
+    span_routine *routine;
 
-    if (!routine)
-        return;
     if (c->way != COVER_ASIDE || light_kind(s)) {
-        routine(&plan);
+        perspective_draw_level(s, steps);
         return;
     }
+    routine = perspective_make_level(s, steps, &plan);
+    if (!routine)
+        return;
     c->way = COVER_CUT;
     plan.row -= c->aside;
     cut_level(c, &plan, s->perspective->chained, routine);
@@ -186,6 +187,16 @@ static void far(const struct setup *s, struct far_line *to, int32 leftwards, int
 
 static const struct cover hooks = {lines, span, level, far};
 
+/* Copies what of a polygon was drawn aside; row: the first line's in the frame. */
+static void copy_aside(const struct coverage *c, struct setup *s, uint8 *row)
+{
+    if (c->way == COVER_CUT)
+        return;
+    if (c->way == COVER_ASIDE)
+        make_outline(s);        /* the table may have had other uses */
+    copy_parts(c, s, row, c->way == COVER_ASIDE);
+}
+
 /* Draws what is visible of a polygon whose outline and span are set. */
 static enum polygon_result draw_visible(struct setup *s)
 {
@@ -218,12 +229,44 @@ static enum polygon_result draw_visible(struct setup *s)
     c->way = COVER_ASIDE;
     s->span.row += c->aside;
     result = draw_inside(s, &hooks);
-    if (result != POLYGON_DRAWN || c->way == COVER_CUT)
-        return result;
-    if (c->way == COVER_ASIDE)
-        make_outline(s);        /* the table may have had other uses */
-    copy_parts(c, s, row, c->way == COVER_ASIDE);
+    if (result == POLYGON_DRAWN)
+        copy_aside(c, s, row);
     return result;
+}
+
+enum polygon_result cover_rest(struct deep *deep, int32 is_sure)
+{
+    struct setup *s = &deep->s;
+    struct coverage *const c = s->renderer->coverage;
+    uint8 *const row = s->span.row;
+    enum polygon_result result = POLYGON_DRAWN;
+    const int32 is_whole = c->parts == c->parts_end;
+
+    if (!is_whole) {
+        c->way = COVER_ASIDE;
+        s->span.row += c->aside;
+    }
+    if (!is_sure || !draw_deep(s, &hooks, &deep->depth)) {
+        s->kind = s->affine;
+        plan_set_plane(s);
+        result = draw_inside(s, &hooks);
+        s->kind = SPAN_PERSPECTIVE;
+    }
+    if (!is_whole && result == POLYGON_DRAWN)
+        copy_aside(c, s, row);
+    return result;
+}
+
+/* Sets the plan for a material in this frame. Returns 0 if others draw its polygons. */
+static int32 set_deep(struct coverage *c, struct renderer *renderer, const struct material *material)
+{
+    struct deep *const deep = &c->deep;
+
+    if (!c->deep_is_set) {
+        deep->s.material = 0;
+        c->deep_is_set = deep_begin(deep, renderer) ? 1 : -1;
+    }
+    return c->deep_is_set > 0 && (deep->s.material == material || deep_take(deep, material));
 }
 
 enum polygon_result coverage_draw_met(struct renderer *renderer, const struct polygon *polygon,
@@ -236,6 +279,15 @@ enum polygon_result coverage_draw_met(struct renderer *renderer, const struct po
         return POLYGON_FEW;
     if (is_fan(renderer, polygon, material))
         return polygon_fan(coverage_draw_met, renderer, polygon, material);
+    if (material->perspective && set_deep(renderer->coverage, renderer, material)) {
+        struct deep *const deep = &renderer->coverage->deep;
+        int32 drawn;
+
+        deep_set_vertices(deep, polygon);
+        drawn = cover_draw(deep);
+        if (drawn != DEEP_CONSTANT)
+            return (enum polygon_result)drawn;
+    }
     s.form = renderer->form;
     setup_begin(&s, renderer, polygon, material);
     result = plan_set_up(&s);

@@ -21,6 +21,7 @@ void coverage_begin(struct coverage *c, const struct frame *frame)
     c->fresh = gap;
     c->overflow = 0;
     c->way = COVER_DIRECT;
+    c->deep_is_set = 0;
     c->aside = (int32)(c->aside_pixels - frame->pixels);
 }
 

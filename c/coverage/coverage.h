@@ -2,7 +2,7 @@
 #ifndef COVERAGE_H
 #define COVERAGE_H
 
-#include "polygon/setup.h"
+#include "drawing/deep.h"
 
 enum coverage_constants {
     COVERAGE_GAPS = 8           /* room for gaps, for each line of the frame */
@@ -54,6 +54,8 @@ struct coverage {
     int32 aside;                /* bytes from the frame to the one aside */
     uint8 *aside_pixels;
     struct cut_lines second, further;
+    int32 deep_is_set;          /* in this frame: 1: deep is, 0: not yet, -1: it cannot be */
+    struct deep deep;           /* of polygons in perspective; its setup's material: the last one's, or 0 */
 };
 
 /* Everything coverage_scan needs. */
@@ -64,7 +66,8 @@ struct scan_plan {
     struct coverage *coverage;
 };
 
-/* Begins a frame: no pixel is covered. */
+/* Begins a frame: no pixel is covered. Until the next one, the renderer and the materials that are drawn stay as they
+   are. */
 void coverage_begin(struct coverage *coverage, const struct frame *frame);
 
 /* Returns 1 if all pixels of the frame in a box, right and bottom included, are covered. */
@@ -82,6 +85,13 @@ polygon_routine coverage_draw_met;
 /* Returns 1 if all pixels of the frame that vertices' box has are covered. */
 int32 coverage_hides(const struct coverage *coverage, const struct frame *frame,
                      const struct vertex *vertices, int32 count);
+
+/* Finds what of a polygon is visible, as coverage_scan, covers it and draws it by cover_rest. Its vertices are set as
+   material_vertices makes them. Returns enum polygon_result or DEEP_CONSTANT. src68k/polygon: contract there. */
+int32 cover_draw(struct deep *deep);
+
+/* Draws what the last scan found of a polygon whose edges, table of lines and, if is_sure, depth are made. */
+enum polygon_result cover_rest(struct deep *deep, int32 is_sure);
 
 /* src68k/coverage: contract there. */
 void coverage_scan(const struct scan_plan *plan);

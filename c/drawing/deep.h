@@ -3,6 +3,7 @@
 #ifndef DEEP_H
 #define DEEP_H
 
+#include "drawing/material.h"
 #include "perspective/far.h"
 
 enum {
@@ -27,6 +28,25 @@ struct deep {
 /* Draws a polygon whose vertices are set as material_vertices makes them. Returns enum polygon_result or DEEP_CONSTANT.
    src68k/polygon: contract there. */
 int32 deep_draw(struct deep *deep);
+
+/* Sets what the frame and the renderer decide. Returns 0 if polygon_draw_inside draws all polygons: pixels of more than a
+   byte, another form than the addx one, a rule is off, polygons are counted, or the pitch is not an int16. */
+int32 deep_begin(struct deep *deep, struct renderer *renderer);
+
+/* Sets what the material decides. Returns 0 if polygon_draw_inside draws its polygons: other mappers, no perspective, a
+   tolerance, EDGES_SNAPPED, or rounded edges with CLIP_VERTICES. */
+int32 deep_take(struct deep *deep, const struct material *material);
+
+/* Sets the vertices of a polygon that is drawn whole. */
+static inline void deep_set_vertices(struct deep *deep, const struct polygon *polygon)
+{
+    struct setup *s = &deep->s;
+
+    s->given = s->vertices = polygon->vertices;
+    s->count = polygon->count;
+    if (!deep->takes)
+        s->vertices = material_made(s->scratch->vertices, s->given, s->count, s->material);
+}
 
 /* Draws a polygon whose sides, box and, if is_sure, depth are found; edges too, or their plan's lefts is 0. */
 enum polygon_result deep_rest(struct deep *deep, int32 is_sure);

@@ -7,52 +7,55 @@
 #include "drawing/three.h"
 #include "triangle/triangles.h"
 
-/* Returns non-zero if polygons of the material are drawn this way with all rules on. */
-static int32 is_plain(const struct renderer *renderer, const struct material *material)
-{
-    const struct frame *frame = renderer->frame;
-    const struct map *map = material->map;
-
-    return material->perspective && material->mapper == MAPPER_AFFINE && !material->tolerance
-        && material->edges != EDGES_SNAPPED && !material->whole && material->gradients == GRADIENTS_PLANE
-        && (material->clip == CLIP_SCISSOR || material->edges == EDGES_EXACT)
-        && !renderer->counts && !renderer->only_counts && !renderer->off && renderer->form == FORM_ADDX
-        && frame->pixel_bytes == 1 && frame->pitch == (int16)frame->pitch
-        && map && map->layout == MAP_PAGE && map->texel_bytes == 1;
-}
-
-/* Sets what the frame and the material decide. Returns 0 if polygon_draw_inside draws the material's polygons: other
-   mappers, no perspective, a tolerance, EDGES_SNAPPED, rounded edges with CLIP_VERTICES, pixels of more than a byte,
-   another form, a rule is off, polygons are counted, or the pitch is not an int16. */
-static int32 deep_set(struct deep *deep, struct renderer *renderer, const struct material *material)
+int32 deep_begin(struct deep *deep, struct renderer *renderer)
 {
     const struct frame *frame = renderer->frame;
     struct setup *s = &deep->s;
 
-    if (!is_plain(renderer, material))
+    if (renderer->counts || renderer->only_counts || renderer->off || renderer->form != FORM_ADDX
+        || frame->pixel_bytes != 1 || frame->pitch != (int16)frame->pitch)
         return 0;
     s->renderer = renderer;
     s->scratch = renderer->scratch;
     setup_edges_set(s);
     s->frame = frame;
-    s->material = material;
     s->form = FORM_ADDX;
     s->off = s->applied = 0;
     s->counts = 0;
     s->kind = SPAN_PERSPECTIVE;
     s->affine = SPAN_AFFINE_ADDX_WRAP;
-    s->setting = (enum perspective)material->perspective;
     s->perspective = &deep->plan;
     s->texturing.u_cut = s->texturing.v_cut = 0;
     s->span.lines = s->edges.lines;
     s->span.pitch = frame->pitch;
-    s->span.map = material->map->texels;
+    deep->row = frame->pixels - EDGE_BIAS;
+    return 1;
+}
+
+int32 deep_take(struct deep *deep, const struct material *material)
+{
+    const struct map *map = material->map;
+    struct setup *s = &deep->s;
+
+    if (!material->perspective || material->mapper != MAPPER_AFFINE || material->tolerance
+        || material->edges == EDGES_SNAPPED || material->whole || material->gradients != GRADIENTS_PLANE
+        || (material->clip != CLIP_SCISSOR && material->edges != EDGES_EXACT)
+        || !map || map->layout != MAP_PAGE || map->texel_bytes != 1)
+        return 0;
+    s->material = material;
+    s->setting = (enum perspective)material->perspective;
+    s->span.map = map->texels;
     deep->takes = material_takes_vertices(material);
     deep->exact = material->edges == EDGES_EXACT;
     deep->saved = s->setting == PERSPECTIVE_EVERY16 ? PERSPECTIVE_SAVED_EVERY16 : PERSPECTIVE_SAVED_EVERY8;
-    deep->row = frame->pixels - EDGE_BIAS;
-    deep->right = perspective_has_pieces(s->setting) && renderer->reciprocals ? (uint32)frame->width << 16 : 0;
+    deep->right = perspective_has_pieces(s->setting) && s->renderer->reciprocals ? (uint32)s->frame->width << 16 : 0;
     return 1;
+}
+
+/* Sets both. */
+static inline int32 deep_set(struct deep *deep, struct renderer *renderer, const struct material *material)
+{
+    return material->perspective && deep_begin(deep, renderer) && deep_take(deep, material);
 }
 
 /* Returns non-zero if the polygon is drawn whole: not as a fan of triangles. */
@@ -70,10 +73,7 @@ static inline enum polygon_result deep_one(struct deep *deep, const struct polyg
     int32 result = DEEP_CONSTANT;
 
     if (is_whole(s->renderer, polygon)) {
-        s->given = s->vertices = polygon->vertices;
-        s->count = polygon->count;
-        if (!deep->takes)
-            s->vertices = material_made(s->scratch->vertices, s->given, s->count, s->material);
+        deep_set_vertices(deep, polygon);
         result = deep_draw(deep);
     }
     return result == DEEP_CONSTANT ? polygon_draw_inside(s->renderer, polygon, s->material)

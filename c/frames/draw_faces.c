@@ -4,7 +4,7 @@
 
 #include "drawing/fan.h"
 #include "frames/draw_touched.h"
-#include "math/math.h"
+#include "mesh/near.h"
 #include "polygon/setup.h"
 #include "triangle/polygon.h"
 
@@ -28,24 +28,19 @@ static inline enum polygon_result draw_polygon(struct renderer *renderer, const 
     return polygon_fan(draw, renderer, polygon, material);
 }
 
-/* Projects vertices from camera space to the screen, as mesh_transform does. */
-static void project(struct vertex *v, int32 count, const struct scene_header *header)
-{
-    int32 scale = 65536 << header->guard;
-
-    for (; count > 0; count--, v++) {
-        v->x = mul_div(v->x, scale, v->w) + (header->width << 15);
-        v->y = mul_div(v->y, scale, v->w) + (header->height << 15);
-    }
-}
-
 /* Cuts a polygon in the camera's space that has points outside of borders; sets *count to the number of corners, below 3
    if nothing is left. */
 static struct vertex *clipped(const struct scene *scene, struct vertex *vertices, int32 *count, uint32 outside)
 {
-    vertices = mesh_clip(scene->scratch->cut, vertices, count, scene->header->near_plane, outside);
+    const struct scene_header *header = scene->header;
+    struct near_frame frame;
+
+    vertices = mesh_clip(scene->scratch->cut, vertices, count, header->near_plane, outside);
     if (*count >= 3) {
-        project(vertices, *count, scene->header);
+        frame.width = header->width;
+        frame.height = header->height;
+        frame.guard = header->guard;
+        mesh_project(vertices, *count, &frame);
         if (scene->touched)
             touched_vertices(scene->touched, vertices, *count);
     }

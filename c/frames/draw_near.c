@@ -86,6 +86,7 @@ static void begin_walk(struct near_tree *tree, int32 root)
     walk->is_hidden = is_hidden;
     near_set_borders(walk, walk->boxes[root].shift);
     near_set_view(&tree->face, &walk->frame, walk->view);
+    near_set_edges(&tree->face, EDGE_ERROR);    /* edges are exact: scene_wrong_once */
     tree->face.stamp = ++scene->near->stamp;
     tree->face.gaps = scene->coverage->rows;
     tree->face.points = tree->points;

@@ -72,6 +72,8 @@ struct near_face {
     fix16 near_plane, middle_x, middle_y;
     fix16 eye_x, eye_y, eye_z;
     int32 right, bottom;        /* the frame's last column and line */
+    fix16 before, behind;       /* what makes the least of the points' x or y the first pixel that edges may cover, and
+                                   the greatest the last one, rounded down: near_set_edges */
     struct gap *const *gaps;    /* of each of its lines the first */
     uint32 stamp;               /* of points that are transformed already */
     const struct near_slot *slot;       /* behind the next one */
@@ -86,10 +88,19 @@ struct near_face {
 /* src68k/mesh: contracts there. */
 const struct scene_node *mesh_near(struct near_walk *walk);
 int32 mesh_near_face(struct near_face *plan);
+void mesh_project(struct vertex *vertices, int32 count, const struct near_frame *frame);
 
 /* Sets the borders of a walk, whose view and frame are set, for boxes of a shift: a face in a box that is outside one
    has no pixel in the frame. */
 void near_set_borders(struct near_walk *walk, int32 shift);
+
+/* Sets before and behind, for edges that are up to `off` beyond the points, 1 to 65,535 units: pixels from
+   ceil(least - off) to ceil(greatest + off) - 1. */
+static inline void near_set_edges(struct near_face *plan, fix16 off)
+{
+    plan->before = 0xffff - off;
+    plan->behind = off - 1;
+}
 
 /* Returns 1 if two views have the same factors, moves and eye. */
 int32 near_same_place(const struct scene_view *a, const struct scene_view *b);

@@ -66,7 +66,7 @@ static inline int32 perspective_has_pieces(enum perspective setting)
    affine. w must not be constant. */
 int32 perspective_depth(struct depth *depth, const struct setup *s);
 
-/* Fills in the planes of s and t, once. Returns 0 if they are as inexact. */
+/* Fills in the planes of s and t, once. Returns 0 if they are as inexact. src68k/polygon: contract there. */
 int32 perspective_texels(struct perspective_plan *plan, struct depth *depth);
 
 /* Fills in all of a plan for constant w, from the planes of u and v: q is 1 everywhere, and the picture is

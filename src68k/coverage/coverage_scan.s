@@ -1,13 +1,12 @@
         include "routine.i"
 
-; Takes the gap a2, to which a3 points, out of its line's list. The line's first gap is at -4(a1). Uses d2/a6.
+; Takes the gap a2, to which a3 points, out of its line's list. The line's first gap is at -4(a1).
 drop    macro
         move.l  gap_next(a2),(a3)
         move.l  coverage_unused(a4),gap_next(a2)
         move.l  a2,coverage_unused(a4)
         addq.l  #1,coverage_left(a4)
-        lea     coverage_end(a4),a6
-        cmpa.l  -4(a1),a6
+        cmp.l   -4(a1),d4
         bne.s   .open\@
         subq.l  #1,coverage_open(a4)
 .open\@
@@ -27,6 +26,8 @@ drop    macro
         movea.l scan_plan_coverage(a0),a4
         movea.l coverage_parts(a4),a5
         move.l  scan_plan_count(a0),d7
+        lea     coverage_end(a4),a6
+        move.l  a6,d4
         moveq   #0,d5                   ; 1 if a pixel is visible
         moveq   #0,d6                   ; the line
         cmp.l   coverage_left(a4),d7    ; each may split a gap
@@ -37,18 +38,21 @@ drop    macro
         bra.s   .line
 
         ; a0 left:last  a1 the next line's gaps  a2 gap  a3 where it is linked  a4 coverage  a5 part
-        ; d0 left  d1 last
+        ; d0 left  d1 last  d2 the gap's left  d3 its last  d4 the gap behind all
 .on     lea     gap_next(a2),a3
         movea.l (a3),a2
-.find   cmp.w   gap_last(a2),d0
+.find   move.l  (a2),d2                 ; left:last
+        cmp.w   d2,d0
         bgt.s   .on
-        cmp.w   (a2),d0
+        move.w  d2,d3
+        swap    d2
+        cmp.w   d2,d0
         blt.s   .begins
-        cmp.w   gap_last(a2),d1
+        cmp.w   d3,d1
         bgt     .parts
         beq.s   .to_end
         moveq   #1,d5
-        cmp.w   (a2),d0
+        cmp.w   d2,d0
         bne.s   .split
         addq.w  #1,d1
         move.w  d1,(a2)
@@ -66,7 +70,7 @@ drop    macro
         bra.s   .next
 
 .to_end moveq   #1,d5
-        cmp.w   (a2),d0
+        cmp.w   d2,d0
         beq.s   .all
         subq.w  #1,d0
         move.w  d0,gap_last(a2)
@@ -75,7 +79,7 @@ drop    macro
 .all    drop
         bra.s   .next
 
-.begins cmp.w   (a2),d1
+.begins cmp.w   d2,d1
         bge.s   .parts
         move.w  d6,(a5)+
         move.l  #1<<16,(a5)+
@@ -88,7 +92,7 @@ drop    macro
         move.l  gap_next(a6),coverage_unused(a4)
 .taken  addq.w  #1,d1
         move.w  d1,(a6)
-        move.w  gap_last(a2),gap_last(a6)
+        move.w  d3,gap_last(a6)
         move.l  gap_next(a2),gap_next(a6)
         move.l  a6,gap_next(a2)
         subq.w  #1,d0

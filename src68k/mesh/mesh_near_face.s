@@ -11,8 +11,8 @@
 ; formats: normals 2.30, eye and distance 16.16; points as in mesh_transform_wide, but of those that are not before the
 ;          near plane, screen_x and screen_y are set too: NEAR_FAR pixels to the side of the border that is theirs
 ; error:   mesh_transform_wide's. Left out are faces whose points are all outside of one border, and of those without
-;          a point before the near plane faces whose box has no pixel in a gap: of what borders cut, the box is two
-;          pixels wider, as new corners are rounded
+;          a point before the near plane faces whose box has no pixel in a gap: it has the pixels that edges, as far off
+;          as before and behind tell, may cover; of what borders cut, it is two pixels wider, as new corners are rounded
 ; cost:    bench row mesh_near_seen: a face from the back
 
 ; Adds the product of the normal's \1 and the eye's to d2:d3, if it is not 0. Uses d0-d1.
@@ -110,16 +110,19 @@ in_gap  macro
         movea.l near_face_slot(a4),a2
         move.l  a6,d0
         bne     .slot
+        movem.l near_face_before(a4),d0-d1      ; and behind
+        add.l   d0,d4
         swap    d4
-        swap    d5
-        swap    d6
-        swap    d7
         ext.l   d4
+        add.l   d1,d5
+        swap    d5
         ext.l   d5
+        add.l   d0,d6
+        swap    d6
         ext.l   d6
+        add.l   d1,d7
+        swap    d7
         ext.l   d7
-        addq.l  #1,d5
-        addq.l  #1,d7
         move.l  a0,d0
         beq.s   .whole
         lsr.l   #1,d0                   ; MESH_NEAR
@@ -150,6 +153,8 @@ in_gap  macro
         ble.s   .bottom
         move.l  d1,d7
 .bottom cmp.l   d6,d7
+        blt     .slot
+        cmp.l   d4,d5
         blt     .slot
         add.w   #EDGE_BIAS,d4
         add.w   #EDGE_BIAS,d5

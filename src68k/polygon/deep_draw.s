@@ -68,7 +68,7 @@ bent    macro
         movem.l setup_box(a6),d4-d7
         sub.l   d5,d7                   ; height
         move.l  d7,setup_span+span_plan_count(a6)
-        muls.w  setup_span+span_plan_pitch+2(a6),d5     ; it fits: deep_set
+        muls.w  setup_span+span_plan_pitch+2(a6),d5     ; it fits: deep_begin
         add.l   deep_row(a6),d5
         move.l  d5,setup_span+span_plan_row(a6)
         lea     deep_depth(a6),a5

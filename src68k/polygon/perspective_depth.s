@@ -1,54 +1,12 @@
-        include "routine.i"
+        include "plane_error.i"
 
         xref    ranges_inside,corners_inside,depth_plane_inside,mul_wide
 
 Q_ONE           equ     1<<30           ; q of the nearest vertex
-TOO_STEEP       equ     1<<28           ; 4 times this is above every q but the nearest's
-GENTLE          equ     1<<14           ; in 2^16 units a pixel
 
         ifne    depth_corners+plane_corners_first
         fail    the first corner is not where a depth begins
         endc
-
-; d0 = the units that the plane on the stack may be off after d2 pixels in the direction \1; d7 = 0 if its step is not
-; gentle. Uses d1-d2.
-error_part macro
-        movem.l screen_plane_\1(sp),d0-d1
-        tst.l   d0
-        bpl.s   .magnitude\@
-        tst.l   d1
-        beq.s   .whole\@
-        not.l   d0
-        bra.s   .magnitude\@
-.whole\@
-        neg.l   d0
-.magnitude\@
-        cmp.l   #GENTLE,d0
-        blt.s   .gentle\@
-        moveq   #0,d7
-        cmp.l   #$10000,d0
-        blt.s   .gentle\@
-        moveq   #15,d1
-        asr.l   d1,d0
-        addq.l  #1,d0
-        move.l  #TOO_STEEP,d1
-        divs.l  d2,d1
-        cmp.l   d1,d0
-        bgt.s   .too\@
-        muls.l  d2,d0
-        bra.s   .sum\@
-.too\@  move.l  #TOO_STEEP,d0
-        bra.s   .found\@
-.gentle\@
-        muls.l  d2,d0
-        moveq   #15,d1
-        asr.l   d1,d0
-.sum\@  moveq   #14,d1
-        asr.l   d1,d2
-        add.l   d2,d0
-        addq.l  #2,d0
-.found\@
-        endm
 
 ; The plan's \1 of q, 32.32, from the plane's on the stack, 48.16. Uses d0-d1.
 to_32   macro
@@ -156,10 +114,10 @@ depth_inside
 .least  move.l  d4,depth_least(a5)
         moveq   #1,d7
         move.l  depth_right(a5),d2
-        error_part dx
+        error_part dx,sp
         move.l  d0,d3
         move.l  depth_down(a5),d2
-        error_part dy
+        error_part dy,sp
         add.l   d0,d3
         addq.l  #2,d3
         move.l  d3,depth_off(a5)

@@ -82,7 +82,14 @@ plane_kept
 ; cost:    about 1,800 cycles
         routine texel_planes_find,a0,a1
         save_all
+        pea     planes_kept(pc)
+        xdef    texel_planes_inside,_texel_planes_inside
+; As texel_planes_find; keeps a0-a1/a4/a6, and a1 is a5 then.
+_texel_planes_inside
+texel_planes_inside
         divided
         plane   s,texel_planes_s
         plane   t,texel_planes_t
+        rts
+planes_kept
         return_all

@@ -47,8 +47,9 @@ PARTS = {"edge_right", "edge_right_exact", "edge_exact", "edge_exact_upright", "
          "polygon_outline",
          "triangle_outline", "texturing_gentle", "texturing_gentle_from", "three_one", "longest_find",
          "crossings_find"}
-#: What three_draw, deep_draw and far_find refer to: C, in the list of sources that polygon_draw needs.
-IN_C = {"_deep_rest", "_far_lengths", "_far_spans", "_kind_spans", "_three_rest", "_three_starts"}
+#: What three_draw, deep_draw and far_find refer to: C, in the list of sources that polygon_draw needs; cover_draw: C of
+#: c/coverage.
+IN_C = {"_cover_rest", "_deep_rest", "_far_lengths", "_far_spans", "_kind_spans", "_three_rest", "_three_starts"}
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
 #: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
 #: linked.

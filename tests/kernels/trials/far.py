@@ -223,6 +223,28 @@ def depth_trial(vertices, sides) -> Trial:
     return Trial(case, f"{vertices}", {"d0": int(deep is not None)}, writes=writes)
 
 
+def texels_trial(vertices, sides) -> Trial | None:
+    """The planes of s and t of a polygon; None without perspective."""
+    deep = perspective(vertices, sides.corners, sides.box)
+    if not deep:
+        return None
+    memory, wanted = Memory(), wanted_sides(vertices)
+    plan, depth = memory.room("perspective_plan"), memory.room("depth")
+    made = [write for write in (*depth_made(deep, sides.box, len(vertices), depth, plan),
+                                *corners_made(deep, sides.box, wanted, depth + at_of("depth", "corners")))
+            if write.at >= depth]
+    for write in made:
+        memory.data[write.at:write.at + len(write.expected)] = write.expected
+    case = Case("perspective_texels", memory, pointers={"a0": plan, "a1": depth})
+    if not deep.is_sure:
+        return Trial(case, f"{vertices}", {"d0": 0}, writes=[])
+    number = lambda n: (n & (1 << 64) - 1).to_bytes(8, "big")  # noqa: E731
+    writes = [Write(plan + at_of("perspective_plan", plane) + at_of("screen_plane", name),
+                    number(getattr(getattr(deep, plane), name))) for plane in "st" for name in ("at", "dx", "dy")]
+    writes += fields(plan, "perspective_plan", {"gentle": deep.gentle}) + fields(depth, "depth", {"has_texels": 1})
+    return Trial(case, f"{vertices}", {"d0": 1}, writes=writes)
+
+
 def find_trial(vertices, sides, exact: bool, every: str) -> Trial | None:
     """Whether the polygon's lines are drawn from their far ends, and how; None without perspective."""
     deep = perspective(vertices, sides.corners, sides.box)
@@ -322,6 +344,8 @@ def depth_trials(rng) -> Iterator[Trial]:
              if (sides := measure(vertices, WIDTH, HEIGHT)) and len({v[4] for v in vertices}) > 1]
     for k, each in enumerate(found):
         yield depth_trial(*each)
+        if texels := texels_trial(*each):
+            yield texels
         if far := find_trial(*each, bool(k % 4), tuple(model.LENGTHS)[k % len(model.LENGTHS)]):
             yield far
         if span := far_span_trial(*each, bool(k % 4), tuple(model.LENGTHS)[k % len(model.LENGTHS)]):

@@ -7,7 +7,7 @@ import numpy as np
 
 from tests.helpers.kernel_checker import Memory
 from tmap.bench.mesh import (attributes_trial, cut_trial, faces_trial, faces_wide_trial, orders_trial, outside,
-                             snap_trial, spread_trial, transform_trial, values_trial, wide_trial)
+                             project_trial, snap_trial, spread_trial, transform_trial, values_trial, wide_trial)
 from tmap.bench.mesh_batches import Gathered, gather_trial
 from tmap.bench.trial import Trial
 from tmap.compiler import views16
@@ -155,6 +155,14 @@ def mesh_cut_trials(rng) -> list[Trial]:
     return trials
 
 
+def mesh_project_trials(rng) -> list[Trial]:
+    """Vertices inside all borders, some on them."""
+    return [project_trial(Memory(), [[number(rng, w), number(rng, w), *vertex(rng)[:3], w]
+                                     for w in rng.integers(1, 1 << int(rng.integers(8, 31)), count).tolist()],
+                          [4 * int(n) for n in rng.integers(1, 100, 2)], int(rng.integers(6, 10)), f"{count} vertices")
+            for count in (1, 2, 3, 9) * 12]
+
+
 def face(rng, first: int, corners: int) -> list[int]:
     """A face of any plane, or one seen from both sides."""
     if rng.integers(4) == 0:
@@ -266,7 +274,8 @@ def mesh_spread_trials(rng) -> list[Trial]:
 
 def trials() -> list[Trial]:
     makers = (mesh_snap_trials, mesh_gather_trials, mesh_transform_wide_trials, mesh_attributes_trials,
-              mesh_cut_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials, mesh_mirror_trials, mesh_shade_trials,
+              mesh_cut_trials, mesh_project_trials, mesh_faces_wide_trials, mesh_transform_trials, mesh_faces_trials,
+              mesh_mirror_trials, mesh_shade_trials,
               mesh_link_trials, mesh_spread_trials, mesh_orders_trials)
     return [trial for seed, maker in enumerate(makers)
             for trial in maker(np.random.default_rng(seed + 50))]

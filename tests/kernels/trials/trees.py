@@ -9,8 +9,10 @@ from tmap.bench.mesh import outside, walk_trial
 from tmap.bench.mesh_batches import vertices_trial
 from tmap.bench.spans import BIAS
 from tmap.bench.trial import Trial
-from tmap.bench.visible import Faces, Near, near_face_trial, near_trial, place_of
+from tmap.bench.visible import Faces, Near, box_of, near_face_trial, near_trial, place_of
 from tmap.model import mesh
+
+OFF = (1024, 0xFFFF, 1)  # units that edges may be beyond points
 
 
 def tree(rng, count: int) -> list[list[int]]:
@@ -75,8 +77,8 @@ def near_face_trials(rng) -> list[Trial]:
                          ([0, 0, 0, -1] if rng.integers(3) == 0 else [*normal, distance], corners))
         stamped = (rng.integers(3, size=12) < k % 4).tolist()
         gaps = [gaps_of(rng, about.width) if k // 4 % 3 else [] for _ in range(about.height)]
-        made.append(near_face_trial(Memory(), about, Faces(faces, points_of(rng, 12), stamped, row, gaps),
-                                    f"{count} slots, number {k}"))
+        made.append(near_face_trial(Memory(), about, Faces(faces, points_of(rng, 12), stamped, row, gaps,
+                                                           OFF[k % 3]), f"{count} slots, number {k}"))
     return made
 
 
@@ -102,9 +104,8 @@ def grazing_trials(rng) -> list[Trial]:
         if not -1 << 31 < product < 1 << 31:
             continue
         places = [place_of(point, about, border) for point, border in zip((placed[k] for k in corners), borders)]
-        more, beyond = 2 * bool(some), int(rng.integers(2))
-        (left, right), (top, bottom) = ((min(side) - more - beyond, max(side) + 1 + more + beyond)
-                                        for side in ([at[k] >> 16 for at in places] for k in range(2)))
+        off, beyond = OFF[len(made) % 3], int(rng.integers(2))
+        left, right, top, bottom = box_of(places, off, 2 * bool(some) + beyond)
         everywhere, gaps = [(BIAS, BIAS + about.width - 1)], [[] for _ in range(about.height)]
         side = int(rng.integers(4))
         if side < 2 and 0 <= (line := (top, bottom)[side]) < about.height:
@@ -114,7 +115,8 @@ def grazing_trials(rng) -> list[Trial]:
         else:
             continue
         distance = product - 1 if len(made) % 8 else product - int(rng.integers(2))
-        made.append(near_face_trial(Memory(), about, Faces([([*normal, distance], corners)], points, [False] * 24, row, gaps),
+        made.append(near_face_trial(Memory(), about, Faces([([*normal, distance], corners)], points, [False] * 24, row, gaps,
+                                                       off),
                                     f"side {side}, {beyond} beyond it, distance {distance}"))
     return made
 

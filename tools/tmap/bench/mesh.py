@@ -309,6 +309,15 @@ def cut_trial(arena: Arena, inside: list[int], beyond: list[int], part: int, who
                  writes=[Write(to, longs(made))])
 
 
+def project_trial(arena: Arena, vertices: list[list[int]], frame: list[int], guard: int, title: str = "") -> Trial:
+    """Vertices in the camera's space, x to w, on the screen."""
+    at = arena.add(b"".join(map(longs, vertices)), name="vertices")
+    plan = arena.struct("near_frame", {}, width=frame[0], height=frame[1], guard=guard, near_plane=0)
+    places = [[(2 * (c << 16 + guard) + v[5]) // (2 * v[5]) + (side << 15) for c, side in zip(v, frame)] for v in vertices]
+    return Trial(Case("mesh_project", arena, {"d0": len(vertices)}, pointers={"a0": at, "a1": plan}), title,
+                 writes=[Write(at + 24 * k, longs(place)) for k, place in enumerate(places)])
+
+
 def cut_case():
     """One vertex: all six values differ."""
     return cut_trial(Arena(), [k << 18 for k in range(1, 7)], [(9 - 2 * k) << 17 for k in range(6)],

@@ -276,14 +276,14 @@ def near_case():
 
 @dataclass
 class Faces:
-    """What mesh_near_face chooses from: of each slot normal and distance, the points of its corners, or None; points, those
-    that are transformed already; the row of a view; of each line of the frame the gaps, biased."""
+    """What mesh_near_face chooses from."""
 
-    faces: list[tuple[list[int], list[int]] | None]
+    faces: list[tuple[list[int], list[int]] | None]  # of each slot normal and distance, the points of its corners
     points: list[list[int]]
-    stamped: list[bool]
-    row: list[int]
-    gaps: list[list[tuple[int, int]]]
+    stamped: list[bool]  # those that are transformed already
+    row: list[int]  # of a view
+    gaps: list[list[tuple[int, int]]]  # of each line of the frame, biased
+    off: int = 1024  # units by which edges may be beyond points
 
 
 def place_of(point, about, borders: int) -> tuple[int, int] | None:
@@ -298,9 +298,9 @@ def place_of(point, about, borders: int) -> tuple[int, int] | None:
     return along(point.x, 2, 4, about.width << 15), along(point.y, 8, 16, about.height << 15)
 
 
-def box_of(places: list[tuple[int, int]], more: int) -> tuple[int, ...]:
-    """Returns the pixels around places, and `more` beside them: left, right, top, bottom."""
-    return tuple(pick(at[k] >> 16 for at in places) + side * (more + (side > 0))
+def box_of(places: list[tuple[int, int]], off: int, more: int) -> tuple[int, ...]:
+    """Returns left, right, top, bottom of what edges `off` units beyond places cover, and `more` pixels beside it."""
+    return tuple(-(-(pick(at[k] for at in places) + side * off) >> 16) - (side > 0) + side * more
                  for k in range(2) for pick, side in ((min, -1), (max, 1)))
 
 
@@ -340,7 +340,7 @@ def near_face_trial(arena: Arena, about, these: Faces, title: str = "") -> Trial
         "from": table(arena, "scene_point", these.points)},
         rows=list(rows), shifts=[16 + about.guard, 16 - about.guard], near_plane=about.near_plane,
         middle_x=about.width << 15, middle_y=about.height << 15, eye_x=row[12], eye_y=row[13], eye_z=row[14],
-        right=about.width - 1, bottom=about.height - 1, stamp=5, above=0, box=[0] * 4)
+        right=about.width - 1, bottom=about.height - 1, before=0xFFFF - these.off, behind=these.off - 1, stamp=5, above=0, box=[0] * 4)
     result, end, used = known.constants["NEAR_NONE"], len(these.faces), set()
     above = box = None
     for k in reversed(range(len(these.faces))):
@@ -354,7 +354,7 @@ def near_face_trial(arena: Arena, about, these: Faces, title: str = "") -> Trial
         if np.bitwise_and.reduce(borders):
             continue
         if not some & 1:
-            box = box_of([places[number] for number in numbers], 2 * bool(some))
+            box = box_of([places[number] for number in numbers], these.off, 2 * bool(some))
         if some & 1 or is_in_gap(box, these.gaps, about):
             result = some
             break
