@@ -11,7 +11,7 @@ enum blit_bits {
 
 int32 blits_bytes(const struct screen_layout *layout)
 {
-    return PLANES * layout->plane_bytes;
+    return PLANES / layout->dots * layout->plane_bytes;
 }
 
 /* What all blits of a frame have. */
@@ -46,35 +46,48 @@ static struct blit *merge(struct blit *to, const struct extent *extent, const ui
     return add(to, extent, x, y, low, mask, shift, 1);
 }
 
+/* Pixels of one dot: merges by 1 bit to `merged`, if that is not 0, and by 2 bits to planes. bytes: of a plane. */
+static struct blit *merge_plain(struct blit *to, const struct extent *extent, int32 bytes, const uint8 *from,
+                                uint8 *merged, uint8 *planes)
+{
+    if (merged) {
+        for (int32 i = 0; i < PLANES; i += 2)
+            to = merge(to, extent, from + (i + 1) * bytes, from + i * bytes, merged + (i + 1) * bytes,
+                       merged + i * bytes, ONES, 1);
+        from = merged;
+    }
+    for (int32 i = 0; i < 4; i++) {
+        const int32 at = ((i & 2) * 2 + (i & 1)) * bytes;
+
+        to = merge(to, extent, from + at, from + at + 2 * bytes, planes + at + 2 * bytes, planes + at, TWOS, 2);
+    }
+    return to;
+}
+
+/* Pixels of two dots: merges by 2 bits to `merged`, if that is not 0, and doubles to planes. */
+static struct blit *merge_doubled(struct blit *to, const struct extent *extent, int32 bytes, const uint8 *from,
+                                  uint8 *merged, uint8 *planes)
+{
+    if (merged) {
+        for (int32 i = 0; i < PLANES / 2; i += 2)
+            to = merge(to, extent, from + i * bytes, from + (i + 1) * bytes, merged + (i + 1) * bytes,
+                       merged + i * bytes, TWOS, 2);
+        from = merged;
+    }
+    for (int32 i = 0; i < PLANES / 2; i++, from += bytes, planes += 2 * bytes)
+        to = merge(to, extent, from, from, planes + bytes, planes, ONES, 1);
+    return to;
+}
+
 int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *merged, uint8 *planes,
                  int32 top, int32 rows)
 {
-    const int32 bytes = layout->plane_bytes, first = top * layout->row_bytes;
+    const int32 first = top * layout->row_bytes;
     struct extent extent;
-    struct blit *to = blits;
 
     extent.bytes = rows * layout->row_bytes;
     extent.rows = (uint16)rows;
     extent.words = (uint16)(layout->row_bytes >> 1);
-    from += first;
-    planes += first;
-    if (merged) {
-        merged += first;
-        for (int32 at = 0; at < PLANES * bytes; at += 2 * bytes)
-            to = merge(to, &extent, from + at + bytes, from + at, merged + at + bytes, merged + at, ONES, 1);
-        from = merged;
-    }
-    if (layout->dots == 1) {
-        for (int32 i = 0; i < 4; i++) {
-            const int32 at = ((i & 2) * 2 + (i & 1)) * bytes;
-
-            to = merge(to, &extent, from + at, from + at + 2 * bytes, planes + at + 2 * bytes, planes + at, TWOS, 2);
-        }
-        return (int32)(to - blits);
-    }
-    for (int32 i = 0; i < 2; i++, from += 2 * bytes)
-        to = merge(to, &extent, from, from + bytes, from + 5 * bytes, from + 4 * bytes, TWOS, 2);
-    for (int32 i = 0; i < 4; i++, from += bytes, planes += 2 * bytes)
-        to = merge(to, &extent, from, from, planes + bytes, planes, ONES, 1);
-    return (int32)(to - blits);
+    return (int32)((layout->dots > 1 ? merge_doubled : merge_plain)(
+        blits, &extent, layout->plane_bytes, from + first, merged ? merged + first : 0, planes + first) - blits);
 }

@@ -19,13 +19,11 @@ enum blits_constants {
     BLITS_MAX = 16              /* for a frame, at most */
 };
 
-/* Returns the bytes of chip RAM that the processor's part needs beside the planes, and for pixels two dots wide the
-   blitter. */
+/* Returns the bytes of chip RAM of the processor's part, which is between a frame and its planes. */
 int32 blits_bytes(const struct screen_layout *layout);
 
-/* Writes the blits that make rows of a frame's planes from the half planes at `from`: as large as a set of planes, and
-   for pixels two dots wide half as large with as much room behind them. rows: 1 or more. merged: 0, or room for a set of
-   planes for what quarter planes at `from` become first, not for pixels two dots wide. Returns how many. */
+/* Writes the blits that make rows of a frame's planes from the processor's part. merged: 0, or room for as much, if that
+   part is one of those that the blitter merges twice. rows: 1 or more. Returns how many. */
 int32 blits_make(struct blit *blits, const struct screen_layout *layout, uint8 *from, uint8 *merged, uint8 *planes,
                  int32 top, int32 rows);
 

@@ -39,6 +39,7 @@ void c2p_8_2x1(const struct planar_plan *plan);
 void c2p_8_blit(const struct planar_plan *plan);
 void c2p_8_blits(const struct planar_plan *plan);
 void c2p_8_2x1_blit(const struct planar_plan *plan);
+void c2p_8_2x1_blits(const struct planar_plan *plan);
 void c2p_ham8_16(const struct planar_plan *plan);
 void c2p_ham8_5551(const struct planar_plan *plan);
 void c2p_ham8_32(const struct planar_plan *plan);

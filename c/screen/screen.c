@@ -6,9 +6,8 @@
 #include "system/system.h"
 #include "system/text.h"
 
-/* Fields that the blitter must have rested before a frame so that it merges all of the next one twice: that takes it some
-   598,000 cycles more at 320x256, and a field has 283,750. */
-enum { BLITTER_REST = 4 };
+/* Bytes of half planes that the blitter merges in a field: 81,920 in some 598,000 cycles, of which a field has 283,750. */
+enum { MERGED_BYTES = 38900 };
 
 static const char name[] = "screen";
 
@@ -41,7 +40,7 @@ static int32 take_chip(struct screen *screen, uint32 blitter)
 
     screen->between[0] = screen->between[1] = screen->merged = 0;
     if (blitter && !screen->layout.ham) {
-        if (screen->layout.dots == 1 && take_bytes(screen, bytes + 3 * part))
+        if (take_bytes(screen, bytes + 3 * part))
             screen->merged = screen->chip + bytes + 2 * part;
         if (screen->merged || take_bytes(screen, bytes + 2 * part)) {
             screen->between[0] = screen->chip + bytes;
@@ -142,6 +141,12 @@ static void (*converter(const struct screen_layout *layout, uint32 format))(cons
          : format == PIXEL_RGBA5551 ? c2p_ham8_5551 : c2p_ham8_32;
 }
 
+static void (*part_converter(const struct screen *screen))(const struct planar_plan *plan)
+{
+    return screen->layout.dots > 1 ? screen->merges_twice ? c2p_8_2x1_blits : c2p_8_2x1_blit
+                                   : screen->merges_twice ? c2p_8_blits : c2p_8_blit;
+}
+
 static int32 take_machine(struct screen *screen)
 {
     if (!font_read(screen->font))
@@ -169,11 +174,11 @@ static int32 make(struct screen *screen, const struct screen_form *form)
     if (!take_chip(screen, form->blitter) || (!screen->is_open && !take_machine(screen)))
         return 0;
     screen->convert = converter(&screen->layout, form->format);
-    screen->convert_part = screen->layout.dots > 1 ? c2p_8_2x1_blit : c2p_8_blit;
+    screen->merges_twice = 0;
     place(screen);
     for (int32 set = 0; set < 2; set++) {
         make_list(screen, set);
-        screen->parts[set] = screen->convert_part;
+        screen->merged_twice[set] = 0;
         touched_begin(&screen->had[set], screen->layout.width, screen->layout.height);
         touched_fill(&screen->had[set]);        /* nothing is known of what is there */
     }
@@ -269,13 +274,13 @@ void screen_prepare(struct screen *screen, const struct frame *frame, const stru
 
     if (!is_merged)
         screen_finish(screen);
-    else if (screen->parts[screen->hidden] != screen->convert_part) {
-        screen->parts[screen->hidden] = screen->convert_part;
+    else if (screen->merged_twice[screen->hidden] != screen->merges_twice) {
+        screen->merged_twice[screen->hidden] = screen->merges_twice;
         touched_fill(had);
     }
     widen(had, touched);
     if (is_merged)
-        convert_touched(screen, frame, had, screen->convert_part, screen->between[screen->hidden]);
+        convert_touched(screen, frame, had, part_converter(screen), screen->between[screen->hidden]);
     else
         convert_touched(screen, frame, had, screen->convert, screen->planes[screen->hidden]);
     touched_box(had, &screen->prepared);
@@ -283,18 +288,18 @@ void screen_prepare(struct screen *screen, const struct frame *frame, const stru
     screen->is_prepared = is_merged;
 }
 
-/* Lets the blitter merge twice from the next frame on if it has rested long before this one, once if this one waits for
-   it. */
+/* Lets the blitter merge twice from the next frame on if it has rested for a field more than that takes, once if this frame
+   waits for it. */
 static void balance(struct screen *screen)
 {
-    const int32 is_late = screen->work.left > 0, merges_twice = screen->convert_part == c2p_8_blits;
+    const uint32 rest = 2 + (uint32)blits_bytes(&screen->layout) / MERGED_BYTES;
 
     if (!screen->work.list || !screen->merged)
         return;
-    if (is_late)
-        screen->convert_part = c2p_8_blit;
-    else if (!merges_twice && display_fields() - display_since() >= BLITTER_REST)
-        screen->convert_part = c2p_8_blits;
+    if (screen->work.left > 0)
+        screen->merges_twice = 0;
+    else if (display_fields() - display_since() >= rest)
+        screen->merges_twice = 1;
 }
 
 /* Starts the blits of what was prepared; waits until the frame before is shown. */
@@ -313,7 +318,7 @@ static void blits_post(struct screen *screen, uint32 field)
     }
     work->next = screen->blits;
     work->left = blits_make(screen->blits, &screen->layout, screen->between[screen->hidden],
-                            screen->parts[screen->hidden] == c2p_8_blits ? screen->merged : 0,
+                            screen->merged_twice[screen->hidden] ? screen->merged : 0,
                             screen->planes[screen->hidden], box->top, box->bottom - box->top);
     work->list = screen->list[screen->hidden];
     work->field = field;

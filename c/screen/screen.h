@@ -26,9 +26,8 @@ struct screen {
     uint8 *status;
     uint8 *between[2];          /* what the blitter still merges, for each set; 0: the processor converts alone */
     uint8 *merged;              /* what it has merged once, where it may merge twice; or 0 */
-    void (*convert_part)(const struct planar_plan *plan);   /* to between, from the next frame on: c2p_8_blits if the
-                                   blitter merges twice */
-    void (*parts[2])(const struct planar_plan *plan);       /* that made each between */
+    int32 merges_twice;         /* 1: it does from the next frame on; */
+    int32 merged_twice[2];      /* it does what is between */
     struct touched had[2];      /* of each set, what may differ from the background that frames begin with */
     struct rectangle prepared;  /* around what was converted of the hidden set's frame */
     struct blit blits[BLITS_MAX];

@@ -1,4 +1,4 @@
-        include "planar.i"
+        include "ham8.i"
 
 ; c2p_ham8_32 - an RGBA8888 frame as the colour planes of HAM8
 ;

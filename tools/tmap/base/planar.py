@@ -121,14 +121,16 @@ def fourths(pixels: np.ndarray) -> np.ndarray:
     return found
 
 
-def quarters(pixels: np.ndarray) -> np.ndarray:
-    """Returns what the blitter merges by 2 and doubles to the planes of pixels two dots wide: half plane 2 b2 + p0 has, at
-    a dot 2 p + d, p's bit 0 = c, the bit 4 b2 + 2 (1 - c) + 1 - d of the pixel that is p with p0 as its bit 0."""
+def doubles(pixels: np.ndarray, merged: bool) -> np.ndarray:
+    """Returns what the blitter doubles to the planes of pixels two dots wide: half plane b21 has, at the dot 2 p + d, the
+    bit 2 b21 + 1 - d of pixel p. Not merged, it merges by 2 first: half plane 2 b2 + p0 has, at that dot, p's bit 0 = c, the
+    bit 4 b2 + 2 (1 - c) + 1 - d of the pixel that is p with p0 as its bit 0."""
     x = np.arange(2 * pixels.shape[1])
     found = np.zeros((len(pixels), len(x)), np.uint8)
-    for b2, p0 in np.ndindex(2, 2):
-        bits = pixels[:, x >> 1 & ~1 | p0] >> (4 * b2 + 2 * (~x >> 1 & 1) + (~x & 1)).astype(np.uint8)
-        found |= (bits & 1) << np.uint8(2 * b2 + p0)
+    for b2, k in np.ndindex(2, 2):
+        b1 = k if merged else ~x >> 1 & 1
+        bits = pixels[:, x >> 1 if merged else x >> 1 & ~1 | k] >> (4 * b2 + 2 * b1 + (~x & 1)).astype(np.uint8)
+        found |= (bits & 1) << np.uint8(2 * b2 + k)
     return found
 
 
@@ -139,7 +141,8 @@ FORMS = {
     "c2p_8_2x1": Form(1, 2, (*CONTROL, *UPPER), lambda pixels: pixels.repeat(2, axis=1)),
     "c2p_8_blit": Form(1, 1, (*CONTROL, *UPPER), halves),
     "c2p_8_blits": Form(1, 1, (*CONTROL, *UPPER), fourths),
-    "c2p_8_2x1_blit": Form(1, 2, (0, 1, 2, 3), quarters),
+    "c2p_8_2x1_blit": Form(1, 2, (0, 1, 2, 3), lambda pixels: doubles(pixels, True)),
+    "c2p_8_2x1_blits": Form(1, 2, (0, 1, 2, 3), lambda pixels: doubles(pixels, False)),
     "c2p_ham8_16": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgb565(pixels))),
     "c2p_ham8_5551": Form(2, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgba5551(pixels))),
     "c2p_ham8_32": Form(4, 4, UPPER, lambda pixels: ham8_dots(maps.from_rgba8888(pixels)))}

@@ -14,7 +14,7 @@ from tmap.guest.kernels import Arena, Case, Result
 
 #: Pixels: HAM8's are four dots wide each, of 640 in a row.
 SCREENS = {"c2p_8": (320, 256), "c2p_8_2x1": (160, 256), "c2p_8_blit": (320, 256), "c2p_8_blits": (320, 256),
-           "c2p_8_2x1_blit": (160, 256),
+           "c2p_8_2x1_blit": (160, 256), "c2p_8_2x1_blits": (160, 256),
            "c2p_ham8_16": (160, 256), "c2p_ham8_5551": (160, 256),
            "c2p_ham8_32": (160, 256)}
 ROWS_IN_C = 16

@@ -32,6 +32,7 @@ PLANAR_LINES = (
     ("8 bits, with the blitter, which merges twice", "c2p_8_blits", 320, (("the processor's part", "_low"),)),
     ("8 bits, 2x1", "c2p_8_2x1", 160, (("eight planes", "_low"),)),
     ("8 bits, 2x1, with the blitter", "c2p_8_2x1_blit", 160, (("the processor's part", "_low"),)),
+    ("8 bits, 2x1, with the blitter, which merges too", "c2p_8_2x1_blits", 160, (("the processor's part", "_low"),)),
     *((title, row, 160, (("HAM8, 640 dots", "_high"), ("HAM8, 1280 dots", "_super")))
       for title, row in (("`rgb565`", "c2p_ham8_16"), ("`rgba5551`", "c2p_ham8_5551"),
                          ("`rgba8888`", "c2p_ham8_32"))))

@@ -9,7 +9,7 @@ from tmap.guest.emulator import has_fast_memory
 from tmap.scene_file.scene_file import Scene
 
 #: The bench's row of the processor's part of a conversion with the blitter, and its length, by a pixel's width.
-WITH_BLITTER = {1: ("c2p_8_blit_low", 320), 2: ("c2p_8_2x1_blit_low", 160)}
+WITH_BLITTER = {1: ("c2p_8_blit_low", 320), 2: ("c2p_8_2x1_blits_low", 160)}
 #: The bench's row of a conversion without it, by format too.
 ROWS = {("chunky", 1): ("c2p_8_low", 320), ("chunky", 2): ("c2p_8_2x1_low", 160),
         **{(form, width): (f"c2p_ham8_{name}_{dots}", 160)
