@@ -62,11 +62,16 @@ static void place(struct vertex *to, const struct vertex *from, uint32 count,
 }
 
 /* Draws polygons of a material; returns `refused`, or why one of them was. */
-static enum polygon_result draw_run(struct renderer *renderer, const struct polygon *run,
-                                    const struct polygon *end, const struct material *material,
-                                    enum polygon_result refused)
+static enum polygon_result draw_run(struct renderer *renderer, const struct scene *scene, const struct polygon *end,
+                                    const struct material *material, enum polygon_result refused)
 {
-    const enum polygon_result result = end == run + 1
+    const struct polygon *const run = scene->scratch->run;
+    enum polygon_result result;
+
+    if (scene->touched)
+        for (const struct polygon *polygon = run; polygon < end; polygon++)
+            touched_vertices(scene->touched, polygon->vertices, polygon->count);
+    result = end == run + 1
         ? material->draw(renderer, run, material)
         : polygons_draw(renderer, run, (int32)(end - run), material);
 
@@ -96,7 +101,7 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
             continue;
         if (object->material != of_run || last == full || object->vertices > left) {
             if (last != run)
-                refused = draw_run(renderer, run, last, material, refused);
+                refused = draw_run(renderer, scene, last, material, refused);
             material = &scene->drawn[object->material];
             last = run;
             room = scene->scratch->placed;
@@ -111,11 +116,9 @@ static enum polygon_result draw_objects(struct renderer *renderer, const struct 
             room += object->vertices;
             left -= object->vertices;
         }
-        if (scene->touched)
-            touched_vertices(scene->touched, vertices, (int32)object->vertices);
         polygon_set(last++, vertices, (int32)object->vertices, object->planar);
     }
-    return last == run ? refused : draw_run(renderer, run, last, material, refused);
+    return last == run ? refused : draw_run(renderer, scene, last, material, refused);
 }
 
 /* Draws all objects and instances. */

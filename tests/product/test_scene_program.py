@@ -92,8 +92,9 @@ def folder(tmp_path_factory):
 
 #: Of each program: routines that it has, of some one at least, and routines that it has not.
 INSIDE = {
-    "triangle": (({"triangles_affine"}, {"span_fill"}, {"triangle_polygon"}),
-                 {"span_affine_addx", "edge_addx", "texturing_plane", "span_affine_row", "span_lit", "span_tiled", "span_gouraud", "edge_addx_exact",
+    "triangle": (({"triangles_affine"}, {"box_fill"}, {"triangle_polygon"}),
+                 {"span_fill", "touched_vertices", "touched_next", "span_affine_addx", "edge_addx", "texturing_plane",
+                  "span_affine_row", "span_lit", "span_tiled", "span_gouraud", "edge_addx_exact",
                   "perspective_lines", "mesh_transform_wide", "mesh_draw"}),
     "mesh": (({"mesh_transform_wide"}, {"mesh_faces_wide"}),
              {"mesh_transform", "mesh_gather", "span_lit", "span_tiled", "span_generated", "span_cubic_right",
