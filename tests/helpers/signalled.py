@@ -10,6 +10,8 @@ from tmap.base import paths
 from tmap.base.signals import ENDING
 from tmap.base.silence import Silence, children
 
+SECONDS = 2  # for an emulator, which holds no pipe of ours, to vanish on a busy machine
+
 
 def is_running(pid: int) -> bool:
     """Whether a process has not ended; one that nobody waited for has."""
@@ -41,5 +43,8 @@ def end(arguments: list[str], number: signal.Signals, to_all: bool, folder: Path
             assert not silence.end()
             time.sleep(0.1)
         said = process.communicate(timeout=20)[0]  # an end of file only when its processes have ended
-    assert not any(map(is_running, started))
+    ended = time.monotonic() + SECONDS
+    while any(map(is_running, started)):
+        assert time.monotonic() < ended, "something is still running"
+        time.sleep(0.05)
     return process.returncode, said
