@@ -45,8 +45,8 @@ void touched_add(struct touched *touched, const struct rectangle *box);
 void touched_copy(struct touched *touched, const struct touched *other);
 void touched_join(struct touched *touched, const struct touched *other);
 
-/* Returns the next run of bands with the same pixels from line `from` on as a box, below whose bottom the next call goes
-   on; one without lines where there is no more. */
+/* Sets *box to the next run of bands with the same pixels, from line `from` on, and returns it; its bottom is the next
+   call's `from`. A box without lines: there are no more. */
 struct rectangle *touched_next(const struct touched *touched, int32 from, struct rectangle *box);
 
 /* Sets a box around all of them; one without lines if there are none. */

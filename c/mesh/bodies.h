@@ -9,8 +9,9 @@
    length, and a plane of q is off by less than 310 units: DEPTH_OFF_LEAST, and both of error_part over at most 9 f
    pixels. A line's pixels are off by half a frame's width more. Of the face drawn and of a body's this is less than
    2^11 together. A ray meets the body `margin` behind the plane or more, and w there is greater by a third of that,
-   as f is a quarter of the frame's sides or more; of pixels that are not as high as wide, x and y have their own. So q differs by 2^29 near margin / (3 w^2) or more, which is 2^11 if
-   margin is 2^-16 w^2 / near. Views are rotations, as the scene compiler makes them, x and y times f. */
+   as f is a quarter of the frame's sides or more; x and y have their own if pixels are not as high as wide. So q differs
+   by 2^29 near margin / (3 w^2) or more, which is 2^11 if margin is 2^-16 w^2 / near. Views are rotations, as the scene
+   compiler makes them, x and y times f. */
 #ifndef BODIES_H
 #define BODIES_H
 

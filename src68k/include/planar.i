@@ -155,6 +155,38 @@ half    move.l  ROWS+HELD(sp),BACK+HELD(sp)
         rts
         endm
 
+; The body of a conversion of pixels two dots wide to four half planes; \1: 1 if they are merged by 2.
+wide_halves macro
+        planar_open 0,2
+        move.l  #$0f0f0f0f,d7
+        lea     (a1,a2.l),a3
+        lea     (a1,a2.l*2),a4
+        lea     (a3,a2.l*2),a5
+        places_row 0
+.longs  words_16
+        merge   d0,d2,8,d5
+        merge   d1,d3,8,d5
+        merge   d0,d1,4,d7
+        ifne    \1
+        merge   d2,d3,4,d7
+        merge   d0,d2,2,d6
+        move.l  d0,(a5)+
+        merge   d1,d3,2,d6
+        move.l  d2,(a4)+
+        move.l  d1,(a3)+
+        move.l  d3,(a1)+
+        else
+        move.l  d0,(a4)+
+        merge   d2,d3,4,d7
+        move.l  d1,(a1)+
+        move.l  d2,(a5)+
+        move.l  d3,(a3)+
+        endc
+        places_next 0,ROWS
+        lea     LOCALS(sp),sp
+        return_all
+        endm
+
 ; Exchanges the bits of \1 in the mask \4 with those of \2 that are \3 to the left. Trashes d4.
 merge   macro
         move.l  \2,d4

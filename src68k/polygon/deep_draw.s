@@ -1,4 +1,5 @@
         include "routine.i"
+        include "deep.i"
 
         xref    polygon_outline,edges_make,depth_inside,way_inside,edges_far_inside,far_span_inside
         xref    _far_spans,_deep_rest
@@ -50,27 +51,8 @@ bent    macro
 
         routine deep_draw,a0
         save_all
-        movea.l a0,a6
-        movea.l setup_vertices(a6),a0
-        move.l  setup_count(a6),d1
-        subq.w  #2,d1
-        move.l  vertex_w(a0),d0
-.vertex lea     vertex_sizeof(a0),a0
-        cmp.l   vertex_w(a0),d0
-        dbne    d1,.vertex
-        beq     .constant
-        move.l  deep_exact(a6),d0
-        moveq   #-2,d1                  ; without a plane or edges: columns need none
-        jsr     polygon_outline
-        tst.l   d0
-        bne     .done
-
-        movem.l setup_box(a6),d4-d7
-        sub.l   d5,d7                   ; height
-        move.l  d7,setup_span+span_plan_count(a6)
-        muls.w  setup_span+span_plan_pitch+2(a6),d5     ; it fits: deep_begin
-        add.l   deep_row(a6),d5
-        move.l  d5,setup_span+span_plan_row(a6)
+        deep_outline -2         ; without a plane or edges: columns need none
+        deep_rows
         lea     deep_depth(a6),a5
         jsr     depth_inside
         tst.l   d0

@@ -91,7 +91,7 @@ static int32 show(struct frame *frame, const char *name, int32 blits)
 }
 
 /* Shows frames of which a file has the boxes that differ from their background: how many frames there are; for each, how
-   many boxes, or -1 if nobody knows, and these. */
+   many boxes, or -1 if it is converted whole, and these. */
 static int32 show_boxes(struct frame *frame, const char *name)
 {
     struct touched touched;

@@ -23,9 +23,10 @@ MACHINE = "a1200-fast"
 GUARD = 64  # least number of bytes before and behind each block
 REPORTED = 4  # most failed trials of one kernel that are shown
 RERUN = '.deps/venv/bin/python -m pytest "tests/kernels/test_kernels.py::test_contract[{}]"'
-#: No trial can call these: three_draw calls routines whose addresses its plan has, and C, deep_draw and cover_draw C; the frames
-#: of tests/polygon and the fuzzer draw by them. triangle_outline takes a routine's address, and
-#: texturing_gentle_from memory from the stack; polygon_outline and texturing_gentle end with them.
+#: No trial can call these: three_draw calls routines whose addresses its plan has, and C, deep_draw and
+#: cover_draw C; the frames of tests/polygon and the fuzzer draw by three_draw and deep_draw, those of tests/mesh by
+#: cover_draw. triangle_outline takes a routine's address, and texturing_gentle_from memory from the stack;
+#: polygon_outline and texturing_gentle end with them.
 UNCALLED = {"cover_draw", "deep_draw", "three_draw", "three_run", "three_one", "triangle_outline",
             "texturing_gentle_from"}
 #: Bits of an ``out`` register that its C type covers.

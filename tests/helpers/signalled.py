@@ -10,7 +10,7 @@ from tmap.base import paths
 from tmap.base.signals import ENDING
 from tmap.base.silence import Silence, children
 
-SECONDS = 2  # for an emulator, which holds no pipe of ours, to vanish on a busy machine
+SECONDS = 2  # a process is gone a moment after its files are closed; an emulator that had the signal ends by itself
 
 
 def is_running(pid: int) -> bool:

@@ -90,7 +90,7 @@ BOXED = {
     "odd_blit_boxes": Shown("c2p_8", 200, 61, mode="BLIT_BOXES"),
     "wide_blit_boxes": Shown("c2p_8_2x1", 136, 99, pixel=(2, 2), mode="BLIT_BOXES"),
 }
-#: Boxes by frame, in tenths of the frame's sides: left, top, right, bottom. None: nobody knows them.
+#: Boxes by frame, in tenths of the frame's sides: left, top, right, bottom. None: all is converted.
 BOXES = [[(2, 1, 4, 3)], [(2, 1, 4, 3), (7, 6, 12, 9)], [(0, 5, 1, 6)], [], [], None, [(-3, -2, 1, 1), (9, 8, 10, 10)],
          [(5, 2, 4, 3), (4, 4, 6, 6), (4, 7, 6, 8)], [(1, 2, 9, 9)]]
 
