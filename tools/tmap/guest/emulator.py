@@ -256,14 +256,15 @@ def prepare(directory: Path, commands: list[str], files: dict[str, bytes | Path]
     (volume / "S" / "Startup-Sequence").write_text("\n".join(script) + "\n")
 
 
-def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> str:
+def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) -> tuple[str, dict[str, str]]:
     """Waits until the emulator ends, or until the guest was silent for ``patience`` seconds.
-    Returns a text about the silence, or an empty one.
+    Returns a text about the silence, or an empty one; and what each log had at the last sign of life, as a guest that
+    reboots writes them anew.
 
     Only more files and output than ever before count as a sign of life, so that a guest that
     reboots again and again counts as silent too.
     """
-    most, silence = -1, Silence(process.pid, patience)
+    most, silence, heard = -1, Silence(process.pid, patience), {}
     while process.poll() is None:
         with os.scandir(volume) as entries:
             names = [entry.name for entry in entries]
@@ -272,12 +273,13 @@ def wait(process: subprocess.Popen, volume: Path, on_output, patience: float) ->
         if size > most:
             most = size
             silence.heard()
+            heard = {path.name: read(path) for path in logs}
             if on_output:
-                on_output("".join(map(read, logs)))
+                on_output("".join(heard.values()))
         elif said := silence.end():
-            return said
+            return said, heard
         time.sleep(0.04)
-    return ""
+    return "", heard
 
 
 def explain_end(program: Path, arguments: str, output: str, silence: str, log: str) -> str:
@@ -314,13 +316,14 @@ def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str,
         more = {"hard_drive_0": str(volume)} | (drives or {}) | (UNTIMED if not timed else {})
         command = ["fs-uae", str(write_config(directory, machine, display, more))]
     with started(command, volume, environment, log) as process:
-        silence = wait(process, volume, on_output, patience)
+        silence, heard = wait(process, volume, on_output, patience)
     codes = [read(volume / f"{number}.code").strip() for number in range(len(commands))]
     outputs = [read(volume / f"{number}.log") for number in range(len(commands))]
     if not (volume / "end").exists():
         last = codes.index("") if "" in codes else len(codes) - 1
         program, _, arguments = commands[last].partition(" ")
-        why = explain_end(programs / program, arguments, outputs[last], silence, read(log))
+        output = max(outputs[last], heard.get(f"{last}.log", ""), key=len)
+        why = explain_end(programs / program, arguments, output, silence, read(log))
         raise (Closed if not silence and process.returncode == 0 else UserError)(why)
     if "" in codes:
         raise UserError(f"{commands[codes.index('')]}: batch could not run it")
