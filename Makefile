@@ -62,7 +62,7 @@ LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
 
 help:
 	@echo 'make run [SCENE=FILE] [MACHINE=NAME] [FRAMES=N]   render a scene: build/run/NAME'
-	@echo 'make show [SCENE=FILE] [MACHINE=NAME]             play a scene in a window: space, cursor keys, escape'
+	@echo 'make show [SCENE=FILE] [MACHINE=NAME] [FPS=RATE]  play a scene in a window: space, cursor keys, G, escape'
 	@echo 'make demo [PLAY=1] [MACHINE=NAME]                 the demo, for an Amiga: build/demo; PLAY=1: in a window'
 	@echo 'make scene-program [SCENE=FILE] [MACHINE=NAME]    a program that draws one scene: build/scene/NAME'
 	@echo 'make fit FPS=RATE [SCENE=FILE] [MACHINE=NAME]     the most exact settings that hold a rate: build/fit/NAME'
@@ -86,7 +86,7 @@ run: programs
 	  -o "build/run/$$(basename "$$SCENE" .toml)"
 
 show: programs
-	@scripts/tmap show "$$SCENE" $${MACHINE:+--machine "$$MACHINE"}
+	@scripts/tmap show "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FPS:+--fps "$$FPS"}
 
 demo: programs
 	@scripts/tmap demo -o build/demo $${PLAY:+--play} $${MACHINE:+--machine "$$MACHINE"}

@@ -45,6 +45,7 @@ static void set_settings(struct player *player, int32 number)
     player->set = set;
     settings.accuracy = pane->settings.accuracy;
     settings.perspective = pane->settings.perspective;
+    settings.only_cheaper = 0;
     if (settings.perspective == SETTINGS_OWN)
         settings.perspective = step->perspective;
     settings_set(player->scene, &settings);

@@ -12,9 +12,6 @@
 
 enum player_constants {
     CLOCK_FIELDS = 2,           /* a frame of a scene that follows the clock: 25 a second */
-    LINE_TICKS = 227,           /* colour clocks */
-    FIELD_TICKS = 312 * LINE_TICKS,
-    FIELD_BUDGET = FIELD_TICKS * 95 / 100,      /* all work is timed; a twentieth is left for the system's */
     TURNS_BUDGET = FIELD_TICKS * 90 / 100,      /* panes that take turns leave another one to spare */
     FIGURES_FIELDS = 50,        /* from one update of the figures to the next */
     COUNT_EVERY = 4             /* where panes are compared, one picture of these is counted: that takes time */

@@ -14,7 +14,7 @@
 #ifndef SCRIPT_H
 #define SCRIPT_H
 
-#include "demo/governor.h"
+#include "show/governor.h"
 #include "polygon/polygon.h"
 #include "scene/settings.h"
 

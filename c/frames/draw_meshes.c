@@ -178,7 +178,7 @@ static int32 place(const struct renderer *renderer, const struct scene *scene,
     placed->points = at->points;
     placed->places = at->places;
     placed->view = view;
-    placed->view16 = instance->view16 == NO_VIEW16
+    placed->view16 = instance->view16 == NO_VIEW16 || scene->is_coarse
                    ? 0 : &scene->views16[(uint32)instance->view16 + age];
     placed->attributes = at->attributes;
     placed->flags = instance->flags;

@@ -220,7 +220,7 @@ int main(void)
     struct scene scene;
     struct frame frame;
     struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0, 0};
-    struct settings settings = {SETTINGS_OWN, SETTINGS_OWN};
+    struct settings settings = {SETTINGS_OWN, SETTINGS_OWN, 0};
     int32 kind, form;
 
     if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K,"

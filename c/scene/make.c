@@ -209,6 +209,7 @@ enum scene_memory scene_make(struct scene *scene, int32 kind)
     enum scene_memory made;
 
     scene->touched = 0;
+    scene->is_coarse = 0;
     scene->reciprocals = 0;
     scene->triangles = 0;
     scene->tried_reciprocals = scene->tried_triangles = 0;

@@ -59,6 +59,7 @@ struct scene {
     uint8 tried_reciprocals, tried_triangles;   /* 1: not made again where memory
                                    was short */
     uint8 is_once;              /* 1: instances are drawn with the coverage */
+    uint8 is_coarse;            /* 1: frames are those of scene/coarse.h */
     struct n64_unit *engines;   /* one a unit */
     uint32 *n64_reciprocals;    /* of all units; null until a polygon needs them */
     struct glide *glide;        /* one each of glide_units */

@@ -28,11 +28,15 @@ static int32 is_fixed(uint32 mapper)
     return mappers[mapper].is & (MAPPER_UNIT + MAPPER_PLANE);
 }
 
-static void set_perspective(struct material *to, const struct scene_material *from, int32 step)
+static void set_perspective(struct material *to, const struct scene_material *from,
+                            const struct settings *settings)
 {
+    const int32 step = settings->perspective;
+
     to->perspective = (uint8)from->perspective;
     to->tolerance = from->tolerance;
-    if (step == SETTINGS_OWN || !from->perspective)
+    if (step == SETTINGS_OWN || !from->perspective
+        || (settings->only_cheaper && step >= (int32)from->perspective))
         return;
     to->perspective = (uint8)step;
     if (step == PERSPECTIVE_FINE)
@@ -40,12 +44,16 @@ static void set_perspective(struct material *to, const struct scene_material *fr
 }
 
 /* Called after set_perspective, whose result it reads. */
-static void set_accuracy(struct material *to, const struct scene_material *from, int32 step)
+static void set_accuracy(struct material *to, const struct scene_material *from,
+                         const struct settings *settings)
 {
+    const int32 step = settings->accuracy;
+
     to->edges = (uint8)from->edges;
     to->gradients = (uint8)from->gradients;
     to->start = (uint8)from->start;
-    if (step == SETTINGS_OWN)
+    if (step == SETTINGS_OWN
+        || (settings->only_cheaper && (to->edges == EDGES_INTEGER || to->edges == EDGES_SNAPPED)))
         return;
     to->edges = accuracy[step].edges;
     if (mappers[from->mapper].is & MAPPER_UNIT
@@ -90,23 +98,31 @@ static void restore_gradients(const struct scene *scene)
             keep_gradients(scene, instance->material);
 }
 
-static void set_units(struct scene *scene, int32 step)
+/* Returns the pixels between two divides of a Glide unit; own: the scene's. 0: none, so the dearest. */
+static uint32 subdivision(uint32 own, const struct settings *settings)
+{
+    const int32 step = settings->perspective;
+    const uint32 asked = step == SETTINGS_OWN ? own : perspective[step].subdivision;
+
+    return settings->only_cheaper && own && asked < own ? own : asked;
+}
+
+static void set_units(struct scene *scene, const struct settings *settings)
 {
     for (uint32 i = 0; i < scene->header->glide_units; i++)
-        glide_subdivision(&scene->glide[i], step == SETTINGS_OWN ? scene->glide_units[i].subdivision
-                                                             : perspective[step].subdivision);
+        glide_subdivision(&scene->glide[i], subdivision(scene->glide_units[i].subdivision, settings));
 }
 
 int32 settings_set(struct scene *scene, const struct settings *settings)
 {
     for (uint32 i = 0; i < scene->header->materials; i++) {
-        set_perspective(&scene->drawn[i], &scene->materials[i], settings->perspective);
-        set_accuracy(&scene->drawn[i], &scene->materials[i], settings->accuracy);
+        set_perspective(&scene->drawn[i], &scene->materials[i], settings);
+        set_accuracy(&scene->drawn[i], &scene->materials[i], settings);
     }
     restore_gradients(scene);
     scene->is_once = scene->header->once && (settings->accuracy == SETTINGS_OWN
                                              || accuracy[settings->accuracy].edges == EDGES_EXACT);
-    set_units(scene, settings->perspective);
+    set_units(scene, settings);
     return scene_make_tables(scene) == SCENE_MADE;
 }
 

@@ -8,7 +8,9 @@
      MAPPER_DITHERED or texture units;
    - gradients: not set if one of the material's polygons or faces has more than three corners;
    - edges: subpixel instead of integer and snapped with texture units;
-   - tolerance: the scene's, but 0 with PERSPECTIVE_FINE.
+   - tolerance: the scene's, but 0 with PERSPECTIVE_FINE;
+   - where `only_cheaper` says so: nothing of a material that would cost more: perspective if the scene's is less exact,
+     accuracy if the scene's edges are whole pixels or snapped.
    Fields that are not set have the scene's values. */
 #ifndef SETTINGS_H
 #define SETTINGS_H
@@ -23,6 +25,7 @@ enum settings_steps {
 struct settings {
     int32 accuracy;             /* SETTINGS_OWN, or 0 to ACCURACY_STEPS - 1 */
     int32 perspective;          /* SETTINGS_OWN, or 0 to PERSPECTIVE_KINDS - 1 */
+    int32 only_cheaper;         /* 1: steps are the most that a material may cost */
 };
 
 /* Sets all materials, and makes their tables (scene/tables.h) when a step first needs them. Returns

@@ -12,7 +12,7 @@ enum font_constants {
 #define NO_KEY 0xffffffffu
 
 /* Raw key codes. */
-enum key { KEY_S = 0x21, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY_DOWN, KEY_RIGHT,
+enum key { KEY_S = 0x21, KEY_G = 0x24, KEY_SPACE = 0x40, KEY_ESCAPE = 0x45, KEY_UP = 0x4c, KEY_DOWN, KEY_RIGHT,
            KEY_LEFT };
 
 int32 display_has_aga(void);

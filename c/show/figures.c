@@ -53,18 +53,47 @@ static uint32 pixels_in(uint32 differs, int32 pixel_bytes)
     return pixels;
 }
 
-void measured_compare(struct measured *measured, const struct frame *frame,
-                      const struct frame *exact)
+/* Returns how many pixels of two frames of the same size differ. */
+static uint32 differing(const struct frame *frame, const struct frame *exact)
 {
     const uint32 *one = (const uint32 *)frame->pixels, *other = (const uint32 *)exact->pixels;
+    uint32 different = 0;
 
     for (int32 i = frame->pitch * frame->height / 4; i > 0; i--) {
         const uint32 differs = *one++ ^ *other++;
 
         if (differs)
-            measured->different += pixels_in(differs, frame->pixel_bytes);
+            different += pixels_in(differs, frame->pixel_bytes);
     }
-    measured->compared += (uint32)(frame->width * frame->height);
+    return different;
+}
+
+/* Returns how many pixels of an exact frame's row differ from half as many, each of which covers two. */
+static uint32 differing_twice(const uint8 *row, const uint8 *exact, int32 width, int32 bytes)
+{
+    uint32 different = 0;
+
+    for (; width > 0; width--, row += bytes)
+        for (int32 twice = 0; twice < 2; twice++, exact += bytes) {
+            int32 at = 0;
+
+            while (at < bytes && row[at] == exact[at])
+                at++;
+            different += at < bytes;
+        }
+    return different;
+}
+
+void measured_compare(struct measured *measured, const struct frame *frame,
+                      const struct frame *exact)
+{
+    if (frame->width == exact->width)
+        measured->different += differing(frame, exact);
+    else
+        for (int32 y = 0; y < exact->height; y++)
+            measured->different += differing_twice(frame->pixels + (y >> 1) * frame->pitch,
+                                                   exact->pixels + y * exact->pitch, frame->width, frame->pixel_bytes);
+    measured->compared += (uint32)(exact->width * exact->height);
 }
 
 /* Returns part / whole * scale, rounded down. whole is below 2^28.7, scale a power of ten. */

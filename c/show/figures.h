@@ -32,7 +32,8 @@ int32 measured_has_room(const struct measured *measured);
 /* Adds the pixels of a frame's polygons and the ticks that drawing took. */
 void measured_add(struct measured *measured, const struct scene_counts *counts, uint32 ticks);
 
-/* Compares two frames of the same size, whose rows have no gaps, and adds the result. */
+/* Compares a frame with an exact one and adds the result; rows have no gaps. The exact one has the same size, or is twice
+   as wide and high: the frame's pixels are then as large as four of its. */
 void measured_compare(struct measured *measured, const struct frame *frame,
                       const struct frame *exact);
 

@@ -6,7 +6,7 @@
 #define NO_LIMIT 65535          /* of the clock: the watchdog is off */
 
 uint32 times_show(struct screen *screen, const struct frame *frame, const struct touched *touched,
-                  struct frame_time *time)
+                  uint32 *ticks)
 {
     const int32 is_merged = screen->between[0] != 0;
     uint32 since;
@@ -18,7 +18,7 @@ uint32 times_show(struct screen *screen, const struct frame *frame, const struct
     screen_show(screen, frame, touched);
     if (is_merged)              /* it has waited in the midst */
         since = display_since();
-    time->showing = clock_stop();
+    *ticks = clock_stop();
     return since - screen->since;
 }
 
@@ -31,6 +31,10 @@ void times_print(const struct frame_time *times, int32 count)
         text_number((int32)times->showing);
         text_add(" field ");
         text_number((int32)times->shown);
+        if (times->rung >= 0) {
+            text_add(" rung ");
+            text_number(times->rung);
+        }
         text_print();
     }
 }

@@ -24,7 +24,7 @@ LEFT, TOP = 74, 12
 LINES, LETTER = (TOP + 516, TOP + 534), (16, 8)
 GROUND = 2  # each channel of the colour with which HAM8 lines begin
 FRAMES = 4
-KEYS = "arrows, S, space, Esc"  # at the end of the second status line
+KEYS = "arrows, S, G, space, Esc"  # at the end of the second status line
 
 
 def surrounded(picture: np.ndarray) -> np.ndarray:

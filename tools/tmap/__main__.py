@@ -91,8 +91,10 @@ def add_scenes(commands: Commands) -> None:
                          "by commas, or all: the picture is the same but for tolerances")
 
     command = commands.add("show", actions.show, "Play a scene in a window, on the emulated machine's screen: "
-                           "space pauses, cursor keys change the accuracy, escape leaves.")
+                           "space pauses, cursor keys change the accuracy, G holds a rate, escape leaves.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
+    command.add_argument("--fps", type=rate, metavar="RATE",
+                         help="hold that many frames a second, 5 to 50, by giving up accuracy and resolution")
     add_machine(command, "a1200-fast", "as run has them (a1200-fast)", MACHINES)
 
     command = commands.add("demo", actions.demo,

@@ -30,7 +30,7 @@ def show(args: argparse.Namespace) -> int:
     from tmap.run import show as tool
     window = tool.window()
     build_programs()
-    return tool.command(args.scene, args.machine, window)
+    return tool.command(args.scene, args.machine, window, args.fps)
 
 
 def demo(args: argparse.Namespace) -> int:

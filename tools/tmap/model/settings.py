@@ -2,6 +2,8 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from tmap.scene_file.materials import SETTINGS, Material
 from tmap.scene_file.pipes import COLUMNS
 from tmap.scene_file.scene_file import Scene
@@ -30,9 +32,14 @@ def materials_of_polygons(scene: Scene) -> set[int]:
 
 
 def set_material(own: Material, accuracy: int | None, perspective: int | None,
-                 triangles: bool) -> Material:
-    """Returns a material at a step of each axis; None keeps the scene's choice."""
+                 triangles: bool, only_cheaper: bool) -> Material:
+    """Returns a material at a step of each axis, or, ``only_cheaper``, at that step at most; None keeps the
+    scene's choice."""
     made = own
+    if only_cheaper and perspective is not None and perspective >= PERSPECTIVE.index(own.perspective):
+        perspective = None
+    if only_cheaper and own.edges in ("integer", "snapped"):
+        accuracy = None
     if perspective is not None and own.perspective != "none":
         name = PERSPECTIVE[perspective]
         made = replace(made, perspective=name,
@@ -48,12 +55,15 @@ def set_material(own: Material, accuracy: int | None, perspective: int | None,
     return replace(made, start=start, gradients=gradients if triangles else own.gradients)
 
 
-def with_settings(scene: Scene, accuracy: int | None, perspective: int | None) -> Scene:
+def with_settings(scene: Scene, accuracy: int | None, perspective: int | None,
+                  only_cheaper: bool = False) -> Scene:
     """Returns a scene whose materials are at these steps, each as far as it allows."""
     polygons = materials_of_polygons(scene)
     glide_units = scene.glide_units.copy()
     if perspective is not None:
-        glide_units[:, COLUMNS["glide_units"].index("subdivision")] = SUBDIVISION[PERSPECTIVE[perspective]]
+        own = glide_units[:, COLUMNS["glide_units"].index("subdivision")]
+        asked = SUBDIVISION[PERSPECTIVE[perspective]]
+        own[:] = np.where(only_cheaper & (own > asked), own, asked)
     return replace(scene, glide_units=glide_units, materials=[
-        set_material(material, accuracy, perspective, number not in polygons)
+        set_material(material, accuracy, perspective, number not in polygons, only_cheaper)
         for number, material in enumerate(scene.materials)])

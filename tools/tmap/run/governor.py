@@ -1,6 +1,16 @@
-"""The integer model of c/demo/governor.c, which chooses the step of a part to draw next."""
+"""The integer models of c/show/governor.c, which chooses the step to draw next, and of c/show/ladder.c, whose rungs are
+these steps where `show` holds a rate."""
+
+from dataclasses import dataclass
 
 from tmap.build import layout
+from tmap.model.settings import ACCURACY, PERSPECTIVE
+from tmap.scene_file.pipes import COLUMNS
+from tmap.scene_file.scene_file import Scene
+from tmap.scene_file.textures import UNITS
+
+SNAPPED = [edges for edges, *_ in ACCURACY].index("snapped")
+NONE, EVERY16 = (PERSPECTIVE.index(name) for name in ("none", "every16"))
 
 
 class Governor:
@@ -48,3 +58,41 @@ class Governor:
                 self.change(-1, 0)
             self.calm = self.most = 0
         return self.step
+
+
+@dataclass(frozen=True)
+class Rung:
+    """Steps of tmap.model.settings that materials are at most, and whether pixels are twice as large."""
+
+    accuracy: int | None
+    perspective: int | None
+    is_coarse: bool
+
+
+def is_cheaper(scene: Scene, step: int) -> bool:
+    """Returns True if a material or a Glide unit costs less at this step of perspective."""
+    units = scene.glide_units[:, COLUMNS["glide_units"].index("subdivision")]
+    return (any(PERSPECTIVE.index(each.perspective) > step for each in scene.materials)
+            or (step >= EVERY16 and bool((units < 16).any())))
+
+
+def has_edges(scene: Scene, perspective: int) -> bool:
+    """Returns True if snapped edges are cheaper, for materials of at most that perspective."""
+    return not scene.once and any(
+        PERSPECTIVE.index(each.perspective) <= perspective and each.edges not in ("integer", "snapped")
+        and each.mapper not in UNITS for each in scene.materials)
+
+
+def ladder(scene: Scene, has_coarse: bool) -> list[Rung]:
+    """Returns the rungs, from the scene's settings to the cheapest."""
+    far = EVERY16 if is_cheaper(scene, EVERY16) else None
+    rungs = []
+    for is_coarse in range(1 + has_coarse):
+        rungs.append(Rung(None, None, bool(is_coarse)))
+        if far:
+            rungs.append(Rung(None, far, bool(is_coarse)))
+        if has_edges(scene, NONE):
+            rungs.append(Rung(SNAPPED, far, bool(is_coarse)))
+    if is_cheaper(scene, NONE):
+        rungs.append(Rung(SNAPPED if has_edges(scene, len(PERSPECTIVE)) else None, NONE, has_coarse))
+    return rungs

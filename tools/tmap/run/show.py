@@ -19,7 +19,8 @@ OPTIONS = {"window_width": str(WIDTH), "window_height": str(HEIGHT), "zoom": "fu
            "keep_aspect": "0", "texture_filter": "nearest", "initial_input_grab": "0"}
 #: What the keys of c/programs/show.c do.
 KEYS = ("space: pause and go on; cursor left and right: accuracy; down and up: perspective; S: the scene's own; "
-        "escape: the end")
+        "G: hold 25, 16.7, 12.5, 10, 8.3 frames a second, or none; escape: the end")
+FIELDS, FIELDS_MAX = 50, 10  # a second; most for a frame whose rate is held
 #: Variables of display servers, and the driver for each. It is given by name, so that no other
 #: driver is used.
 DRIVERS = {"DISPLAY": "x11", "WAYLAND_DISPLAY": "wayland"}
@@ -55,8 +56,18 @@ def play(program: str, arguments: str, files: dict[str, bytes], machine: str,
     return done.output
 
 
-def command(path: Path, machine: str, display: Display) -> int:
+def held(fps: float | None) -> str:
+    """Returns show's argument for a rate: the most fields a frame that keep it; raises UserError."""
+    if fps is None:
+        return ""
+    if not FIELDS / FIELDS_MAX <= fps <= FIELDS:
+        raise UserError(f"--fps: a screen of {FIELDS} fields a second holds {FIELDS // FIELDS_MAX} to {FIELDS}, not {fps:g}")
+    return f" HOLD {math.floor(FIELDS / fps)}"
+
+
+def command(path: Path, machine: str, display: Display, fps: float | None = None) -> int:
     """``tmap show``: plays a scene file; raises UserError."""
+    hold = held(fps)
     print(KEYS)
-    play("show", SCENE_NAME, {SCENE_NAME: write(compile_scene(path))}, machine, display)
+    play("show", SCENE_NAME + hold, {SCENE_NAME: write(compile_scene(path))}, machine, display)
     return 0

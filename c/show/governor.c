@@ -1,4 +1,4 @@
-#include "demo/governor.h"
+#include "show/governor.h"
 
 void governor_start(struct governor *governor, int32 steps)
 {

@@ -1,6 +1,6 @@
-/* Chooses the step of a part that is drawn, so that frames are ready in time.
+/* Chooses which of some steps frames are drawn with, so that they are ready in time.
 
-   Steps go from the best, 0, with which a part begins, to the cheapest. A late frame counts 2, a
+   Steps go from the best, 0, with which it begins, to the cheapest. A late frame counts 2, a
    frame in time takes 1 back; at GOVERNOR_LATE the governor changes to the next cheaper step and
    keeps the ratio of the two steps' times. It goes back after GOVERNOR_CALM frames in time in a
    row, if the longest of them, times that ratio, would leave an eighth of the better step's budget. So a load
@@ -12,6 +12,9 @@
 #include "compiler.h"
 
 enum governor_constants {
+    LINE_TICKS = 227,           /* colour clocks */
+    FIELD_TICKS = 312 * LINE_TICKS,
+    FIELD_BUDGET = FIELD_TICKS * 95 / 100,      /* all work is timed; a twentieth is left for the system's */
     GOVERNOR_STEPS = 8,         /* at most */
     GOVERNOR_LATE = 6,
     GOVERNOR_CALM = 25,         /* frames: a second */
