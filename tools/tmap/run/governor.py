@@ -10,7 +10,7 @@ from tmap.scene_file.scene_file import Scene
 from tmap.scene_file.textures import UNITS
 
 SNAPPED = [edges for edges, *_ in ACCURACY].index("snapped")
-NONE, EVERY16 = (PERSPECTIVE.index(name) for name in ("none", "every16"))
+EVERY16 = PERSPECTIVE.index("every16")
 
 
 class Governor:
@@ -69,30 +69,27 @@ class Rung:
     is_coarse: bool
 
 
-def is_cheaper(scene: Scene, step: int) -> bool:
-    """Returns True if a material or a Glide unit costs less at this step of perspective."""
+def has_perspective(scene: Scene) -> bool:
+    """Returns True if a material or a Glide unit costs less with perspective each 16 pixels."""
     units = scene.glide_units[:, COLUMNS["glide_units"].index("subdivision")]
-    return (any(PERSPECTIVE.index(each.perspective) > step for each in scene.materials)
-            or (step >= EVERY16 and bool((units < 16).any())))
+    return (any(PERSPECTIVE.index(each.perspective) > EVERY16 for each in scene.materials)
+            or bool((units < 16).any()))
 
 
-def has_edges(scene: Scene, perspective: int) -> bool:
-    """Returns True if snapped edges are cheaper, for materials of at most that perspective."""
-    return not scene.once and any(
-        PERSPECTIVE.index(each.perspective) <= perspective and each.edges not in ("integer", "snapped")
-        and each.mapper not in UNITS for each in scene.materials)
+def has_edges(scene: Scene) -> bool:
+    """Returns True if snapped edges are cheaper for a material."""
+    return not scene.once and any(each.perspective == "none" and each.edges not in ("integer", "snapped")
+                                  and each.mapper not in UNITS for each in scene.materials)
 
 
 def ladder(scene: Scene, has_coarse: bool) -> list[Rung]:
     """Returns the rungs, from the scene's settings to the cheapest."""
-    far = EVERY16 if is_cheaper(scene, EVERY16) else None
+    far = EVERY16 if has_perspective(scene) else None
     rungs = []
     for is_coarse in range(1 + has_coarse):
         rungs.append(Rung(None, None, bool(is_coarse)))
         if far:
             rungs.append(Rung(None, far, bool(is_coarse)))
-        if has_edges(scene, NONE):
+        if has_edges(scene):
             rungs.append(Rung(SNAPPED, far, bool(is_coarse)))
-    if is_cheaper(scene, NONE):
-        rungs.append(Rung(SNAPPED if has_edges(scene, len(PERSPECTIVE)) else None, NONE, has_coarse))
     return rungs
