@@ -18,8 +18,8 @@
    - cycles a pixel: of drawing alone, from the background to the last polygon, by the clock, over the
      pixels of all polygons, hidden ones too. DMA and interrupts are on, the display's too, so it is
      more than `render` says. Pixels are counted after that, for the frames that are measured;
-   - how many pixels differ from the most accurate steps of both axes, in the scene's own pixels: by drawing
-     the frame a second time into a buffer of its own. A frame is measured when paused, and one now and then
+   - how many pixels differ from the exact picture: exact edges and fine perspective, of meshes' materials that
+     have none too, in the scene's own pixels, drawn into a buffer of its own. A frame is measured when paused, and one now and then
      while it runs, so that no more than a fifth of the time goes there, none while a rate is held; the figures of all that were since the last change of a
      step are added up. */
 #include "show/show.h"

@@ -31,7 +31,7 @@ static int32 is_fixed(uint32 mapper)
 static void set_perspective(struct material *to, const struct scene_material *from,
                             const struct settings *settings)
 {
-    const int32 step = settings->perspective;
+    const int32 asked = settings->perspective, step = asked == SETTINGS_EXACT ? PERSPECTIVE_FINE : asked;
 
     to->perspective = (uint8)from->perspective;
     to->tolerance = from->tolerance;
@@ -102,7 +102,7 @@ static void restore_gradients(const struct scene *scene)
 static uint32 subdivision(uint32 own, const struct settings *settings)
 {
     const int32 step = settings->perspective;
-    const uint32 asked = step == SETTINGS_OWN ? own : perspective[step].subdivision;
+    const uint32 asked = step == SETTINGS_OWN ? own : step == SETTINGS_EXACT ? 0 : perspective[step].subdivision;
 
     return settings->only_cheaper && own && asked < own ? own : asked;
 }
@@ -113,6 +113,34 @@ static void set_units(struct scene *scene, const struct settings *settings)
         glide_subdivision(&scene->glide[i], subdivision(scene->glide_units[i].subdivision, settings));
 }
 
+/* Returns 1 if an object of the screen's space has a material. */
+static int32 is_flat(const struct scene *scene, uint32 material)
+{
+    for (uint32 i = 0; i < scene->header->objects; i++)
+        if (scene->objects[i].material == material)
+            return 1;
+    return 0;
+}
+
+/* Gives perspective to the materials without it that meshes alone have, and to their mip maps'. */
+static void set_depths(const struct scene *scene)
+{
+    for (uint32 i = 0; i < scene->header->instances; i++) {
+        const uint32 number = scene->instances[i].material;
+        const struct scene_material *from = &scene->materials[number];
+
+        if (from->perspective || !(mappers[from->mapper].is & MAPPER_PERSPECTIVE) || is_flat(scene, number))
+            continue;
+        for (uint32 level = 0; level <= from->levels; level++) {
+            struct material *to = &scene->drawn[level ? from->level + level - 1 : number];
+
+            to->perspective = PERSPECTIVE_FINE;
+            to->gradients = GRADIENTS_PLANE;
+            to->start = START_SUBTEXEL;
+        }
+    }
+}
+
 int32 settings_set(struct scene *scene, const struct settings *settings)
 {
     for (uint32 i = 0; i < scene->header->materials; i++) {
@@ -120,6 +148,8 @@ int32 settings_set(struct scene *scene, const struct settings *settings)
         set_accuracy(&scene->drawn[i], &scene->materials[i], settings);
     }
     restore_gradients(scene);
+    if (settings->perspective == SETTINGS_EXACT)
+        set_depths(scene);
     scene->is_once = scene->header->once && (settings->accuracy == SETTINGS_OWN
                                              || accuracy[settings->accuracy].edges == EDGES_EXACT);
     set_units(scene, settings);

@@ -2,7 +2,7 @@
 
    `accuracy` is edges, gradients and start together, `perspective` is enum perspective. A step sets
    the fields of every material with these exceptions:
-   - perspective: set only if the scene's material has one. Glide's units take it as
+   - perspective: set only if the scene's material has one, or by SETTINGS_EXACT if the mapper may and meshes alone have it. Glide's units take it as
      glide_subdivision: 16 pixels (none, every16), 8, else at each pixel;
    - gradients and start: not set if perspective is drawn, nor with MAPPER_LIT_GOURAUD,
      MAPPER_DITHERED or texture units;
@@ -19,12 +19,13 @@
 
 enum settings_steps {
     SETTINGS_OWN = -1,          /* the scene's */
+    SETTINGS_EXACT = PERSPECTIVE_KINDS, /* of perspective: fine, of meshes' materials that have none too */
     ACCURACY_STEPS = 6
 };
 
 struct settings {
     int32 accuracy;             /* SETTINGS_OWN, or 0 to ACCURACY_STEPS - 1 */
-    int32 perspective;          /* SETTINGS_OWN, or 0 to PERSPECTIVE_KINDS - 1 */
+    int32 perspective;          /* SETTINGS_OWN, 0 to PERSPECTIVE_KINDS - 1, or SETTINGS_EXACT */
     int32 only_cheaper;         /* 1: steps are the most that a material may cost */
 };
 

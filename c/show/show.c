@@ -50,7 +50,7 @@ void show_draw(struct show *s)
 
 static void compare(struct show *s)
 {
-    static const struct settings best = {ACCURACY_STEPS - 1, PERSPECTIVE_KINDS - 1, 0};
+    static const struct settings best = {ACCURACY_STEPS - 1, SETTINGS_EXACT, 0};
     const int32 is_coarse = s->scene.is_coarse;
 
     settings_set(&s->scene, &best);

@@ -24,6 +24,7 @@ dithered = {{texture = "noise", mapper = "dithered", edges = "integer"}}
 deep = {{texture = "noise", perspective = "every8"}}
 bent = {{texture = "noise", perspective = "pixel", edges = "integer", tolerance = 0.5}}
 cube = {{texture = "noise", perspective = "every16"}}
+wall = {{texture = "noise"}}
 [camera]
 eye = [0, 0, 3]
 target = [0, 0, 0]
@@ -49,6 +50,9 @@ OBJECTS = (("affine", THIRDS), ("flat", PLANE),
            ("cube", "points = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]\n"
             "faces = [[0, 1, 2, 3]]\nuvs = [[[0, 256], [256, 256], [256, 0], [0, 0]]]\n"
             "triangles = true\ntwo_sided = true\nsize = 0.5\nrotation = [10, 60, 0]"),
+           ("wall", "points = [[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]\n"
+            "faces = [[0, 1, 2, 3]]\nuvs = [[[0, 200], [200, 200], [200, 0], [0, 0]]]\n"
+            "two_sided = true\nsize = 0.4\nposition = [0.8, 0.6, 0]\nrotation = [-20, 65, 0]"),
            ("quad", MOVING))
 
 
