@@ -14,7 +14,7 @@
 
    The status lines below the picture:
    - frames per second, of some 50 fields: drawing, conversion, the wait for the field and this
-     line, but no measuring;
+     line, but no measuring; and how many that would be if frames were drawn alone, display and interrupts on;
    - cycles a pixel: of drawing alone, from the background to the last polygon, by the clock, over the
      pixels of all polygons, hidden ones too. DMA and interrupts are on, the display's too, so it is
      more than `render` says. Pixels are counted after that, for the frames that are measured;
@@ -140,7 +140,7 @@ static int32 play(struct show *s)
             next_frame(s);
         if (!(s->fields && !s->paused ? show_held(s, &time) : show_present(s)))
             return outcome_code(0);
-        rate_count(&s->rate, screen_fields(&s->screen));
+        rate_count(&s->rate, screen_fields(&s->screen), s->ticks);
     }
     return ended(s);
 }

@@ -5,23 +5,26 @@
 
 #define SUM_LIMIT 0x10000000u   /* CYCLES times this, and a frame more, fit 32 bits */
 #define CYCLES 4                /* CPU cycles in a tick */
+#define CLOCK_TICKS 3546895     /* a second */
 
 void rate_begin(struct rate *rate, uint32 field)
 {
     rate->since = field;
-    rate->frames = rate->spent = rate->tenths = 0;
+    rate->frames = rate->spent = rate->ticks = rate->tenths = 0;
 }
 
-void rate_count(struct rate *rate, uint32 field)
+void rate_count(struct rate *rate, uint32 field, uint32 ticks)
 {
     const uint32 fields = field - rate->since - rate->spent;
 
     rate->frames++;
+    rate->ticks += ticks;
     if (fields < FIELDS)
         return;
     rate->tenths = rate->frames * FIELDS * 10 / fields;
+    rate->drawn = rate->frames * 10 * (CLOCK_TICKS / 16) / (rate->ticks / 16 + 1);
     rate->since = field;
-    rate->frames = rate->spent = 0;
+    rate->frames = rate->spent = rate->ticks = 0;
 }
 
 void measured_clear(struct measured *measured)
@@ -125,6 +128,11 @@ void figures_rate(const struct rate *rate)
     else
         text_add("...");
     text_add(" fps");
+    if (rate->tenths) {
+        text_add(", ");
+        add_decimal(rate->drawn, 10);
+        text_add(" drawn alone");
+    }
 }
 
 void figures_cost(const struct measured *measured)

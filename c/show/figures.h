@@ -16,13 +16,15 @@ struct measured {
 struct rate {
     uint32 since, frames;
     uint32 spent;               /* fields that do not count */
-    uint32 tenths;              /* the last result: frames in 10 seconds, 0 if none yet */
+    uint32 tenths;              /* the last result: frames in 10 seconds, 0 if none yet; */
+    uint32 drawn;               /* the same if they were drawn alone */
+    uint32 ticks;               /* that drawing has taken since the field */
 };
 
 void rate_begin(struct rate *rate, uint32 field);
 
-/* Counts a frame shown at that field. */
-void rate_count(struct rate *rate, uint32 field);
+/* Counts a frame shown at that field, and the ticks that its drawing took. */
+void rate_count(struct rate *rate, uint32 field, uint32 ticks);
 
 void measured_clear(struct measured *measured);
 

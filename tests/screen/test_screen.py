@@ -93,7 +93,7 @@ def test_a_scenes_conversion_has_its_row_of_the_bench(width, height, pixel, form
     scene = SimpleNamespace(width=width, height=height, pixel_width=pixel[0], pixel_height=pixel[1], format=form,
                             pixel=FORMATS[form])
     for machine, at in (("a1200", "a1200"), ("a1200-fast", "a1200-mixed"), ("a1200-030", "a1200-mixed")):
-        blits = "_blits_low" if pixel[0] == 2 else "_blit_low"
-        name = row and (row[0].replace("_low", blits) if machine != "a1200" else row[0])
-        wanted = row and conversion.figures()[name, at, row[1]] * width * height
-        assert conversion.cycles(scene, machine) == wanted
+        for drawing, blits in ((0, "_blit_low"), (10 * conversion.FIELD, "_blits_low")):
+            name = row and (row[0].replace("_low", blits) if machine != "a1200" else row[0])
+            wanted = row and conversion.figures()[name, at, row[1]] * width * height
+            assert conversion.cycles(scene, machine, drawing) == wanted

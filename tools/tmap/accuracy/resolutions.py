@@ -69,7 +69,8 @@ def row(name: str, pixel: str, machine: str, exact: list[np.ndarray]) -> tuple[l
     scene = some_frames(whole, list(range(0, whole.frames, STEP)))
     drawn = run.render(scene, machine, "addx")
     made = [colours(scene, frame) for frame in drawn.frames]
-    drawing, showing = run.total(drawn.figures)["cycles"] / scene.frames, conversion.cycles(scene, machine)
+    drawing = run.total(drawn.figures)["cycles"] / scene.frames
+    showing = conversion.cycles(scene, machine, drawing)
     off = difference(made, exact or made)
     figures = [f"{drawing:,.0f}", f"{showing:,.0f}", f"{CLOCK_HZ / (drawing + showing):.1f}",
                f"{off.percent:.1f}", f"{off.rms:.1f}"]

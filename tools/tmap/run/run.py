@@ -311,7 +311,7 @@ def make(path: Path, out: Path, machine: str, frames: int | None, form: str,
              "trees": {"faces": len(scene.slots), "nodes": len(scene.nodes)},
              "palette": None if scene.pixel.colours else scene.palette.tolist(),
              "cycles_unit": CYCLES_UNIT,
-             "conversion": conversion.cycles(scene, machine),
+             "conversion": conversion.cycles(scene, machine, total(done.figures)["cycles"] / len(done.figures)),
              "textures": memory.for_textures(scene, machine), "shared": memory.shared(scene),
              "animation": animation(done.figures), "frames": done.figures, "totals": total(done.figures)}
     with replaced(out, WRITTEN, WRITTEN[0]) as folder:
