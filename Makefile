@@ -3,7 +3,7 @@
 MAKEFLAGS += --no-builtin-rules --no-print-directory
 .DELETE_ON_ERROR:
 # What is made under the lock of `programs`, or beside it.
-OUTER := help run show demo scene-program fit bench accuracy polys profile report adf sdk fuzz check mutants test diff clean programs setup
+OUTER := help run show demo play scene-program fit bench accuracy polys profile report adf sdk fuzz check mutants test diff clean programs setup
 .PHONY: $(OUTER) built FORCE
 
 # vbcc where it is installed; make CC68K=gcc or CC68K=vbcc chooses.
@@ -71,6 +71,7 @@ help:
 	@echo 'make accuracy [MACHINE=NAME]                      error and cycles of all settings: build/accuracy'
 	@echo 'make polys [MACHINE=NAME]                         polygons a second: build/polys'
 	@echo 'make report                                       all figures and pictures in one page: build/report'
+	@echo 'make play [SCENE=FILE] [FPS=RATE]                 a bootable disk that plays a scene: build/play/NAME.adf'
 	@echo 'make adf                                          a bootable disk for real Amigas: build/adf'
 	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
 	@echo 'make fuzz [SEED=N] [COUNT=N] [FAMILY=perspective] random polygons against model and bounds'
@@ -112,6 +113,9 @@ polys: programs
 
 report: programs
 	@scripts/tmap report -o build/report
+
+play: programs
+	@scripts/tmap play "$$SCENE" $${MACHINE:+--machine "$$MACHINE"} $${FPS:+--fps "$$FPS"}
 
 adf: programs
 	@scripts/tmap adf

@@ -1,6 +1,6 @@
 /* show - plays a scene on the screen and says what it costs.
 
-   show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n COUNT n TIMES HOLD n
+   show SCENE FRAME n PAUSE ACCURACY n PERSPECTIVE n COUNT n TIMES HOLD n PLAIN
    Draws all frames from FRAME on, then again from the first, as 8 bitplanes or HAM8. PAUSE begins
    paused. COUNT shows so many frames without measuring their errors, and prints how many fields they
    took; TIMES shows no status lines, and prints a line for each frame too: ticks of its drawing and of its
@@ -9,7 +9,7 @@
    cursor left and right change the accuracy, down and up the perspective, each from cheap to exact; S
    restores the scene's settings; escape leaves. HOLD shows each frame for n fields at least, and gives up
    accuracy and resolution until that is kept (show/ladder.h); G holds 25, 16.7, 12.5, 10, 8.3 frames a second,
-   then none.
+   then none. PLAIN shows the picture alone.
    Returns 0, 5 after Ctrl-C or if a polygon could not be drawn, 10 for arguments and files, 20.
 
    The status lines below the picture:
@@ -199,19 +199,20 @@ static int32 play_counted(struct show *s)
 
 int main(void)
 {
-    enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, COUNT, TIMES, HOLD, ITEMS };
+    enum { SCENE, FRAME, PAUSE, ACCURACY, PERSPECTIVE, COUNT, TIMES, HOLD, PLAIN, ITEMS };
     int32 args[ITEMS] = {0};
     static struct show show;
 
-    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N,COUNT/K/N,TIMES/S,HOLD/K/N", args)) {
+    if (!args_read("SCENE/A,FRAME/K/N,PAUSE/S,ACCURACY/K/N,PERSPECTIVE/K/N,COUNT/K/N,TIMES/S,HOLD/K/N,PLAIN/S", args)) {
         text_refuse("show", "usage: show SCENE [FRAME n] [PAUSE] [ACCURACY n] [PERSPECTIVE n] [HOLD n] "
-                            "[COUNT n [TIMES]]");
+                            "[PLAIN] [COUNT n [TIMES]]");
         return RETURN_ERROR;
     }
     show.renderer.frame = &show.frame;
     show.renderer.scratch = &show.scratch;
     show.settings.accuracy = show.settings.perspective = SETTINGS_OWN;
     show.paused = args[PAUSE] != 0;
+    show.is_plain = args[PLAIN] != 0;
     if (!number_asked("show", args[ACCURACY], 0, ACCURACY_STEPS, &show.settings.accuracy,
                       "ACCURACY: not between 0 and 5")
         || !number_asked("show", args[PERSPECTIVE], 0, PERSPECTIVE_KINDS,

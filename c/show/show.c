@@ -132,11 +132,12 @@ void show_hold(struct show *s, int32 fields)
 int32 show_present(struct show *s)
 {
     show_draw(s);
-    if (!s->count && (s->paused || screen_fields(&s->screen) >= s->next_measuring))
+    if (!s->count && !s->is_plain && (s->paused || screen_fields(&s->screen) >= s->next_measuring))
         show_measure(s);
     if (!fit_screen(s))
         return 0;
-    show_describe(s);
+    if (!s->is_plain)
+        show_describe(s);
     screen_show(&s->screen, &s->frame, s->asked);
     return 1;
 }
@@ -162,7 +163,7 @@ int32 show_held(struct show *s, struct frame_time *time)
     if (!is_merged)             /* the planes must be free */
         s->shown = screen_wait(&s->screen);
     clock_start(NO_LIMIT);
-    if (!s->times)
+    if (!s->times && !s->is_plain)
         show_describe(s);
     screen_prepare(&s->screen, &s->frame, s->asked);
     time->showing = clock_stop();

@@ -29,6 +29,7 @@ struct show {
     struct rate rate;
     uint32 next_measuring;      /* field */
     int32 number, paused;
+    int32 is_plain;             /* 1: without status lines, and nothing is measured */
     int32 count;                /* of frames to show; 0: until a key ends it */
     int32 is_broken;            /* by Ctrl-C */
     int32 has_tables;           /* 0: no memory for tables of perspective */
@@ -52,7 +53,7 @@ void show_measure(struct show *show);
 /* Writes the two status lines. */
 void show_describe(struct show *show);
 
-/* Draws the current frame and shows it at the next field. Returns 0 if the screen cannot be opened for its pixels. */
+/* Draws the current frame, with status lines unless show->is_plain, and shows it at the next field. Returns 0 if the screen cannot be opened for its pixels. */
 int32 show_present(struct show *show);
 
 /* The same without status lines, and sets `time` but for the field; show->shown is since when the frame before is shown. */

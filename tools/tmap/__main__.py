@@ -227,6 +227,12 @@ def add_products(commands: Commands) -> None:
                            "Write the image of a bootable disk: demo, the owners' bench, readme.")
     add_out(command, "where to (build/adf/tmap020.adf)", "FILE")
 
+    command = commands.add("play", actions.play, "Make a bootable disk, or a folder, with which an Amiga plays a scene.")
+    command.add_argument("scene", type=Path, metavar="SCENE.toml")
+    add_out(command, "where to: FILE.adf, or a folder (build/play/SCENE.adf)", "PATH")
+    add_machine(command, "a1200-fast", "whose memory must hold it (a1200-fast)", MACHINES)
+    command.add_argument("--fps", type=rate, metavar="RATE", help="hold that many frames a second, as show does")
+
     commands.add("readme", actions.readme,
                  "Bring the tables and pictures of README.md and the rooms' pages up to date.")
 

@@ -118,6 +118,13 @@ def adf(args: argparse.Namespace) -> int:
     return tool.command(args.out or tool.IMAGE)
 
 
+def play(args: argparse.Namespace) -> int:
+    """Makes a folder or disk that plays a scene."""
+    build_programs()
+    from tmap.product import play as tool
+    return tool.command(args.scene, args.out or BUILD / "play" / f"{args.scene.stem}.adf", args.machine, args.fps)
+
+
 def readme(_: argparse.Namespace) -> int:
     """Writes the tables of the pages."""
     from tmap.report import readme as tool

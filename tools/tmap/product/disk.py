@@ -6,8 +6,6 @@ holds no system files: all that Startup-Sequence uses is in the Kickstart ROM.
 
 import os
 import tempfile
-from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 
 from amitools.fs import DosType
@@ -27,21 +25,13 @@ from tmap.guest.provenance import commit_seconds
 from tmap.run import demo
 
 VOLUME = "tmap020"
+STARTUP = "S/Startup-Sequence"  # the script that a booted volume runs
 IMAGE = BUILD / "adf" / f"{VOLUME}.adf"
 SIZE = 901_120  # 80 tracks of two sides of 11 sectors of 512 bytes
 BLOCK = 512
 TEXTS = Path(__file__).with_name("disk_files")
 WIDTH = 76  # columns of a text: a console has 77, and shows an empty line after lines of 77
 READ, WRITE, EXECUTE, DELETE, SCRIPT = 8, 4, 2, 1, 64  # the first four mean "may not"
-
-
-@dataclass(frozen=True)
-class Item:
-    """A file of the disk; ``make`` returns its bytes."""
-
-    name: str
-    make: Callable[[], bytes]
-    script: bool = False
 
 
 def text(path: Path) -> bytes:
@@ -54,19 +44,11 @@ def text(path: Path) -> bytes:
     return content.encode()
 
 
-#: Files on the disk in addition to the demo, in the order in which they are written.
-ITEMS = (
-    Item("S/Startup-Sequence", lambda: text(TEXTS / "Startup-Sequence"), script=True),
-    Item("measure", (PROGRAMS / "measure").read_bytes),
-    Item("measure.plan", owner.make),
-    Item("ReadMe.txt", lambda: text(TEXTS / "ReadMe.txt")),
-    Item("LICENSE", (ROOT / "LICENSE").read_bytes),
-)
-
-
 def contents() -> dict[str, bytes]:
-    """Returns all files of the disk by name: ITEMS, and the demo's folder."""
-    return {item.name: item.make() for item in ITEMS} | demo.files()
+    """Returns all files of the disk by name, in the order in which they are written."""
+    return {STARTUP: text(TEXTS / "Startup-Sequence"), "measure": (PROGRAMS / "measure").read_bytes(),
+            "measure.plan": owner.make(), "ReadMe.txt": text(TEXTS / "ReadMe.txt"),
+            "LICENSE": (ROOT / "LICENSE").read_bytes()} | demo.files()
 
 
 def boot_code() -> bytes:
@@ -84,17 +66,16 @@ def commit_time() -> TimeStamp:
     return stamp
 
 
-def volume_of(device: ADFBlockDevice) -> ADFSVolume:
+def volume_of(device: ADFBlockDevice, name: str) -> ADFSVolume:
     """Makes an empty bootable volume."""
     stamp, volume = commit_time(), ADFSVolume(device)
-    volume.create(FSString(VOLUME), RootMetaInfo(stamp, stamp, stamp), DosType.DOS_FFS, boot_code())
+    volume.create(FSString(name), RootMetaInfo(stamp, stamp, stamp), DosType.DOS_FFS, boot_code())
     return volume
 
 
 def write(volume: ADFSVolume, name: str, content: bytes) -> None:
     """Adds a file, and its drawer if that is new."""
-    script = SCRIPT if any(item.script for item in ITEMS if item.name == name) else 0
-    about = MetaInfo(protect=script, mod_ts=commit_time())
+    about = MetaInfo(protect=SCRIPT if name == STARTUP else 0, mod_ts=commit_time())
     drawer, _, last = name.rpartition("/")
     place = volume.get_root_dir()
     if drawer:
@@ -103,19 +84,19 @@ def write(volume: ADFSVolume, name: str, content: bytes) -> None:
     place.create_file(FSString(last), content, about, update_ts=False)
 
 
-def image(files: dict[str, bytes]) -> tuple[bytes, int]:
-    """Returns a disk's image and the number of free bytes; raises UserError if the disk is full."""
+def image(files: dict[str, bytes], name: str = VOLUME) -> tuple[bytes, int]:
+    """Returns the image of a disk with a name, and the number of free bytes; raises UserError if the disk is full."""
     device = ADFBlockDevice(None)
     device.create()
-    volume = volume_of(device)
-    for name, content in files.items():
+    volume = volume_of(device, name)
+    for path, content in files.items():
         free = BLOCK * volume.get_free_blocks()
         try:
-            write(volume, name, content)
+            write(volume, path, content)
         except FSError as error:
             if error.code != NO_FREE_BLOCKS:
                 raise
-            raise UserError(f"adf: the disk is full: {name} has {len(content):,} bytes, "
+            raise UserError(f"adf: the disk is full: {path} has {len(content):,} bytes, "
                             f"{free:,} are free, and all files together have "
                             f"{sum(map(len, files.values())):,}") from None
     volume.close()
@@ -150,15 +131,19 @@ def save(path: Path, content: bytes) -> None:
             raise
 
 
-def command(out: Path) -> int:
-    """``tmap adf``: writes the image and prints its contents; raises UserError."""
+def put(out: Path, files: dict[str, bytes], name: str = VOLUME) -> int:
+    """Writes an image and prints its contents; returns 0, or raises UserError."""
     if out.is_dir():
         raise UserError(f"{out}: is a directory")
-    files = contents()
-    content, free = image(files)
+    content, free = image(files, name)
     save(out, content)
     for name, part in files.items():
         print(f"{len(part):>9,}  {name}")
     print(f"{free:>9,}  free")
     print(f"written to {out}")
     return 0
+
+
+def command(out: Path) -> int:
+    """``tmap adf``: writes the image of the project's disk; raises UserError."""
+    return put(out, contents())
