@@ -88,19 +88,22 @@ static uint32 set_place(struct vertex *v, const struct mesh_placed *placed, uint
 }
 
 /* Sets a vertex's s, t and shade. */
-static void set_values(struct vertex *v, const struct mesh_placed *placed,
+static void set_values(struct vertex *v, const struct scene *scene, const struct mesh_placed *placed,
                        const struct scene_corner *corner)
 {
     const struct mesh_attributes *attributes = &placed->attributes[corner->normal];
+    struct mesh_attributes made;
 
     v->s = corner->s;
     v->t = corner->t;
     v->shade = 0;
     if (placed->flags & MESH_LINKED) {
-        const struct mesh_place *place = &placed->places[corner->point];
-
-        v->s = v->shade = (place->u >> 4) - SNAPPED_RAISED;
-        v->t = (place->v >> 4) - SNAPPED_RAISED;
+        v->shade = (placed->places[corner->point].u >> 4) - SNAPPED_RAISED;
+        if (placed->flags & MESH_ENVIRONMENT) {     /* the place has texels, of any scale */
+            mesh_make_texels(&made, &scene->normals[placed->mesh->normal + corner->normal], 1, placed->view);
+            v->s = made.s;
+            v->t = made.t;
+        }
         return;
     }
     if (placed->flags & MESH_ENVIRONMENT) {
@@ -138,7 +141,7 @@ static const struct vertex *other_vertices(const struct scene *scene, const stru
     *number = (int32)face->face->corners;
     for (int32 i = *number; i > 0; i--, corner++, v++) {
         outside |= set_place(v, placed, corner->point);
-        set_values(v, placed, corner);
+        set_values(v, scene, placed, corner);
     }
     if (outside)
         vertices = cut_face(scene, face, vertices, number);

@@ -24,32 +24,51 @@ void mesh_place_wide(const struct scene *scene, const struct mesh_placed *placed
     mesh_transform_wide(&plan);
 }
 
+void mesh_make_texels(struct mesh_attributes *to, const struct scene_normal *normals, int32 count,
+                      const struct scene_view *view)
+{
+    struct attribute_plan plan;
+
+    plan.from = normals;
+    plan.count = count;
+    plan.base = 128 << 16;
+    plan.low = 0;
+    plan.high = 256 << 16;
+    plan.to = &to->s;
+    plan.factors = &view->s_x;
+    mesh_attributes(&plan);
+    plan.to = &to->t;
+    plan.factors = &view->t_x;
+    mesh_attributes(&plan);
+}
+
 void mesh_make_attributes(struct mesh_attributes *to, const struct scene_normal *normals,
                           int32 count, const struct scene_instance *instance,
                           const struct scene_view *view)
 {
     struct attribute_plan plan;
 
-    plan.from = normals;
-    plan.count = count;
-    if (instance->flags & MESH_ENVIRONMENT) {
-        plan.base = 128 << 16;
-        plan.low = 0;
-        plan.high = 256 << 16;
-        plan.to = &to->s;
-        plan.factors = &view->s_x;
-        mesh_attributes(&plan);
-        plan.to = &to->t;
-        plan.factors = &view->t_x;
-        mesh_attributes(&plan);
-    }
+    if (instance->flags & MESH_ENVIRONMENT)
+        mesh_make_texels(to, normals, count, view);
     if (instance->flags & MESH_LIT) {
+        plan.from = normals;
+        plan.count = count;
         plan.base = plan.low = instance->dark;
         plan.high = instance->bright;
         plan.to = &to->shade;
         plan.factors = &view->light_x;
         mesh_attributes(&plan);
     }
+}
+
+/* Returns the bits that s and t are shifted by to texels of a map whose scale is a power of two up to 1; -1 for others. */
+static int32 map_shift(const struct map *map)
+{
+    int32 shift = 0;
+
+    while (map->scale << shift < 65536)
+        shift++;
+    return map->scale << shift == 65536 ? shift : -1;
 }
 
 /* Returns MESH_LINKED if an instance's triangles may have its places as vertices, else 0. */
@@ -67,7 +86,7 @@ static uint32 linked(const struct renderer *renderer, const struct scene *scene,
         return 0;
     return (material->mapper == MAPPER_GOURAUD && flags & MESH_LIT)
         || (material->mapper == MAPPER_AFFINE && flags & MESH_ENVIRONMENT
-            && material->map->scale == 65536) ? MESH_LINKED : 0;
+            && map_shift(material->map) >= 0) ? MESH_LINKED : 0;
 }
 
 /* Sets u and v of a linked instance's places. */
@@ -82,6 +101,7 @@ static void make_values(struct mesh_place *to, const struct scene_normal *normal
     plan.to = to;
     if (placed->material->mapper == MAPPER_AFFINE) {
         plan.factors = &view->s_x;
+        plan.shift = map_shift(placed->material->map);
         mesh_mirror(&plan);
     } else if (placed->material->mapper == MAPPER_GOURAUD) {
         plan.factors = &view->light_x;

@@ -56,6 +56,10 @@ enum near_result mesh_draw_near(struct renderer *renderer, const struct scene *s
                                 uint32 first, uint32 end, const struct mesh_work *room,
                                 enum polygon_result *refused, struct mesh_face **seen);
 
+/* Sets s and t of an environment's normals; there is at least one. */
+void mesh_make_texels(struct mesh_attributes *to, const struct scene_normal *normals, int32 count,
+                      const struct scene_view *view);
+
 /* Sets s, t and shade of an instance's normals; there is at least one. */
 void mesh_make_attributes(struct mesh_attributes *to, const struct scene_normal *normals,
                           int32 count, const struct scene_instance *instance,

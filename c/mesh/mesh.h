@@ -86,6 +86,7 @@ struct values_plan {
     struct mesh_place *to;
     const int16 *factors;       /* mesh_mirror: x, y, z of s, then of t; mesh_shade: of the light */
     fix16 low, high;            /* of mesh_shade */
+    int32 shift;                /* of mesh_mirror: s and t >> it are texels */
 };
 
 /* Shades by depth: `bright` up to the depth `near`, `dark` from `far` on, evenly between. All 16.16; far

@@ -65,6 +65,21 @@ def test_scenes_are_the_models():
         assert all(len(np.unique(frame)) > 4 for frame in frames)
 
 
+def test_mirrored_maps_of_any_size_are_the_models(tmp_path):
+    """Points have u and v in the map's texels; faces that a border cuts have those of their normals."""
+    text = (SCENES / "environment.toml").read_text().replace('"knot.obj"', f'"{SCENES / "knot.obj"}"')
+    text = text.replace("frames = 40", "frames = 2").replace("eye = [0, 0, 8]", "eye = [1.5, 0, 5]")
+    scenes = {}
+    for size in ((128, 128), (16, 64), (8, 8)):
+        path = tmp_path / f"map{size[0]}.toml"
+        path.write_text(text.replace("[materials]", "room.width = {}\nroom.height = {}\n\n[materials]".format(*size)))
+        scene = scenes[path.stem] = compile_scene(path)
+        assert scene.textures[0].texels.shape == size[::-1]
+        sides = [[v[0] < scene.width << 16 for v in vertices] for _, vertices, _ in mesh.placed_at(scene, 0)]
+        assert sum(any(side) and not all(side) for side in sides) > 5 and sum(map(all, sides)) > 100
+    assert_models(scenes)
+
+
 def fractions(rows) -> list:
     """Numbers as fractions; rows of them as lists."""
     return [Fraction(row) if np.ndim(row) == 0 else fractions(row) for row in rows]

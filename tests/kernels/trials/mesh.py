@@ -126,7 +126,8 @@ def values_trials(kernel: str, rng) -> list[Trial]:
         low = int(rng.integers(0, 256 * ONE))
         marked = marks_of(len(trials), count)
         trials.append(values_trial(Memory(), kernel, normals, marked, [number(rng, 32767) for _ in range(6)], low,
-                                   int(rng.integers(low, 256 * ONE)), f"{count} normals, {marked.sum()} marked"))
+                                   int(rng.integers(low, 256 * ONE)), f"{count} normals, {marked.sum()} marked",
+                                   len(trials) // 3 % 6))
     return trials
 
 

@@ -130,24 +130,26 @@ def shade_of(value: int) -> int:
 
 
 def values_trial(arena: Arena, kernel: str, normals, marked, factors: list[int], low: int, high: int,
-                 title: str = "") -> Trial:
-    """u and v or shades of normals, those of marked points, to places. ``low``, ``high``: of mesh_shade."""
+                 title: str = "", shift: int = 0) -> Trial:
+    """u and v or shades of normals, those of marked points, to places. ``low``, ``high``: of mesh_shade; ``shift``: of
+    mesh_mirror."""
     size, to = layout.load().struct("mesh_place").size, arena.room("mesh_place", len(normals))
     plan_at = arena.struct("values_plan", {
         "from": table(arena, "scene_normal", normals), "marks": marks_of(arena, marked), "to": to,
-        "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")}, low=low, high=high)
-    columns = [mesh.looks(normals, factors[k:k + 3], 128 << 16, 0, 256 << 16) for k in (0, 3)] \
+        "factors": arena.add(np.array(factors, ">i2").tobytes(), name="factors")}, low=low, high=high, shift=shift)
+    columns = [[(value << 1 >> shift) + 1 >> 1
+                for value in mesh.looks(normals, factors[k:k + 3], 128 << 16, 0, 256 << 16)] for k in (0, 3)] \
         if kernel == "mesh_mirror" else [map(shade_of, mesh.looks(normals, factors[:3], low, low, high))]
     return Trial(Case(kernel, arena, pointers={"a0": plan_at}), title, writes=[
         long_write(to + size * k + at, value + snapped.RAISED << 4)
         for at, column in zip((4, 8), columns) for k, value in enumerate(column) if marked[k]])
 
 
-def values_case(kernel: str):
+def values_case(kernel: str, shift: int = 0):
     """COUNT normals."""
     normals = [(*n, 0) for n in np.random.default_rng(2).integers(-9000, 9000, (COUNT, 3)).tolist()]
     return values_trial(Arena(), kernel, normals, [True] * COUNT, [9000, -7000, 11000, 7000, 9000, 100],
-                        20 << 16, 220 << 16).row(COUNT)
+                        20 << 16, 220 << 16, "", shift).row(COUNT)
 
 
 def faces_wide_trial(arena: Arena, points, corners, faces, row, title: str = "") -> Trial:
@@ -357,7 +359,8 @@ CASES = {"mesh_transform": transform_case,
          "mesh_transform_wide": lambda: wide_case(True),
          "mesh_transform_wide_outside": lambda: wide_case(False),
          "mesh_attributes": attributes_case,
-         "mesh_mirror": lambda: values_case("mesh_mirror"), "mesh_shade": lambda: values_case("mesh_shade"),
+         "mesh_mirror": lambda: values_case("mesh_mirror"),
+         "mesh_mirror_shifted": lambda: values_case("mesh_mirror", 1), "mesh_shade": lambda: values_case("mesh_shade"),
          "mesh_faces": lambda: faces_case(True), "mesh_faces_back": lambda: faces_case(False),
          "mesh_faces_wide": lambda: faces_wide_case(True),
          "mesh_faces_wide_back": lambda: faces_wide_case(False),
