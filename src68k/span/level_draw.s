@@ -9,7 +9,7 @@
 ; formats: level_reciprocal's and span_affine_level's; 8-bit texels and pixels. Lines of the table begin less than
 ;          32,768 pixels apart
 ; error:   theirs
-; cost:    about 400 cycles a line before the second pixel, 415 a column
+; cost:    about 400 cycles a line before the second pixel
 
         routine level_draw,a0
         save_all
