@@ -12,7 +12,7 @@ draw_cut        equ     inverse_sizeof+4        ; 2^shift - 1
 draw_step       equ     inverse_sizeof+8        ; bytes to the next line's first pixel, if C's step is inverse_step,
 draw_more       equ     inverse_sizeof+12       ; and if it is inverse_more
 draw_pitch      equ     inverse_sizeof+16
-draw_still      equ     inverse_sizeof+20       ; columns: 0 if u has no step
+draw_still      equ     inverse_sizeof+20       ; 0 if columns' u has no step, or lines' v
 draw_sizeof     equ     inverse_sizeof+24
 
 ROUND_right     equ     4                       ; log2 of a round's pixels
@@ -37,27 +37,24 @@ rounds  macro
         lsr.w   #ROUND_\1,d7
         endm
 
-; The loop over lines. \2: uv, or v if that alone has a step.
-
+; The loop over lines. \2: uv, or the one of u and v that alone has a step.
         ; a0 line  a1 pixel  a3 right: K of u, down: the pitch  a4 C of u  a5 C of v  a6 the first pixel
         ; d4 mm--  d5 and d7's upper word q  d7 pixels less one
 lines_loop macro
 .first\2
         sub.w   d0,d1
         neg.w   d1
-        bra.s   .moved\2
+        bra.s   .at\2
 .line\2 move.l  (a0)+,d0                ; start0:left
         move.w  (a0)+,d7                ; last
         move.w  d0,d1
         sub.w   scanline_left-scanline_start1-scanline_sizeof(a0),d1
         sub.w   inverse_whole+2(sp),d1
-.moved\2
-        bne     .more\2
+.at\2   bne     .more\2
         adda.l  inverse_u+inverse_step(sp),a4
         adda.l  inverse_v+inverse_step(sp),a5
         adda.l  draw_step(sp),a6
-.begin\2
-        addq.l  #scanline_sizeof-scanline_start1,a0
+.go\2   addq.l  #scanline_sizeof-scanline_start1,a0
         sub.w   d0,d7
         bmi     .next\2
 
@@ -89,10 +86,10 @@ lines_loop macro
         adda.l  inverse_u+inverse_more(sp),a4
         adda.l  inverse_v+inverse_more(sp),a5
         adda.l  draw_more(sp),a6
-        bra     .begin\2
+        bra     .go\2
 
 .turn\2 bsr     .turned
-        bra     .begin\2
+        bra     .go\2
         endm
 
 ; The pixels of a line whose u and v are d0 and d3.
@@ -110,7 +107,7 @@ line_uv macro
         muls.l  inverse_u+inverse_dc(sp),d3:d6
         addq.l  #1,d3
         muls.l  inverse_v+inverse_dc(sp),d6:d2
-        addq.l  #1,d6
+        add.l   inverse_up_v(sp),d6
         beq     .level
 .steps  moveq   #0,d2
         move.b  d6,d2
@@ -149,7 +146,7 @@ line_v  macro
         lsl.l   #8,d3
         swap    d3                      ; v-Vv
         muls.l  inverse_v+inverse_dc(sp),d6:d2
-        addq.l  #1,d6
+        add.l   inverse_up_v(sp),d6
         bmi     .falls
         lsl.l   #8,d6
         swap    d6                      ; v-Vv
@@ -168,6 +165,30 @@ line_v  macro
         draw_down
         endr
         dbra    d7,.column
+        endm
+
+; The pixels of a line whose v does not change: u alone, in a chain of one register as span_affine_row's.
+line_u  macro
+        lsr.l   #8,d3
+        move.w  d3,d4                   ; mmVv
+        swap    d0                      ; uuUU
+        muls.l  inverse_u+inverse_dc(sp),d6:d2
+        addq.l  #1,d6
+        swap    d6
+        ext.w   d6                      ; uu-U
+        bmi     .falls
+        and.w   #$00ff,d0               ; uu-U, and the spare byte
+.alone  ahead   d6,d2,a2,b              ; uu-0
+        move.l  d6,d2
+        movea.l a6,a1
+        rounds  right
+        add.l   a2,d0
+        jmp     .row(pc,d6.w*8)
+        cnop    0,4
+.row    rept    1<<ROUND_right
+        pixel_row
+        endr
+        dbra    d7,.row
         endm
 
 ; Draws the texel at d4 and goes on to the pixel below. 6 bytes.
@@ -191,10 +212,14 @@ level_lines_draw macro
         movem.l perspective_plan_s+screen_plane_dx(a6),d0-d1
         or.l    d1,d0
         bne.s   .both
+        cmpi.l  #PERSPECTIVE_STILL_HEIGHT+1,perspective_plan_width(a6)
+        else
+        move.l  inverse_up_v(sp),d0
+        bne.s   .both
         cmpi.l  #PERSPECTIVE_STILL_WIDTH+1,perspective_plan_width(a6)
+        endc
         scc     d0
 .both   move.l  d0,draw_still(sp)
-        endc
         movem.l inverse_q(sp),d5-d6
         move.l  perspective_plan_map(a6),d4     ; mm00
         movea.l d2,a4
@@ -220,12 +245,19 @@ level_lines_draw macro
         subq.l  #1,a6
         moveq   #1,d2
         move.l  d2,draw_step(sp)
-        tst.l   draw_still(sp)
-        beq     .firstv
         endc
-        lines_loop \1,uv
-        ifc     '\1','down'
-        lines_loop \1,v
+        tst.l   draw_still(sp)
+        ifc     '\1','right'
+        beq     .firstu
+        lines_loop right,uv
+        lines_loop right,u
+.falls  or.w    #$ff00,d0               ; the spare byte
+        borrow  d6,1<<16,w
+        bra     .alone
+        else
+        beq     .firstv
+        lines_loop down,uv
+        lines_loop down,v
 .falls  lsl.l   #8,d6
         swap    d6                      ; v-Vv
         or.l    #$ff0000,d6             ; the spare byte, and that of the start
