@@ -26,6 +26,10 @@ enum perspective_constants {
     PERSPECTIVE_EVEN_EVERY8 = 2,
     PERSPECTIVE_EVEN_STEEP = 12,            /* q grows by less than 2^-12 of its least a pixel: a quick test */
     PERSPECTIVE_RECIPROCAL_LINES = 6,       /* from so many on level_reciprocal is cheaper than level_lines */
+    /* Pixels of the highest box of columns whose u may have no step, and of the widest one of lines whose v has none: a
+       chain of one register counts 255 wraps, and v moves by 64 texels a pixel at most, u by 128. */
+    PERSPECTIVE_STILL_HEIGHT = 1000,
+    PERSPECTIVE_STILL_WIDTH = 500,
     /* The error allowed for drawing a line as if its depth were constant, in 1/65536 texel, and the
        widest polygon with such lines. Their steps add a unit a pixel, two where u and v are chained, as they are in
        lines up to CHAIN wide; both together stay inside 1/32 or 1/128 texel. With straight pieces the depth must

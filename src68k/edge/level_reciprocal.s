@@ -9,9 +9,9 @@
 ; writes:  start0, start1, start2 of the plan's lines, addx form, and their steps; not
 ;          those of empty lines
 ; formats: u = K + C R / 2^32 and du = dC R / 2^32, rounded down, plus 1, or 2 if the plan is chained and v goes down;
-;          16.16. K = ds/dy / dq/dy is for all lines, C = s - K q for all lines at one x, R = (2^32 2^shift - 1) / q.hi,
-;          q that of the width's middle, stepped with 16 bits of fraction and up to 2^-6 above its plane. C of both ends,
-;          shifted right, is below 2^31
+;          16.16. dv is 0 if t does not change along lines. K = ds/dy / dq/dy is for all lines, C = s - K q for all lines
+;          at one x, R = (2^32 2^shift - 1) / q.hi, q that of the width's middle, stepped with 16 bits of fraction and up
+;          to 2^-6 above its plane. C of both ends, shifted right, is below 2^31
 ; error:   u is between 0 and 8 units, 2 A / q.hi, and as many times R / 2^32 + 1, or 2 in a chain, as the pixel is right
 ;          of the plan's left, above s / q; A is |K| and the plan's upper limit. Nothing is clamped
 ; cost:    350 cycles a line, 1,000 before the first one
@@ -103,6 +103,12 @@ inverse_begin
         and.l   perspective_plan_chained(a6),d0
         addq.l  #1,d0
         move.l  d0,inverse_up(a4)
+        move.l  perspective_plan_t+screen_plane_dx(a6),d0
+        or.l    perspective_plan_t+screen_plane_dx+number64_lo(a6),d0
+        sne     d0
+        neg.b   d0
+        extb.l  d0
+        move.l  d0,inverse_up_v(a4)
         muls.l  d4,d0:d7
         add.l   #INVERSE_FAST,d0
         cmp.l   #2*INVERSE_FAST,d0
@@ -184,7 +190,7 @@ inverse_lines
         move.l  d6,(a1)+
         move.l  inverse_v+inverse_dc(sp),d7
         muls.l  d4,d6:d7
-        addq.l  #1,d6
+        add.l   inverse_up_v(sp),d6
         move.l  d6,(a1)+
         move.l  d2,d7
         muls.l  d4,d6:d7

@@ -25,7 +25,8 @@ inverse_whole equ inverse_sign
 inverse_most equ inverse_sign+4         ; of the upper halves of C, less their signs
 inverse_up equ  inverse_most            ; then: what is added to steps of u
 inverse_q equ   inverse_most+4          ; of the first line, 64 bits; then: 48.16, as above
-inverse_sizeof equ inverse_q+8
+inverse_up_v equ inverse_q+8            ; and of v: 1, or 0 if v does not change along lines
+inverse_sizeof equ inverse_up_v+4
 
 ; Adds the field \1 of the plane a5, times \2, to d0:d1. Uses d2-d3.
 line_up macro

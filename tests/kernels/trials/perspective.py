@@ -174,7 +174,7 @@ def reciprocal_trial(rng, drawn: str = "") -> Trial:
     """Lines of a depth of their own, seen anyhow, with gaps; many a trial's numbers do not fit. ``drawn``: "lines" or
     "columns", which are drawn too."""
     lines, deep = lines_and_planes((0, -5, 1, 2, 15, 16, 17, 33, 300), rng)
-    count, width = len(lines), 1200
+    count, width = len(lines), int(rng.choice([1200, 1000, 500]))
     if rng.integers(4):  # a plane in space: s and t are between their limits at two lines' left, 1.0 or less deep
         ends = [int(2.0 ** rng.uniform(rng.integers(16, 30), 30)) << 32 for _ in range(2)]
         deep.q.at, deep.q.dy = ends[0], (ends[1] - ends[0]) // max(count - 1, 1)
@@ -183,6 +183,10 @@ def reciprocal_trial(rng, drawn: str = "") -> Trial:
             plane.at, plane.dy = at[0], (at[1] - at[0]) // max(count - 1, 1)
             plane.dx = any_size(rng, 40)
         deep.q.dx = any_size(rng, 20) * int(rng.integers(2))
+        if drawn == "columns" and rng.integers(2):  # u has no step
+            deep.s.dx = 0
+        elif rng.integers(3) == 0:  # v has none
+            deep.t.dx = 0
     deep.chained, spare = bool(rng.integers(2) or drawn), int(rng.choice([50, 500, 1 << 20]))
     if not drawn and rng.integers(2) and find(deep, count, width, 1 << 20):  # the least that is enough, or one less
         least = bisect_left(range(1 << 20), True, key=lambda some: bool(find(deep, count, width, some)))

@@ -188,6 +188,8 @@ def draw_trial(arena: Arena, ground: Ground, deep: Perspective, lines, width: in
                       dict(row=ground.frame_at - BIAS * along, map=ground.map_at), width=width, spare=spare,
                       pitch=pitch)
     writes, deep = [], replace(deep, inverse=level_reciprocal.find(deep, len(lines), width, spare))
+    if upright:
+        level_reciprocal.settle_still(deep, width)
     for k, (left, right, y) in enumerate(lines):
         if deep.inverse and right > left:
             at, (u, v) = ground.frame_at + k * down + left * along, level(deep, [Line(left, right)], [y])

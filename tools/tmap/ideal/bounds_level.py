@@ -37,6 +37,8 @@ the divisor's cut, 5/4 in all. The planes' S / q is then K + k (1 - q(f) / q) + 
 * C is rounded up, and so is dC: a unit each, times R / 2^32; x pixels right of the left 1 + x of them.
 * R is cut: by less than 1, times C / 2^32, half a unit. The product is cut: another unit.
 * Steps are rounded up: a unit a pixel, or two in a chain, as above; R's cut takes a unit from all of them at most.
+  Columns on which s does not change have no step of u, and v's wraps no part in it; lines and columns on which t does
+  not change have none of v: less than that.
 
 Lines are raised by 3 units and the base's one, so they are never below: 5/4 + 1/2 + 1 + 1 < 4. They are above by
 4 + 5/4 + 1, 2 A / q, and the steps.

@@ -3,7 +3,7 @@
 u = K + C / q: if q is the same all along each line, C is the same on all lines at one x, and K everywhere. So a line
 takes a reciprocal R of its q, and four products: C R and dC R for u and v."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from tmap.base.fixed import M32, signed
 from tmap.build import layout
@@ -74,14 +74,22 @@ def find(p: Perspective, count: int, width: int, spare: int) -> Constants | None
     c, dc = (tuple(signed((n >> shift) + 1) for n in pair) for pair in (cs, dcs))
     if not -FAST <= dc[1] * farthest >> 32 < FAST or (width * (farthest >> 16) >> 16) + 1 > spare:
         return None
-    return Constants((near >> 16) + count + 1, grows >> 16, shift, tuple(base + n + RAISE for base, n in zip(p.base, ks)), c, dc,
-                     (1 + (p.chained and dc[1] < 0), 1), farthest, tuple(away))
+    up = 1 + (p.chained and dc[1] < 0), int(dcs[1] != 0)
+    ks = tuple(base + n + RAISE for base, n in zip(p.base, ks))
+    return Constants((near >> 16) + count + 1, grows >> 16, shift, ks, c, dc, up, farthest, tuple(away))
 
 
 def settle(p: Perspective, count: int, width: int, setting: str) -> None:
     """Sets the constants of level lines with exact edges, if there is no tilt and there are enough lines."""
     if not p.tilt and count >= layout.load().constants["PERSPECTIVE_RECIPROCAL_LINES"]:
         p.inverse = find(p, count, width, way(setting).spare - (width << p.chained))
+
+
+def settle_still(p: Perspective, width: int) -> None:
+    """Columns by reciprocals, all of them within ``width`` pixels, on which u does not change: it has no step
+    then, and v no part in it."""
+    if p.inverse and p.chained and not p.s.dx and width <= layout.load().constants["PERSPECTIVE_STILL_HEIGHT"]:
+        p.chained, p.inverse = False, replace(p.inverse, up=(0, p.inverse.up[1]))
 
 
 def line(p: Perspective, left: int, y: int) -> list[tuple[int, int]]:

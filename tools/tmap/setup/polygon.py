@@ -266,6 +266,7 @@ def columns_of(polygon: Polygon, found, height: int, size: tuple[int, int]) -> P
     columns = Outline(sides.corners, turned, sides).polygon(size[1], True, True, True)
     columns.perspective, columns.setting, columns.is_level = deep, polygon.setting, True
     level_reciprocal.settle(deep, len(columns.lines), height, polygon.setting)
+    level_reciprocal.settle_still(deep, height)
     return None if deep.tilt and bends(deep, columns.lines, height) else columns
 
 
