@@ -1,13 +1,14 @@
 /* render - draws a scene's frames into chunky dumps and times them.
 
-   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules UNTIMED
+   render SCENE FORM addx|swap|c FRAMES n COUNT CHIP DCACHE DIGEST name OFF rules UNTIMED EXACT
    writes frame_000.chunky and so on into the current directory and prints one line
    a frame: number, ticks (colour clocks), polygons, pixels of each kind of span (with COUNT; then
    a line a material too: its polygons, those each rule applied to, pixels of each span).
    CHIP puts maps and frame into chip RAM; DCACHE draws with a 68030's data cache;
    DIGEST writes a struct frame_digest for each frame into one file instead; OFF names
    rules of lowering that are not followed, by commas, or all; UNTIMED prints 0
-   as ticks and ends earlier, as it does not wait for the beam; ACCURACY and PERSPECTIVE
+   as ticks and ends earlier, as it does not wait for the beam; EXACT, on UAE alone, has it
+   cycle-exact while a frame is drawn and timed, and not else; ACCURACY and PERSPECTIVE
    set all materials to a step (scene/settings.h), numbered from 0. */
 #include "frames/counts.h"
 #include "polygon/scratch.h"
@@ -66,7 +67,7 @@ struct run {
     struct renderer renderer;
     struct scene_counts counts;
     const char *digest;         /* name of the file, or 0: dumps */
-    int32 untimed;
+    int32 untimed, exact;
 };
 
 static struct scratch scratch;
@@ -75,7 +76,11 @@ static struct scratch scratch;
 static int32 draw(struct scene *scene, int32 number, struct run *run, struct frame_digest *drawn)
 {
     drawn->ticks = 0;
+    if (run->exact)
+        exact_set(1);
     drawn->result = scene_time(&run->renderer, scene, number, run->untimed ? 0 : &drawn->ticks);
+    if (run->exact)
+        exact_set(0);
     if (canaries_broken(run->renderer.frame)) {
         text_add("frame ");
         text_number(number);
@@ -214,19 +219,19 @@ static int32 form_named(const char *name)
 
 int main(void)
 {
-    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, UNTIMED, ACCURACY, PERSPECTIVE,
-           ITEMS };
+    enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, UNTIMED, EXACT, ACCURACY,
+           PERSPECTIVE, ITEMS };
     int32 args[ITEMS] = {0};
     struct scene scene;
     struct frame frame;
-    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0, 0};
+    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0, 0, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN, 0};
     int32 kind, form;
 
     if (!args_read("SCENE/A,FORM/K,FRAMES/K/N,COUNT/S,CHIP/S,DCACHE/S,DIGEST/K,OFF/K,"
-                   "UNTIMED/S,ACCURACY/K/N,PERSPECTIVE/K/N", args))
+                   "UNTIMED/S,EXACT/S,ACCURACY/K/N,PERSPECTIVE/K/N", args))
         return refuse("usage: render SCENE [FORM addx|swap|c] [FRAMES n] [COUNT] [CHIP] [DCACHE] "
-                      "[DIGEST name] [OFF rules] [UNTIMED] [ACCURACY n] [PERSPECTIVE n]");
+                      "[DIGEST name] [OFF rules] [UNTIMED] [EXACT] [ACCURACY n] [PERSPECTIVE n]");
     if (args[FORM]) {
         form = form_named((const char *)args[FORM]);
         if (form < 0)
@@ -243,6 +248,7 @@ int main(void)
         return outcome_code(0);
     run.digest = (const char *)args[DIGEST];
     run.untimed = args[UNTIMED];
+    run.exact = args[EXACT];
     run.frames = scene.header->frames;
     if (!number_asked("render", args[FRAMES], 1, run.frames + 1, &run.frames,
                       "FRAMES: not between 1 and the scene's frames")

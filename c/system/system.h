@@ -57,5 +57,6 @@ uint32 clock_stop(void);
 void quiet_enter(void);
 void quiet_leave(void);
 int32 cache_data(void);
+void exact_set(int32 on);
 
 #endif

@@ -4,11 +4,9 @@
 ; reads:   $F0FF60
 ; error:   returns if there is no UAE ($F0FF60 reads zero)
 
-; A separate command, so that the programs stay ordinary Amiga programs. UAE
-; answers at $F0FF60 to calls with a function number on the stack.
+; A separate command, so that the programs stay ordinary Amiga programs.
 
-UAE_TRAP                equ     $f0ff60
-UAE_EXIT                equ     13
+        include "uae.i"
 
         xdef    start
         section .text.start,code

@@ -54,7 +54,7 @@ def ended(programs, tmp_path_factory) -> dict[str, Ended]:
              "kernels": kernels.plan([by_zero]), "90.run": "".join(
                  f"{FAILURES.index(name)}\n" for name in ("quiet_illegal", "quiet_loop")).encode()}
     return dict(zip(ENDED, endings.run([(0, line) for line in ENDED], files, "a1200",
-                                       tmp_path_factory.mktemp("run"), "bench")))
+                                       tmp_path_factory.mktemp("run"), "bench", timed=False)))
 
 
 @pytest.mark.parametrize("name", CRASHES)

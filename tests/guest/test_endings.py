@@ -133,7 +133,7 @@ FULL = [(IN_RAM, "render SYS:wide"), (IN_RAM, "render frame_008.chunky")]
 @pytest.fixture(scope="module")
 def ended(files, tmp_path_factory) -> list[Ended]:
     """ENDINGS, CLICKED and FULL in one boot; the volume in memory comes last."""
-    return endings.run(ENDINGS + CLICKED + FULL, files, "some", tmp_path_factory.mktemp("some"))
+    return endings.run(ENDINGS + CLICKED + FULL, files, "some", tmp_path_factory.mktemp("some"), timed=False)
 
 
 def test_endings(ended):
@@ -160,7 +160,7 @@ def test_full_volume(ended):
 
 def test_data_cache_is_as_before(files, tmp_path):
     for found in endings.run([(0, "render good DCACHE"), (AT_ONCE, "render good DCACHE")], files,
-                             "cached", tmp_path):
+                             "cached", tmp_path, timed=False):
         assert not found.lost() and found.said[0].startswith("frame 0 ticks"), found.said
 
 
@@ -180,6 +180,6 @@ def test_processor_that_is_too_small(files, tmp_path):
         name = line.split()[0]
         shutil.copy(files.get(name, PROGRAMS / name), programs)
     results = emulator.run_batch(list(lines), {}, "a600", tmp_path / "run", programs=programs,
-                                apart=True)
+                                apart=True, timed=False)
     for line, result in zip(lines, results):
         assert (result.output, result.code) == ("needs a 68020 or better\n", 20), line

@@ -86,13 +86,15 @@ def test_same_texels_without_perspective(edges: str, repeats: tuple) -> None:
 
 
 def level(folder: Path, walls: int, pages_: str, perspective: str, head: str = "") -> Path:
-    """Writes a level of walls, each a mesh with a texture of 64x64 of its own that it repeats up to three times."""
+    """Writes a level of walls, each a mesh with a texture of 64x64 of its own that it repeats up to three times. All
+    their colours are in the palette."""
     random = np.random.default_rng(5)
+    colours = random.integers(0, 256, (200, 3)).astype(np.uint8)
     text = [f'width = 160\nheight = 100\nframes = 2\nbackground = "#000000"\npages = "{pages_}"\n{head}\n[camera]',
             "keys = [{frame = 0, eye = [0, 0, 0], target = [0, 0, -1]},",
             "        {frame = 2, eye = [3, 0, -3], target = [3.3, 0, -5]}]"]
     for n in range(walls):
-        Image.fromarray(random.integers(0, 256, (64, 64, 3)).astype(np.uint8)).save(folder / f"{n}.png")
+        Image.fromarray(colours[random.integers(0, 200, (64, 64))]).save(folder / f"{n}.png")
         x, z, across = n % 6 * 2 - 5, -2 - n // 6 * 2, 256 * (1 + n % 3)
         text.append(f'[textures.t{n}]\nimage = "{n}.png"\nwidth = 64\nheight = 64\n'
                     f'[materials.m{n}]\ntexture = "t{n}"\nperspective = "{perspective}"\n'

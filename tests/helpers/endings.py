@@ -40,9 +40,9 @@ class Ended:
 
 
 def run(commands: list[tuple], files: dict[str, bytes | Path], machine: str, folder: Path,
-        first: str = "render none") -> list[Ended]:
+        first: str = "render none", timed: bool = True) -> list[Ended]:
     """Runs (how, command line, ...) in one boot; ``files``: programs and their input. ``first`` is
-    run before them, as the first program opens what stays open."""
+    run before them, as the first program opens what stays open; ``timed``: as in emulator.run_batch."""
     (folder / "programs").mkdir()
     guest_program.build(folder / "programs", GUEST / "endings.s", GUEST / "state.s")
     lines = []
@@ -51,7 +51,7 @@ def run(commands: list[tuple], files: dict[str, bytes | Path], machine: str, fol
         lines.append(f"endings {home}its.{number} {how} {drawer} {home}{line}")
     results = emulator.run_batch(lines, files, machine, folder / "run",
                                  programs=folder / "programs",
-                                apart=True, patience=60)
+                                apart=True, patience=60, timed=timed)
     found = []
     for number, result in enumerate(results):
         *states, code = result.output.splitlines()

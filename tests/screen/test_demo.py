@@ -276,7 +276,7 @@ def ended(data, tmp_path_factory) -> list[endings.Ended]:
     parts = data[demo.SCRIPT]
     broken = parts + parts[parts.rindex(b"\npart "):].replace(b"scene rotator.", b"scene nothing.")
     return endings.run(ENDINGS, data | {"demo": PROGRAMS / "demo", "parts": broken}, "a1200-fast",
-                       tmp_path_factory.mktemp("ended"), "demo SYS: PART 7 FRAMES 2")
+                       tmp_path_factory.mktemp("ended"), "demo SYS: PART 7 FRAMES 2", timed=False)
 
 
 def test_endings(ended):

@@ -67,6 +67,9 @@ class Display:
 #: Of runs whose cycles are not asked for: the same A1200, its processor and chips not cycle by cycle, which takes
 #: between a third and a fifth of the host's time.
 UNTIMED = {"accuracy": "-1"}
+#: A program that makes the machine cycle by cycle itself while it times a frame, and not else, if this is added to its
+#: arguments (src68k/amiga/exact.s).
+EXACT_PROGRAM, EXACT = "render", " EXACT"
 #: The screen is not shown: showing each of its frames would be much of the host's work.
 HIDDEN = Display({"warp_mode": "1", "window_width": "64", "window_height": "64",
                   "low_resolution": "1", "line_doubling": "0", "video_sync": "1",
@@ -302,18 +305,20 @@ def run_batch(commands: list[str], files: dict[str, bytes | Path], machine: str,
     so far when there is more of it; ``patience``: seconds of silence, in processor time, that count
     as a hang (STALL_SECONDS); ``apart``: each command loads its program again; ``folders``: and
     runs in a folder of its own, ``directory`` of its result; ``drives``: options for further disks;
-    ``timed``: False if no cycles are asked for (UNTIMED).
+    ``timed``: False if no cycles are asked for (UNTIMED). True is all of a run, but with EXACT_PROGRAM alone, which
+    is exact where it times.
     Raises UserError for a hang, Closed if a window was closed. The caller judges return codes and
     crash reports.
     """
-    prepare(directory, commands, files, programs, apart, folders)
+    exact = timed and machine in MEASURED and {command.split()[0] for command in commands} == {EXACT_PROGRAM}
+    prepare(directory, [command + EXACT * exact for command in commands], files, programs, apart, folders)
     patience = patience or STALL_SECONDS
     volume, log = directory / "volume", directory / "emulator.log"
     environment = display.environment
     if machine == SECOND:
         command, environment = second_command(commands, folders), {"HOME": str(directory)}
     else:
-        more = {"hard_drive_0": str(volume)} | (drives or {}) | (UNTIMED if not timed else {})
+        more = {"hard_drive_0": str(volume)} | (drives or {}) | (UNTIMED if exact or not timed else {})
         command = ["fs-uae", str(write_config(directory, machine, display, more))]
     with started(command, volume, environment, log) as process:
         silence, heard = wait(process, volume, on_output, patience)

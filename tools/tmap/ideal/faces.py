@@ -28,7 +28,7 @@ corners, and may be that far apart.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
@@ -39,7 +39,7 @@ from tmap.compiler.objects import RADIUS
 from tmap.ideal import bounds, bounds_perspective, ideal, mesh as ideal_mesh, perspective
 from tmap.ideal.ideal import UNIT
 from tmap.model import mesh as model_mesh, mesh16, model
-from tmap.scene_file.meshes import ENVIRONMENT, FOG, LIT, ONE, UNIT_14, Instance, Mesh
+from tmap.scene_file.meshes import ENVIRONMENT, FOG, LIT, ONE, UNIT_14, Instance
 from tmap.setup import planarity
 from tmap.setup.texturing import Settings
 
@@ -183,32 +183,26 @@ def exact_faces(scene, instance: Instance, camera: Camera, longer: int = 256) ->
     return made
 
 
-def drawn_face(scene, instance: Instance, row: list[int], number: int) -> tuple[list[tuple], bool]:
-    """Returns the model's polygon of one face in a frame, (x, y, s, t, shade, w), empty if there is
-    none, and true if a corner of the face is outside a border."""
-    mesh, first, count = scene.meshes[instance.mesh], row[4], row[5]
-    corners = scene.corners[mesh.corner + first:mesh.corner + first + count].copy()
-    points, normals = scene.points[mesh.point + corners[:, 0]], scene.normals[mesh.normal + corners[:, 1]]
-    corners[:, 1] = np.arange(count)
-    if instance.view16 < 0:
-        corners[:, 0] = np.arange(count)
-    else:  # all points decide whether they are transformed with 16-bit operands
+class Drawn:
+    """What the model draws of an instance in a frame. ``vertices``: by the face's number, (x, y, s, t, shade, w) of
+    each that has any; ``short``: the view's factors for 16-bit operands if it is drawn with them."""
+
+    def __init__(self, scene, instance: Instance, number: int) -> None:
+        self.scene, self.mesh, self.short = scene, scene.meshes[instance.mesh], None
+        self.vertices = {which: made for _, made, which in model_mesh.faces_of(scene, instance, number)
+                         if len(made) >= 3}
+        age, mesh = number - instance.first_frame, self.mesh
         points = scene.points[mesh.point:mesh.point + mesh.points]
-    alone = replace(scene, points=points, normals=normals, corners=corners,
-                    faces=np.array([[*row[:4], 0, count]]),
-                    meshes=[Mesh(0, len(points), 0, count, 0, count, 0, 1)])
-    found = model_mesh.faces_of(alone, replace(instance, mesh=0), number)
-    view = scene.views[instance.view + number - instance.first_frame].tolist()
-    cut = any(p.screen is None for p in model_mesh.transform(scene, points[corners[:, 0]].tolist(), view))
-    return (found[0][1] if found and len(found[0][1]) >= 3 else []), cut
+        self.reach = float(abs(points).max()) / ONE
+        self.places = model_mesh.transform(scene, points.tolist(), scene.views[instance.view + age].tolist())
+        if instance.view16 >= 0:
+            row = scene.views16[instance.view16 + age].tolist()
+            self.short = row if model_mesh.transform16(scene, instance, mesh, row) else None
 
-
-def short_row(scene, instance: Instance, number: int) -> list[int] | None:
-    """Returns the view's factors for 16-bit operands if an instance is drawn with them in a frame."""
-    if instance.view16 < 0:
-        return None
-    row = scene.views16[instance.view16 + number - instance.first_frame].tolist()
-    return row if model_mesh.transform16(scene, instance, scene.meshes[instance.mesh], row) else None
+    def is_cut(self, row: list[int]) -> bool:
+        """Returns true if a corner of a face is outside a border; ``row``: from the table of faces."""
+        first = self.mesh.corner + row[4]
+        return any(self.places[point].screen is None for point in self.scene.corners[first:first + row[5], 0])
 
 
 def near_an_edge(pixel: tuple[int, int], vertices, off: list[float]) -> bool:
@@ -330,15 +324,13 @@ def check_attributes(instance: Instance, vertices, face: Face, longer: int, e: f
         out.errors(error, 0 * error, bound, f"{('s', 't', 'the shade')[ours - 2]} of corner {{}}")
 
 
-def judge_face(scene, instance: Instance, row: list[int], number: int, face: Face) -> Verdict:
-    """Checks one face of a frame against its bounds; ``row``: from the table of faces."""
+def judge_face(scene, instance: Instance, drawn: Drawn, which: int, row: list[int], face: Face) -> Verdict:
+    """Checks one face of a frame against its bounds; ``which``: its number; ``row``: from the table of faces."""
     out, material, camera = Verdict(), scene.materials[instance.material], face.camera
-    mesh = scene.meshes[instance.mesh]
-    reach = float(abs(scene.points[mesh.point:mesh.point + mesh.points]).max()) / ONE
-    vertices, cut = drawn_face(scene, instance, row, number)
+    reach, short = drawn.reach, drawn.short
+    vertices, cut = drawn.vertices.get(which, []), drawn.is_cut(row)
     longer = max(scene.textures[material.texture].texels.shape) if material.texture >= 0 else 256
     polygons: list[model.Polygon] = []
-    short = short_row(scene, instance, number)
     doubt = ideal_mesh.seen_error(camera.eye, reach, short and short[mesh16.SEEN_SHIFT])
     if vertices:
         pieces = planarity.parts(vertices, material, scene.frame_shape, longer, planarity.ALL)
@@ -372,11 +364,11 @@ def judge_face(scene, instance: Instance, row: list[int], number: int, face: Fac
 def judge(scene, number: int, instance: Instance, faces: list[Face]) -> Verdict:
     """Checks all faces of an instance in a frame against their bounds."""
     out, mesh = Verdict(), scene.meshes[instance.mesh]
-    rows = scene.faces[mesh.face:mesh.face + mesh.faces].tolist()
+    rows, drawn = scene.faces[mesh.face:mesh.face + mesh.faces].tolist(), Drawn(scene, instance, number)
     for k, (row, face) in enumerate(zip(rows, faces, strict=True)):
         if not face.is_flat():
             raise ValueError(f"face {k} does not lie on a plane")
-        found = judge_face(scene, instance, row, number, face)
+        found = judge_face(scene, instance, drawn, k, row, face)
         if found.complaint:
             found.complaint = f"face {k} {found.complaint}"
         out.merge(found)
