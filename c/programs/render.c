@@ -222,7 +222,7 @@ int main(void)
     enum { SCENE, FORM, FRAMES, COUNT, CHIP, DCACHE, DIGEST, OFF, UNTIMED, EXACT, ACCURACY,
            PERSPECTIVE, ITEMS };
     int32 args[ITEMS] = {0};
-    struct scene scene;
+    static struct scene scene;  /* not on the stack, of which a shell gives 4,096 bytes */
     struct frame frame;
     struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0, 0, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN, 0};
