@@ -5,22 +5,24 @@
 
 static const struct {
     uint8 edges, gradients, start;
-    const char *name;
 } accuracy[ACCURACY_STEPS] = {
-    {EDGES_INTEGER, GRADIENTS_POLYGON, START_TRUNCATED, "integer, polygon, truncated"},
-    {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_TRUNCATED, "subpixel, polygon, truncated"},
-    {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_SUBTEXEL, "subpixel, polygon, subtexel"},
-    {EDGES_SUBPIXEL, GRADIENTS_PLANE, START_SUBTEXEL, "subpixel, plane, subtexel"},
-    {EDGES_SNAPPED, GRADIENTS_PLANE, START_SUBTEXEL, "snapped, plane, subtexel"},
-    {EDGES_EXACT, GRADIENTS_PLANE, START_SUBTEXEL, "exact, plane, subtexel"}
+    {EDGES_INTEGER, GRADIENTS_POLYGON, START_TRUNCATED},
+    {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_TRUNCATED},
+    {EDGES_SUBPIXEL, GRADIENTS_POLYGON, START_SUBTEXEL},
+    {EDGES_SUBPIXEL, GRADIENTS_PLANE, START_SUBTEXEL},
+    {EDGES_SNAPPED, GRADIENTS_PLANE, START_SUBTEXEL},
+    {EDGES_EXACT, GRADIENTS_PLANE, START_SUBTEXEL}
 };
 
-static const struct {
-    uint32 subdivision;         /* of Glide's units */
-    const char *name;
-} perspective[PERSPECTIVE_KINDS] = {
-    {16, "none"}, {16, "every16"}, {8, "every8"}, {0, "pixel"}, {0, "fine"}
+/* Names are apart: only a program that shows them holds them. */
+static const char *const accuracy_names[ACCURACY_STEPS] = {
+    "integer, polygon, truncated", "subpixel, polygon, truncated", "subpixel, polygon, subtexel",
+    "subpixel, plane, subtexel", "snapped, plane, subtexel", "exact, plane, subtexel"
 };
+
+/* Of Glide's units, by perspective. */
+static const uint8 subdivisions[PERSPECTIVE_KINDS] = {16, 16, 8, 0, 0};
+static const char *const perspective_names[PERSPECTIVE_KINDS] = {"none", "every16", "every8", "pixel", "fine"};
 
 /* Returns non-zero if the mapper has fixed gradients and start. */
 static int32 is_fixed(uint32 mapper)
@@ -31,7 +33,7 @@ static int32 is_fixed(uint32 mapper)
 static void set_perspective(struct material *to, const struct scene_material *from,
                             const struct settings *settings)
 {
-    const int32 asked = settings->perspective, step = asked == SETTINGS_EXACT ? PERSPECTIVE_FINE : asked;
+    const int32 step = settings->perspective;
 
     to->perspective = (uint8)from->perspective;
     to->tolerance = from->tolerance;
@@ -102,7 +104,7 @@ static void restore_gradients(const struct scene *scene)
 static uint32 subdivision(uint32 own, const struct settings *settings)
 {
     const int32 step = settings->perspective;
-    const uint32 asked = step == SETTINGS_OWN ? own : step == SETTINGS_EXACT ? 0 : perspective[step].subdivision;
+    const uint32 asked = step == SETTINGS_OWN ? own : subdivisions[step];
 
     return settings->only_cheaper && own && asked < own ? own : asked;
 }
@@ -111,6 +113,19 @@ static void set_units(struct scene *scene, const struct settings *settings)
 {
     for (uint32 i = 0; i < scene->header->glide_units; i++)
         glide_subdivision(&scene->glide[i], subdivision(scene->glide_units[i].subdivision, settings));
+}
+
+int32 settings_set(struct scene *scene, const struct settings *settings)
+{
+    for (uint32 i = 0; i < scene->header->materials; i++) {
+        set_perspective(&scene->drawn[i], &scene->materials[i], settings);
+        set_accuracy(&scene->drawn[i], &scene->materials[i], settings);
+    }
+    restore_gradients(scene);
+    scene->is_once = scene->header->once && (settings->accuracy == SETTINGS_OWN
+                                             || accuracy[settings->accuracy].edges == EDGES_EXACT);
+    set_units(scene, settings);
+    return scene_make_tables(scene) == SCENE_MADE;
 }
 
 /* Returns 1 if an object of the screen's space has a material. */
@@ -141,27 +156,21 @@ static void set_depths(const struct scene *scene)
     }
 }
 
-int32 settings_set(struct scene *scene, const struct settings *settings)
+void settings_set_exact(struct scene *scene)
 {
-    for (uint32 i = 0; i < scene->header->materials; i++) {
-        set_perspective(&scene->drawn[i], &scene->materials[i], settings);
-        set_accuracy(&scene->drawn[i], &scene->materials[i], settings);
-    }
-    restore_gradients(scene);
-    if (settings->perspective == SETTINGS_EXACT)
-        set_depths(scene);
-    scene->is_once = scene->header->once && (settings->accuracy == SETTINGS_OWN
-                                             || accuracy[settings->accuracy].edges == EDGES_EXACT);
-    set_units(scene, settings);
-    return scene_make_tables(scene) == SCENE_MADE;
+    static const struct settings best = {ACCURACY_STEPS - 1, PERSPECTIVE_FINE, 0};
+
+    settings_set(scene, &best);
+    set_depths(scene);
+    scene_make_tables(scene);
 }
 
 const char *settings_accuracy(int32 step)
 {
-    return step == SETTINGS_OWN ? "settings of the scene" : accuracy[step].name;
+    return step == SETTINGS_OWN ? "settings of the scene" : accuracy_names[step];
 }
 
 const char *settings_perspective(int32 step)
 {
-    return step == SETTINGS_OWN ? "of the scene" : perspective[step].name;
+    return step == SETTINGS_OWN ? "of the scene" : perspective_names[step];
 }

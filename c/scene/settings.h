@@ -2,7 +2,7 @@
 
    `accuracy` is edges, gradients and start together, `perspective` is enum perspective. A step sets
    the fields of every material with these exceptions:
-   - perspective: set only if the scene's material has one, or by SETTINGS_EXACT if the mapper may and meshes alone have it. Glide's units take it as
+   - perspective: set only if the scene's material has one. Glide's units take it as
      glide_subdivision: 16 pixels (none, every16), 8, else at each pixel;
    - gradients and start: not set if perspective is drawn, nor with MAPPER_LIT_GOURAUD,
      MAPPER_DITHERED or texture units;
@@ -19,13 +19,12 @@
 
 enum settings_steps {
     SETTINGS_OWN = -1,          /* the scene's */
-    SETTINGS_EXACT = PERSPECTIVE_KINDS, /* of perspective: fine, of meshes' materials that have none too */
     ACCURACY_STEPS = 6
 };
 
 struct settings {
     int32 accuracy;             /* SETTINGS_OWN, or 0 to ACCURACY_STEPS - 1 */
-    int32 perspective;          /* SETTINGS_OWN, 0 to PERSPECTIVE_KINDS - 1, or SETTINGS_EXACT */
+    int32 perspective;          /* SETTINGS_OWN, or 0 to PERSPECTIVE_KINDS - 1 */
     int32 only_cheaper;         /* 1: steps are the most that a material may cost */
 };
 
@@ -33,6 +32,10 @@ struct settings {
    0 if memory was short for a table: its lines are then divided exactly, which is within the same
    bounds, but slower, and pixels differ. */
 int32 settings_set(struct scene *scene, const struct settings *settings);
+
+/* Sets the steps of the exact picture: the best of both, and fine perspective of materials that have none too, where the
+   mapper may and meshes alone have them. */
+void settings_set_exact(struct scene *scene);
 
 /* Return a step's name, such as "exact, plane, subtexel" or "every16"; for SETTINGS_OWN "settings
    of the scene" and "of the scene". */

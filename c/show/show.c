@@ -50,10 +50,9 @@ void show_draw(struct show *s)
 
 static void compare(struct show *s)
 {
-    static const struct settings best = {ACCURACY_STEPS - 1, SETTINGS_EXACT, 0};
     const int32 is_coarse = s->scene.is_coarse;
 
-    settings_set(&s->scene, &best);
+    settings_set_exact(&s->scene);
     scene_set_coarse(&s->scene, 0);
     s->renderer.frame = &s->exact;
     scene_draw(&s->renderer, &s->scene, s->number);

@@ -15,7 +15,7 @@ def test_report_shows_what_larger_pixels_save_and_cost(tmp_path, monkeypatch) ->
     drawing, converting, rate, other, error = (dict(zip(SIZES, map(float, column)))
                                                for column in list(zip(*rows))[1:])
     assert drawing["1x1"] > max(drawing["2x1"], drawing["1x2"]) > drawing["2x2"] > drawing["1x1"] / 4
-    assert abs(converting["1x1"] - 2 * converting["1x2"]) <= 1.5
+    assert converting["1x2"] < converting["1x1"] <= 2 * converting["1x2"] + 1.5  # what takes long is merged twice
     assert converting["1x1"] > converting["1x2"] > converting["2x1"] > converting["2x2"]  # the blitter doubles pixels
     assert rate["2x2"] > 2 * rate["1x1"]
     assert other["1x1"] == error["1x1"] == 0

@@ -297,7 +297,7 @@ def test_bad_input_through_the_script(tmp_path):
     for arguments, message in ((["run", "no.toml"], "tmap: no.toml: No such file or directory\n"),
                                ([], "tmap: usage: the following arguments are required: COMMAND; "
                                     "see tmap --help\n"),
-                               (["play"], "tmap: usage: argument COMMAND: invalid choice: 'play'")):
+                               (["paint"], "tmap: usage: argument COMMAND: invalid choice: 'paint'")):
         done = subprocess.run([ROOT / "scripts" / "tmap", *arguments], cwd=tmp_path,
                               capture_output=True, text=True)
         assert (done.returncode, done.stdout) == (2, "")

@@ -35,7 +35,8 @@ KINDS = ("condition", "carry", "constant", "size", "count", "sign", "operation",
 
 def chosen(mutants: list[Mutant], seed: int) -> Iterator[Mutant]:
     """Yields mutants of each kind in turn, drawn by the seed."""
-    drawn = sorted({each.key: each for each in mutants}.values(), key=lambda each: each.rank(seed))
+    by_key = {each.key: each for each in sorted(mutants, key=lambda each: (each.key, each.kind))}
+    drawn = sorted(by_key.values(), key=lambda each: each.rank(seed))
     kinds = [[each for each in drawn if each.kind == kind] for kind in KINDS]
     for turn in range(max(map(len, kinds), default=0)):
         for some in kinds:
