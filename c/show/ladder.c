@@ -63,7 +63,7 @@ void ladder_make(struct ladder *ladder, const struct scene *scene)
 
 void ladder_describe(const struct rung *rung)
 {
-    text_add(rung->is_coarse ? "pixels of 2x2" : "pixels of 1x1");
+    text_add(rung->is_coarse ? "pixels of 2x2" : "the scene's pixels");
     if (rung->settings.accuracy != SETTINGS_OWN)
         text_add(", snapped edges");
     if (rung->settings.perspective != SETTINGS_OWN)

@@ -1,6 +1,6 @@
 /* What `show` gives up, rung by rung, to hold a rate of frames: perspective each 16 pixels at most, then snapped edges,
    then pixels twice as wide and high (scene/coarse.h) with the scene's settings, and the same two again. Rungs that change
-   nothing of a scene are left out. Perspective is not given up: walls without it are wrong by more than half of a texture. */
+   nothing of a scene are left out. Perspective is not given up: texels of near walls are hundreds off without it. */
 #ifndef LADDER_H
 #define LADDER_H
 
