@@ -3,17 +3,16 @@
 ; mesh_gather - faces of a mesh become triangles of a batch, as fans from their first corners
 ;
 ; in:      a0  struct gather_plan*  its placed and corners are set here
-; out:     d0  const struct mesh_face*  the first face that was not taken
+; out:     d0  const struct mesh_face*  the first face that was not taken: the list or its room ends, the
+;                                     material or the flags are others, it has more than
+;                                     TRIANGLE_CORNERS_MAX corners or SNAPPED_LINES lines or more, or
+;                                     a point, u or v is out of range
 ; reads:   the plan, faces, their corners, places, attributes of normals
 ; writes:  vertices; triangles; the plan's last, behind the last triangle
 ; formats: places as in struct mesh_place; s, t and shades 16.16; u, v, shades and levels of vertices
 ;          12.20
 ; error:   u and v half of 1/65536 texel if the map's scale is not 1, else none
 ; cost:    bench rows mesh_gather_flat, mesh_gather_gouraud, mesh_gather_affine
-;
-; It stops at the end of the list of faces or of the list's room, and at a face of another material or with
-; other flags, with more than TRIANGLE_CORNERS_MAX corners, of SNAPPED_LINES lines or more, or with
-; a point, u or v that is out of range.
 
 ; a0 the plan, a1 the face, a2 its corner, a3 the vertex, a4 the triangle, a5 the places, a6 the
 ; attributes; d3 the face's first vertex, d4 corners left, d5 and d7 least and greatest y, d6 the

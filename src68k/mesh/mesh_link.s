@@ -4,14 +4,12 @@
 ;
 ; in:      a0  struct gather_plan*  its vertices, values and scale are not used; its placed and corners
 ;                                   are not set
-; out:     d0  const struct mesh_face*  the first face that was not taken
+; out:     d0  const struct mesh_face*  the first face that was not taken: the list or its room ends, the
+;                                     material or the flags are others, or a is 0
 ; reads:   the plan, faces with their corners
 ; writes:  triangles; the plan's last, behind the last triangle
 ; formats: triangles are fans from the first corners
 ; cost:    bench rows mesh_link and mesh_link_quads: a face of three, of four corners
-;
-; It stops at the end of the list of faces or of the list's room, at a face of another material or with
-; other flags, and at one whose a is 0.
 
 ; a6 the plan, a1 the face, a4 the triangle; d0-d3 its corners, d6 full, d7 the last face's instance.
         routine mesh_link,a0

@@ -4,12 +4,11 @@
 ;
 ; in:      a0  const struct orders_plan*  count is 1 at least
 ; reads:   the plan, its mesh_placed, count entries' faces, these' corners and places
-; writes:  order, a, b, c and d of count entries
+; writes:  order, a, b, c and d of count entries; a is 0 where mesh_link must stop: at a face with more
+;          than TRIANGLE_CORNERS_MAX corners, of SNAPPED_LINES lines or more, or with a point that is
+;          out of range
 ; formats: order: the greatest depth, 0 at least, shifted to the left and inverted
 ; cost:    bench rows mesh_orders and mesh_orders_quads: a face of three, of four corners
-;
-; a is 0 where mesh_link must stop: at a face with more than TRIANGLE_CORNERS_MAX corners, of
-; SNAPPED_LINES lines or more, or with a point that is out of range.
 
 ; a0 the face's corners, a1 the entry, a3 the instance's corners, a4 where the next corner is written,
 ; a5 the places; d2 the greatest depth, d3 all places, ored; d4 the bits that are clear there if the

@@ -3,6 +3,7 @@ model's pictures, whichever tools built it."""
 
 import contextlib
 import io
+import json
 import re
 import shutil
 import subprocess
@@ -18,7 +19,8 @@ from amitools.binfmt.hunk.HunkReader import HunkReader
 
 from tmap.base import planar
 from tmap.base.errors import UserError
-from tmap.base.paths import ROOT
+from tmap.base.paths import BASELINE, ROOT
+from tmap.bench import bench
 from tmap.build import contracts, elf_object, hunk_object
 from tmap.build.elf_object import Relocation, Section
 from tmap.guest import emulator
@@ -366,3 +368,20 @@ def test_other_folders_are_left_alone(tmp_path):
     with pytest.raises(UserError, match="holds something else than an SDK"):
         sdk.command(tmp_path)
     assert kept.read_text() == "mine"
+
+
+def test_reference_has_every_call(kit) -> None:
+    """Each call has one entry, each routine of assembly its registers, and the figures of the bench."""
+    text = (kit / "REFERENCE.md").read_text()
+    entries = re.findall(r"^### (\w+)$", text, re.M)
+    assert len(entries) == len(set(entries))
+    assert {each.name for each in sdk.public()} <= {*entries}
+    parts = dict(re.findall(r"^### (\w+)$(.*?)(?=^##|\Z)", text, re.M | re.S))
+    for each in sdk.public():
+        for argument in (*each.inputs, *each.outputs):
+            assert f" `{argument.register}` {argument.type}: {argument.meaning}\n" in parts[each.name], each.name
+        assert "cycles" in parts[each.name] or each.cost in parts[each.name], each.name
+    assert "`polygon_routine polygon_draw;`" in parts["polygon_draw"]
+    baseline = json.loads(BASELINE.read_text())
+    row = next(row for row in baseline["rows"] if bench.key(row) == ("affine_addx", "a1200-fast", 256))
+    assert f"| `affine_addx` | 256 | cycles a pixel | {row['cycles_per_pixel']:.1f} |" in parts["span_affine_addx"]

@@ -4,6 +4,7 @@
     c/          C sources, and sources.mk: which of them each drawing routine needs
     lib/        the assembly as link libraries: vlink/ and gcc/ hold hunk objects, elf/ ELF ones
     example/    three programs and their Makefile
+    REFERENCE.md    every call: arguments, formats, errors, cycles
 
 A routine is public if a C header declares it. The libraries hold the public routines and all that
 they refer to.
@@ -23,7 +24,7 @@ from tmap.base.paths import BUILD, ROOT
 from tmap.build import contracts, elf_object, hunk, hunk_object
 from tmap.build.elf_object import Section
 from tmap.guest.provenance import commit_seconds
-from tmap.product import sdk_include
+from tmap.product import sdk_include, sdk_reference
 
 #: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
 #: Displays are left to the programs.
@@ -230,6 +231,7 @@ def make(out: Path) -> int:
     (out / "c" / "sources.mk").write_text(source_lists(tree))
     (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(offered(".h")))
     (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), routines))
+    (out / "REFERENCE.md").write_text(sdk_reference.reference(offered(".h"), routines))
     return len(routines)
 
 

@@ -9,9 +9,10 @@ from tmap.accuracy.pictures import LEAST, MARKS, drawn_by
 #: Title and colour of each set: polygons without depth and with it.
 SETS = {"medium": ("without depth", "#1f5fa8"), "depth": ("with depth", "#b3541e")}
 #: Label of a frontier's point: its offset from the point, in points, and its alignment. There is
-#: one for the first point, one for the last, and one for the points in between of each set.
-PLACES = {"first": ((8, 3), "left"), "last": ((0, -14), "center"), "medium": ((-8, -4), "right"),
-          "depth": ((7, 5), "left")}
+#: one for the first point, one for the last, one for the points in between of each set, and one for a mapper that
+#: has neighbours there.
+PLACES = {"first": ((8, 3), "left"), "last": ((0, -14), "center"), "medium": ((7, 4), "left"),
+          "depth": ((7, 5), "left"), "arbitrary": ((0, -14), "center")}
 #: Each picture's size in inches, dots an inch and font size: for wide pages, for phones.
 SIZES = {"frontier.png": ((9.6, 5.6), 120, 9), "frontier_narrow.png": ((4.4, 6.0), 160, 8)}
 
@@ -54,8 +55,10 @@ def plot(rows: list[dict], machine: str, path: Path) -> None:
             axes.plot([r["cycles_per_pixel"] for r in best],
                       [max(r["texel_error_rms"], LEAST) for r in best], "--", lw=1.2,
                       color=SETS[name][1], label=f"frontier {SETS[name][0]}", zorder=0)
-            for row in best:
-                label(axes, row, best, SETS[name][1])
+            for row, after in zip(best, [*best[1:], None]):
+                if not after or drawn_by(row) != drawn_by(after) \
+                        or row["texel_error_rms"] > 2 * after["texel_error_rms"]:
+                    label(axes, row, best, SETS[name][1])
         for way in dict.fromkeys(map(drawn_by, chosen)):
             axes.scatter([], [], marker=MARKS[way], color="#555", s=34, label=way)
         axes.scatter([], [], marker="o", facecolors="none", edgecolors="#555", s=34,
@@ -75,7 +78,8 @@ def plot(rows: list[dict], machine: str, path: Path) -> None:
 
 def label(axes, row: dict, best: list[dict], colour: str) -> None:
     """Labels a point of the frontier; PLACES has the free side."""
-    offset, end = PLACES["first" if row is best[0] else "last" if row is best[-1] else row["name"]]
+    between = drawn_by(row) if drawn_by(row) in PLACES else row["name"]
+    offset, end = PLACES["first" if row is best[0] else "last" if row is best[-1] else between]
     axes.annotate(drawn_by(row), (row["cycles_per_pixel"], max(row["texel_error_rms"], LEAST)),
                   color=colour, xytext=offset, textcoords="offset points", ha=end,
                   fontweight="bold")

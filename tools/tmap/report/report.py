@@ -26,6 +26,7 @@ def write_pictures(found: Found, folder: Path) -> None:
     perspective_curves.plot(folder / "pieces.png")
     methods = found.methods.folder if found.methods else SCENES
     shutil.copyfile(methods / "methods.png", folder / "methods.png")
+    shutil.copyfile(SCENES / "demo.png", folder / "demo.png")
     if found.fit:
         shutil.copyfile(found.fit.folder / "fit.png", folder / "fit.png")
     if found.sets:
