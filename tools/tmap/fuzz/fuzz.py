@@ -5,20 +5,16 @@ The guest draws blocks of polygons, one per frame, and returns a digest of each 
 polygon is made simpler as long as it fails, and explained.
 """
 
-import os
 import sys
 from collections import Counter
 from collections.abc import Callable
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from itertools import repeat
-from multiprocessing import active_children, get_context, resource_tracker
-from threading import Event
 
 import numpy as np
 
+from tmap.base import workers
 from tmap.base.errors import UserError
-from tmap.base.signals import ENDING, end_by, held
 from tmap.build import layout
 from tmap.fuzz.families import ALL, again, named
 from tmap.fuzz.polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
@@ -177,18 +173,9 @@ def form_of(block: int) -> str:
     return FORMS[block % len(FORMS)]
 
 
-ended = Event()  # in a part's process: if set, it begins no further part
-
-
-def end_as_exits() -> None:
-    """Makes signals end a part's process as an exit does, so that its emulator ends, its files are
-    deleted, and no traceback is printed."""
-    end_by(ENDING, ended.set)
-
-
 def run_part(seed: int, numbers: range, machine: str, family: str = ALL) -> Tally:
     """Draws and checks polygons of several blocks in one boot."""
-    if ended.is_set():
+    if workers.ended.is_set():
         sys.exit()
     parts: dict[int, list[int]] = {}
     for number in numbers:
@@ -224,21 +211,11 @@ def run(seed: int, first: int, count: int, machine: str = MACHINE,
     starts = [first, *range(first // size * size + size, first + count, size)]
     ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]
     total = Tally()
-    with held():  # multiprocessing's own process inherits that: it must outlive a closed terminal's signal
-        resource_tracker.ensure_running()
-    # Spawned, not forked: the progress bar has a thread.
-    with ProcessPoolExecutor(min(os.cpu_count() or 1, len(ranges)), get_context("spawn"),
-                             end_as_exits) as pool:
-        try:
-            for part in pool.map(run_part, repeat(seed), ranges, repeat(machine), repeat(family)):
-                total.merge(part)
-                if on_part:
-                    on_part(part)
-        except BaseException:
-            for process in active_children():  # they may not have had the signal
-                process.terminate()
-            pool.shutdown(cancel_futures=True)
-            raise
+    with workers.pool(len(ranges)) as pool:
+        for part in pool.map(run_part, repeat(seed), ranges, repeat(machine), repeat(family)):
+            total.merge(part)
+            if on_part:
+                on_part(part)
     return total
 
 

@@ -2,12 +2,14 @@
 
 import json
 from collections.abc import Callable, Iterable
+from concurrent.futures import FIRST_COMPLETED, wait
 from dataclasses import asdict, dataclass
 from itertools import count
 from pathlib import Path
 
 from rich.progress import Progress
 
+from tmap.base import workers
 from tmap.base.errors import UserError
 from tmap.base.paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, SCENES
 from tmap.guest import cache, provenance
@@ -160,25 +162,45 @@ def committed(path: Path) -> dict:
     return json.loads(path.read_text())
 
 
+#: The parts that are measured besides scenes, by what the progress says of them, the longest first.
+PARTS: dict[str, Callable[[Tell], Entry]] = {
+    "hard cases": of_hard_cases, "bench": of_bench, "settings by the clock": of_fit, "accuracy": of_accuracy,
+    "polygons a second": of_polys, "methods": of_methods}
+
+
+def part(title: str) -> Entry:
+    """Measures a part, in a worker."""
+    return PARTS[title](lambda done, total: workers.tell(title, done, total))
+
+
+def gather_all(scenes: list[str], machine: str, progress: Progress) -> tuple[dict[str, Entry], list[Entry]]:
+    """Returns the parts and the scenes, measured on all of the host's processors."""
+    queue = workers.SPAWNED.Queue()
+    tasks = {title: progress.add_task(title, total=None) for title in PARTS}
+    drawn = progress.add_task("scenes", total=len(scenes))
+    with workers.pool(len(PARTS) + len(scenes), queue) as pool:
+        parts = {title: pool.submit(part, title) for title in PARTS}
+        runs = [pool.submit(of_scene, name, machine) for name in scenes]
+        waiting = {*parts.values(), *runs}
+        while waiting:
+            done, waiting = wait(waiting, timeout=0.5, return_when=FIRST_COMPLETED)
+            while not queue.empty():
+                title, some, total = queue.get()
+                progress.update(tasks[title], completed=some, total=total)
+            for each in done:
+                each.result()  # or its exception
+            progress.update(drawn, completed=sum(run.done() for run in runs))
+            for title in (title for title, each in parts.items() if each.done()):
+                progress.update(tasks[title], total=1, completed=1)
+        return {title: each.result() for title, each in parts.items()}, [run.result() for run in runs]
+
+
 def gather(scenes: list[str], machine: str, only_committed: bool, progress: Progress) -> Found:
-    """Returns everything the page shows; ``progress`` shows the part being measured."""
-    task, drawn = progress.add_task("scenes", total=len(scenes)), []
-    for name in scenes:
-        progress.update(task, description=f"scene {name}")
-        drawn.append(of_scene(name, machine))
-        progress.advance(task)
-    progress.update(task, description="scenes")
+    """Returns everything the page shows; ``progress`` shows the parts being measured."""
     if only_committed:
+        drawn = [of_scene(name, machine) for name in progress.track(scenes, description="scenes")]
         return Found(*map(committed, (BASELINE, ACCURACY_BASELINE, POLYS_BASELINE)), drawn)
-
-    def part(name: str, find: Callable[[Tell], Entry]) -> Entry:
-        task = progress.add_task(name, total=None)
-        entry = find(lambda done, total: progress.update(task, completed=done, total=total))
-        progress.update(task, total=1, completed=1)
-        return entry
-
-    methods, polys = part("methods", of_methods), part("polygons a second", of_polys)
-    bench, sets = part("bench", of_bench), part("accuracy", of_accuracy)
-    hard = part("hard cases", of_hard_cases)
-    fit = part("settings by the clock", of_fit)
-    return Found(bench.result, sets.result, polys.result, drawn, sets, methods, hard, fit)
+    found, drawn = gather_all(scenes, machine, progress)
+    sets = found["accuracy"]
+    return Found(found["bench"].result, sets.result, found["polygons a second"].result, drawn, sets, found["methods"],
+                 found["hard cases"], found["settings by the clock"])
