@@ -16,6 +16,8 @@ from tmap.ideal import bounds
 from tmap.model import model
 from tmap.run import run
 from tmap.scene_file.scene_file import ONE, write
+from tmap.setup import tolerance
+from tmap.setup.polygon import set_up
 
 MACHINE = "a1200-fast"
 SEED, BLOCKS, COUNT = 6, 3, 400
@@ -119,6 +121,25 @@ def test_tolerances_are_kept_and_pay():
         assert not verdict.complaint and verdict.pixels, f"{where}: {verdict.complaint}"
     fired = [sum(each["rules"].get(rule, 0) for each in on.executed) for rule in bench_rules.INEXACT]
     assert fired == [1, 1]
+
+
+def test_tolerances_allow_pieces_up_to_their_own_value():
+    """Pieces of 8 and of 16 pixels begin with the tolerance that the bend gives them, to a unit of 1/65536 texel."""
+    deep = Case("tolerance", DEEP, WIDE, TURNED, None, None, depths=(4, 6, 5))
+    corners = [(x, y, s, t, w) for x, y, s, t, _, w in deep.vertices]
+
+    def made(allowed: int):
+        return set_up(corners, bench_rules.WIDTH, bench_rules.HEIGHT, True, model.Settings(
+            perspective="pixel", tolerance=allowed))
+
+    bend = tolerance.bend(made(0).perspective)
+    wanted = {16 * bend - 1: "pixel", 16 * bend: "every8", 64 * bend - 1: "every8", 64 * bend: "every16"}
+    assert {allowed: made(allowed).setting for allowed in wanted} == wanted
+    scene = bench_rules.scene_of([replace(deep, material=replace(DEEP, tolerance=allowed)) for allowed in wanted])
+    digests, = guest_frames.draw([(scene, "addx")], MACHINE, timed=False)
+    pictures = [model.render(scene, number) for number in range(scene.frames)]
+    guest_frames.require_models(pictures, digests, "tolerances", (scene, "addx", MACHINE))
+    assert len({picture.tobytes() for picture in pictures[1:]}) == len({*wanted.values()})
 
 
 @pytest.mark.parametrize("points", [WIDE, [(x - 40, y) for x, y in WIDE]], ids=["inside", "cut"])
