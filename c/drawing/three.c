@@ -50,25 +50,6 @@ static void set_lines(struct three *three)
     three->lines = line_routines[kind_lines[three->s.kind]].lines[exact];
 }
 
-void three_starts(struct three *three)
-{
-    struct setup *s = &three->s;
-    struct texturing *t = &s->texturing;
-    const int32 at_pixels = s->material->start == START_SUBTEXEL;
-
-    if (at_pixels) {
-        texturing_longest(t, &s->sides, &s->box,
-                          three->way == THREE_SHADES ? CHAIN_NONE : CHAIN_ANYWHERE);
-        texturing_pixels(t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
-    } else {
-        texturing_crossings(t, s->edges.left, s->edges.lefts);
-    }
-    s->span.dudx = t->dudx;
-    s->span.dvdx = t->dvdx;
-    s->edges.dudx = at_pixels ? t->dudx : 0;
-    s->edges.dvdx = at_pixels ? t->dvdx : 0;
-}
-
 static enum three_starts starts_of(const struct material *material)
 {
     const int32 at_pixels = material->start == START_SUBTEXEL;
