@@ -55,9 +55,6 @@ static inline int32 lower_to_no_scissor(struct setup *s)
     return 1;
 }
 
-/* Returns non-zero if lines need not be moved to keep u and v in range. */
-int32 lower_to_no_clamp(struct setup *s, int32 leaves_range);
-
 int32 lower_w_is_constant(const struct setup *s);
 
 #endif

@@ -1,6 +1,7 @@
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "math/math.h"
+#include "polygon/counts.h"
 #include "polygon/shading.h"
 
 /* INSET: how far u and v of a triangle may be outside the vertices' range at a pixel's centre. The
@@ -90,6 +91,15 @@ static int32 leaves_range(const struct setup *s)
 static fix16 slower(fix16 step)
 {
     return step >= 0 ? step : step < -2 ? step + 2 : 0;
+}
+
+/* Returns non-zero if lines need not be moved to keep u and v in range. */
+static int32 lower_to_no_clamp(struct setup *s, int32 leaves_range)
+{
+    if (!RULE_IS_ON(s, INSIDE_RANGE) || leaves_range)
+        return 0;
+    RULE_APPLIES(s, INSIDE_RANGE);
+    return 1;
 }
 
 void clamp_lines(struct setup *s)

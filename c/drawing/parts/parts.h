@@ -10,7 +10,8 @@
    stay as they are: what is left out costs no cycle. A program without such a file has all parts.
 
    Outlines, one at least:
-       WITH_TRIANGLES       triangles by flat, Gouraud's and affine spans, one by one or with polygons_draw
+       WITH_TRIANGLES       triangles by flat, Gouraud's and affine spans, not clipped to CLIP_VERTICES; alone,
+                            polygon_draw and polygons_draw refuse all else
        WITH_POLYGONS        convex polygons, and triangles if WITH_TRIANGLES is not there
        WITH_SNAPPED         triangle_tables_make's routines for EDGES_SNAPPED, of the mappers that are named
    Mappers: WITH_FLAT, WITH_GOURAUD, WITH_AFFINE, WITH_ARBITRARY, WITH_TILED, WITH_COLUMNS, WITH_GENERATED, WITH_LIT,
@@ -20,6 +21,8 @@
        WITH_ROWS            rows, columns and copies, where u or v stays the same along lines
        WITH_SHORT           unrolled code for short lines
    Settings, beside all edges, GRADIENTS_PLANE and START_SUBTEXEL:
+       WITH_STEEP           triangles that gradients of 32 bits are too coarse or too small for: 8 texels a pixel and
+                            more, slivers, and those far larger than the frame. Without, they show one texel
        WITH_STARTS          GRADIENTS_POLYGON, START_TRUNCATED
        WITH_SCANLINE        GRADIENTS_SCANLINE
        WITH_CLIPPING        CLIP_VERTICES
@@ -69,11 +72,36 @@
 #endif
 
 #ifndef WITH_POLYGONS
+/* Triangles alone. */
 enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct polygon *polygon,
                                        const struct material *material)
 {
-    return POLYGON_REFUSED;
+    struct three three;
+
+    if (polygon->count != 3 || !three_set(&three, renderer, material))
+        return POLYGON_REFUSED;
+    return three_polygon(&three, polygon->vertices);
 }
+
+#ifndef WITH_SNAPPED
+enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
+{
+    return polygon_draw_whole(renderer, polygon, material);
+}
+
+enum polygon_result polygon_draw_beyond(struct renderer *renderer, const struct polygon *polygon,
+                                        const struct material *material)
+{
+    return polygon_draw_whole(renderer, polygon, material);
+}
+
+enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon *polygon,
+                                 const struct material *material)
+{
+    return polygon_draw_whole(renderer, polygon, material);
+}
+#endif
 #endif
 
 #ifndef WITH_TRIANGLES
@@ -107,6 +135,30 @@ enum polygon_result starts_find(struct setup *s)
 
 void three_starts(struct three *three)
 {
+}
+
+void three_longest(void)
+{
+}
+#endif
+
+#ifndef WITH_STEEP
+void texturing_plane(struct texturing *t, const struct sides *sides, const struct rectangle *box, enum chain chain)
+{
+    t->u = (uint32)sides->top->s;
+    t->v = (uint32)sides->top->t;
+    t->dudx = t->dvdx = t->dudy = t->dvdy = 0;
+    t->wrap_bit = 0;
+    t->wraps = 0;
+}
+
+void texturing_starts(const struct texturing *t, struct edge *edges, int32 count)
+{
+    for (; count > 0; count--, edges++) {
+        edges->u = t->u;
+        edges->v = t->v;
+        edges->du = edges->dv = 0;
+    }
 }
 #endif
 
@@ -207,6 +259,23 @@ void lower_by_vertices(struct setup *s)
     && !defined(WITH_16) && !defined(WITH_32)
 void lower_others(struct setup *s)
 {
+}
+#endif
+
+#if !defined(WITH_ROWS) && !defined(WITH_SHORT)
+void lower_by_steps(struct setup *s)
+{
+    if (s->kind != SPAN_AFFINE_ADDX_WRAP)
+        lower_others(s);
+    else if (!s->texturing.wraps)
+        s->kind = SPAN_AFFINE_ADDX;
+}
+#endif
+
+#ifndef WITH_GOURAUD
+enum polygon_result three_shaded(struct three *three, const struct vertex *given, const struct vertex *made)
+{
+    return POLYGON_REFUSED;
 }
 #endif
 
