@@ -7,15 +7,13 @@
 #include "drawing/lower.h"
 #include "drawing/material.h"
 #include "drawing/outline.h"
-#include "drawing/parts/ways.h"
+#include "drawing/ways.h"
 #include "drawing/plan.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 #include "polygon/shading.h"
 
-#ifdef DRAW_INSIDE_ONLY
-#include "drawing/parts/perspective.c"
-#else
+#ifndef DRAW_INSIDE_ONLY        /* there it stands before this file */
 #define draw_perspective(s, cover) perspective_polygon(s)
 #endif
 

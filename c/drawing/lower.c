@@ -1,6 +1,6 @@
 #include "drawing/lower.h"
 
-#include "drawing/parts/rule.h"
+#include "drawing/rule.h"
 #include "polygon/counts.h"
 
 void lower_by_steps(struct setup *s)

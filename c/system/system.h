@@ -34,6 +34,8 @@ void print(const char *text);
 int32 args_read(const char *template_text, int32 *items);
 uint32 program_load(const char *name);
 void program_unload(uint32 program);
+uint32 program_base(void);
+int32 program_enter(uint32 program, const char *arguments, int32 bytes);
 int32 program_run(uint32 program, const char *arguments, int32 bytes, const char *output);
 int32 mem_alloc(void *address, int32 bytes, int32 kind);
 int32 mem_asked(int32 *kind);

@@ -43,7 +43,7 @@
 #include "drawing/material.h"
 #include "drawing/outline.h"
 #include "drawing/parts/named.h"
-#include "drawing/parts/ways.h"
+#include "drawing/ways.h"
 #include "drawing/three.h"
 #include "perspective/tolerance.h"
 #include "polygon/kind.h"

@@ -3,7 +3,7 @@
 #include "drawing/columns.h"
 #include "drawing/deep.h"
 #include "drawing/lower.h"
-#include "drawing/parts/ways.h"
+#include "drawing/ways.h"
 #include "drawing/plan.h"
 #include "perspective/cubic.h"
 #include "perspective/light.h"

@@ -1,6 +1,6 @@
 /* Steps of each line by two divides. */
 #include "drawing/material.h"
-#include "drawing/parts/ways.h"
+#include "drawing/ways.h"
 #include "drawing/plan.h"
 #include "polygon/counts.h"
 #include "polygon/texturing.h"

@@ -1,7 +1,7 @@
 /* Rules by the steps of spans that are not affine ones of a byte a pixel. */
 #include "drawing/dithered.h"
 #include "drawing/lower.h"
-#include "drawing/parts/rule.h"
+#include "drawing/rule.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
 

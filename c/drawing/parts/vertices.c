@@ -1,7 +1,7 @@
 /* Rules by the vertices, and by the planes of perspective. */
 #include "drawing/generated.h"
 #include "drawing/lower.h"
-#include "drawing/parts/rule.h"
+#include "drawing/rule.h"
 #include "perspective/tolerance.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"

@@ -38,13 +38,14 @@ C_FILES = (Path("frames/draw_bodies.c"), Path("frames/draw_bodies.h"), Path("fra
 PARTS = (Path("drawing/parts/parts.h"), Path("drawing/parts/spans.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
-LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw"),
+LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw", "material_is_named"),
          "perspective": ("reciprocals_make",), "mipmap": ("polygon_draw_mipmapped",),
          "texture": ("column_layout_make", "map_rows_make", "map_scale"), "screen": ("ham8_control",),
          "mesh": ("mesh_draw", "mesh_points16", "coverage_draw"),
          "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
-EXAMPLE = ("Makefile", "example.c", "triangles.c", "spans.s", "start.s", "amiga.ld")
+EXAMPLE = ("Makefile", "example.c", "example_parts.c", "triangles.c", "triangles_parts.c", "spans.s", "start.s",
+           "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
 DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
 #: Routines of one type: n64_pass n64_walk, n64_divide;
