@@ -34,7 +34,7 @@ C_FILES = (Path("frames/draw_bodies.c"), Path("frames/draw_bodies.h"), Path("fra
            Path("frames/draw_once.c"), Path("frames/draw_depths.c"), Path("frames/draw_touched.c"),
            Path("frames/draw_touched.h"),
            Path("screen/ham8.c"), Path("screen/planar.h"))
-#: These define what a program names: a file of its own includes them, and tmap020.h does not.
+#: These define what a program names: one of its C files includes them, and tmap020.h does not.
 PARTS = (Path("drawing/parts/parts.h"), Path("drawing/parts/spans.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
