@@ -2,6 +2,8 @@
 #ifndef DRAWING_RULE_H
 #define DRAWING_RULE_H
 
+#include "polygon/counts.h"
+
 /* A rule is a line: its name, the kind of span it lowers, the result and the condition. Later lines
    may lower the result further. */
 #define LOWER(rule, from, to, condition) LOWER_TO(rule, from, SPAN_##to, condition)

@@ -1,4 +1,4 @@
-/* guard - runs another program as the shell does, and reports its crash
+/* guard - runs another program as the shell does, and reports its crash.
 
    guard PROGRAM ARGUMENTS
    The first line of output is "guard: " and where the program's first hunk is, in bytes from guard's own code. A
