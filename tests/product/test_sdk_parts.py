@@ -22,7 +22,7 @@ COMBINATIONS = {
     "both": ("FLAT GOURAUD AFFINE TRIANGLES POLYGONS STEEP FANS", "polygon_draw, polygons_draw", 23_600),
     "lit": ("LIT_GOURAUD POLYGONS STEEP", "polygon_draw", 15_400),
     "words": ("FLAT AFFINE 16 32 POLYGONS STEEP ROWS", "polygon_draw", 16_400),
-    "snapped": ("FLAT AFFINE TRIANGLES SNAPPED", "triangles_draw, triangle_tables_make", 26_600),
+    "snapped": ("FLAT AFFINE SNAPPED", "triangles_draw, triangle_tables_make", 28_400),
     "perspective": ("AFFINE PERSPECTIVE STEEP", "polygon_draw", 53_800),
     "others": ("ARBITRARY TILED COLUMNS GENERATED DITHERED KEYED STEEP", "polygon_draw", 21_200)}
 EVERY = ("FLAT GOURAUD AFFINE ARBITRARY TILED COLUMNS GENERATED LIT LIT_GOURAUD DITHERED KEYED 16 32 ROWS SHORT STEEP "

@@ -13,7 +13,8 @@
        WITH_TRIANGLES       triangles by flat, Gouraud's and affine spans, not clipped to CLIP_VERTICES; alone,
                             polygon_draw and polygons_draw refuse all else
        WITH_POLYGONS        convex polygons, and triangles if WITH_TRIANGLES is not there
-       WITH_SNAPPED         triangle_tables_make's routines for EDGES_SNAPPED, of the mappers that are named
+       WITH_SNAPPED         triangle_tables_make's routines for EDGES_SNAPPED, of the mappers that are named; and
+                            WITH_POLYGONS, for triangles that are not all inside the frame
    Mappers: WITH_FLAT, WITH_GOURAUD, WITH_AFFINE, WITH_ARBITRARY, WITH_TILED, WITH_COLUMNS, WITH_GENERATED, WITH_LIT,
        WITH_LIT_GOURAUD, WITH_DITHERED, WITH_KEYED; a map for another one is refused with POLYGON_WRONG_MAP
    Pixels: of a byte; WITH_16, WITH_32: of two and four
@@ -22,7 +23,8 @@
        WITH_SHORT           unrolled code for short lines
    Settings, beside all edges, GRADIENTS_PLANE and START_SUBTEXEL:
        WITH_STEEP           triangles that gradients of 32 bits are too coarse or too small for: 8 texels a pixel and
-                            more, slivers, and those far larger than the frame. Without, they show one texel
+                            more, slivers, and those far larger than the frame. Without, they show one texel.
+                            A material's `whole` needs it too
        WITH_STARTS          GRADIENTS_POLYGON, START_TRUNCATED
        WITH_SCANLINE        GRADIENTS_SCANLINE
        WITH_CLIPPING        CLIP_VERTICES
@@ -43,8 +45,8 @@
 #include "drawing/material.h"
 #include "drawing/outline.h"
 #include "drawing/parts/named.h"
-#include "drawing/ways.h"
 #include "drawing/three.h"
+#include "drawing/ways.h"
 #include "perspective/tolerance.h"
 #include "polygon/kind.h"
 #include "polygon/shading.h"
@@ -57,8 +59,8 @@
 #if defined(WITH_LIT) || defined(WITH_GENERATED) || defined(WITH_PERSPECTIVE)
 #define WITH_AFFINE
 #endif
-#if defined(WITH_PERSPECTIVE) || defined(WITH_SCANLINE) || defined(WITH_CLIPPING) || defined(WITH_FANS) \
-    || defined(WITH_ARBITRARY) || defined(WITH_TILED) || defined(WITH_COLUMNS) || defined(WITH_GENERATED) \
+#if defined(WITH_SNAPPED) || defined(WITH_PERSPECTIVE) || defined(WITH_SCANLINE) || defined(WITH_CLIPPING) \
+    || defined(WITH_FANS) || defined(WITH_ARBITRARY) || defined(WITH_TILED) || defined(WITH_COLUMNS) || defined(WITH_GENERATED) \
     || defined(WITH_LIT) || defined(WITH_DITHERED) || defined(WITH_KEYED) || defined(WITH_FORMS)
 #define WITH_POLYGONS
 #endif
@@ -83,7 +85,6 @@ enum polygon_result polygon_draw_whole(struct renderer *renderer, const struct p
     return three_polygon(&three, polygon->vertices);
 }
 
-#ifndef WITH_SNAPPED
 enum polygon_result polygon_draw_inside(struct renderer *renderer, const struct polygon *polygon,
                                         const struct material *material)
 {
@@ -101,7 +102,6 @@ enum polygon_result polygon_draw(struct renderer *renderer, const struct polygon
 {
     return polygon_draw_whole(renderer, polygon, material);
 }
-#endif
 #endif
 
 #ifndef WITH_TRIANGLES

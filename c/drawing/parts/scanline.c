@@ -1,7 +1,7 @@
 /* Steps of each line by two divides. */
 #include "drawing/material.h"
-#include "drawing/ways.h"
 #include "drawing/plan.h"
+#include "drawing/ways.h"
 #include "polygon/counts.h"
 #include "polygon/texturing.h"
 
