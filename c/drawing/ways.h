@@ -57,6 +57,13 @@ int32 perspective_polygon(struct setup *s);
    left edges. */
 enum polygon_result starts_find(struct setup *s);
 
+/* Moves u, v, du and dv of edges from the first pixels, where texturing_starts puts them, back to where the edges
+   cross the lines. */
+void texturing_crossings(const struct texturing *t, struct edge *edges, int32 count);
+
+/* As texturing_edges, but moved to the first pixels. No line is wider than `width` pixels. */
+void texturing_pixels(const struct texturing *t, struct edge *edges, int32 count, int32 width);
+
 /* GRADIENTS_SCANLINE: makes the lines, and u and v of each by two divides. */
 void scanline_make(struct setup *s);
 

@@ -7,8 +7,3 @@ uint32 texturing_middle(const struct texturing *t, const struct rectangle *box)
 
     return t->v + (uint32)x * (uint32)t->dvdx + (uint32)y * (uint32)t->dvdy;
 }
-
-uint32 texturing_raised(uint32 value, uint32 cut)
-{
-    return ((value + (1u << cut) - 1) >> cut) << cut;
-}

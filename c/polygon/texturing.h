@@ -51,6 +51,9 @@ void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
 uint32 texturing_middle(const struct texturing *t, const struct rectangle *box);
 
 /* Returns value rounded up to a multiple of 2^cut. */
-uint32 texturing_raised(uint32 value, uint32 cut);
+static inline uint32 texturing_raised(uint32 value, uint32 cut)
+{
+    return ((value + (1u << cut) - 1) >> cut) << cut;
+}
 
 #endif

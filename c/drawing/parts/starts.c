@@ -2,81 +2,6 @@
 #include "drawing/plan.h"
 #include "drawing/three.h"
 #include "drawing/ways.h"
-#include "math/math.h"
-#include "polygon/texturing.h"
-
-/* With steps of this many texels or more, shortfall returns 0. */
-#define STEEP_256 256
-
-/* Returns the units by which u may fall short along a left edge and the lines that begin there. The
-   step g is below `whole`; the longest line is a pixel or wider. Along the edge u is off by half a
-   unit a line. Presteps are rounded down, and x is off by half a unit a line, which adds g times
-   that. The step is off by half of `coarse` a pixel and by (1 + g) / w units of the longest line's
-   width w; a line has w + 2 steps at most, 3 w. */
-static uint32 shortfall(fix16 step, uint32 cut, int32 lines, int32 width)
-{
-    const int32 whole = (int32)(fix_magnitude(step) >> 16) + 2;
-    const int32 coarse = cut ? (1 << cut) + 1 : 1;
-
-    if (whole > STEEP_256)
-        return 0;
-    return (uint32)((lines * (3 + whole) + (width + 1) * coarse) >> 1) + 4 * (uint32)whole + 4;
-}
-
-/* Moves u and v from where the edge crosses the lines to the first pixels. */
-static void to_pixels(const struct texturing *t, struct edge *edge)
-{
-    fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - edge_x(edge);
-    fix16 step = (edge->whole << 16) - edge_slope(edge);
-
-    edge->u += (uint32)mul_fix(t->dudx, prestep);
-    edge->v += (uint32)mul_fix(t->dvdx, prestep);
-    edge->du += mul_fix(t->dudx, step);
-    edge->dv += mul_fix(t->dvdx, step);
-}
-
-/* Moves u and v back from the first pixels to where the edge crosses the lines. */
-static void to_crossing(const struct texturing *t, struct edge *edge)
-{
-    fix16 prestep = (fix16)((edge->x - EDGE_BIAS) << 16) - edge_x(edge);
-    fix16 slope = edge_slope(edge);
-
-    edge->u -= (uint32)mul_fix(t->dudx, prestep);
-    edge->v -= (uint32)mul_fix(t->dvdx, prestep);
-    edge->du = t->dudy + mul_fix(t->dudx, slope);
-    edge->dv = t->dvdy + mul_fix(t->dvdx, slope);
-}
-
-/* Raises an edge's start and steps to what the spans keep. */
-static void raise_edge(const struct texturing *t, struct edge *edge)
-{
-    edge->u = texturing_raised(edge->u, t->u_cut) | t->wrap_bit;
-    edge->v = texturing_raised(edge->v, t->v_cut);
-    edge->du = (fix16)texturing_raised((uint32)edge->du, t->u_cut);
-    edge->dv = (fix16)texturing_raised((uint32)edge->dv, t->v_cut);
-}
-
-/* Moves u, v, du and dv of edges from the first pixels, where texturing_starts puts them, back to where the
-   edges cross the lines. */
-static void to_crossings(const struct texturing *t, struct edge *edges, int32 count)
-{
-    for (; count > 0; count--, edges++) {
-        to_crossing(t, edges);
-        raise_edge(t, edges);
-    }
-}
-
-/* As texturing_edges, but moved to the first pixels. No line is wider than `width` pixels. */
-static void at_pixels(const struct texturing *t, struct edge *edges, int32 count, int32 width)
-{
-    for (; count > 0; count--, edges++) {
-        texturing_along(edges);
-        to_pixels(t, edges);
-        edges->u += shortfall(t->dudx, t->u_cut, edges->lines, width);
-        edges->v += shortfall(t->dvdx, t->v_cut, edges->lines, width);
-        raise_edge(t, edges);
-    }
-}
 
 /* Sets the steps of spans and of lines. */
 static void set_steps(struct setup *s)
@@ -96,11 +21,11 @@ enum polygon_result starts_find(struct setup *s)
     struct texturing *t = &s->texturing;
 
     if (m->gradients == GRADIENTS_PLANE) {
-        to_crossings(t, s->edges.left, s->edges.lefts);
+        texturing_crossings(t, s->edges.left, s->edges.lefts);
     } else if (s->count == 3) {
         plan_set_cuts(t, m->mapper);
         texturing_longest(t, &s->sides, &s->box, plan_chain(s));
-        (m->start == START_SUBTEXEL ? at_pixels : texturing_edges)(
+        (m->start == START_SUBTEXEL ? texturing_pixels : texturing_edges)(
             t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
     } else {
         return POLYGON_NO_TRIANGLE;
@@ -117,9 +42,9 @@ void three_starts(struct three *three)
     if (s->material->start == START_SUBTEXEL) {
         texturing_longest(t, &s->sides, &s->box,
                           three->way == THREE_SHADES ? CHAIN_NONE : CHAIN_ANYWHERE);
-        at_pixels(t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
+        texturing_pixels(t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
     } else {
-        to_crossings(t, s->edges.left, s->edges.lefts);
+        texturing_crossings(t, s->edges.left, s->edges.lefts);
     }
     set_steps(s);
 }
