@@ -5,6 +5,8 @@
 #include "span/far.h"
 
 #define DRAW_INSIDE_ONLY
+#include "drawing/parts/perspective.c"
+
 #include "drawing/draw.c"
 
 /* Makes the table of a polygon's lines without u and v. */

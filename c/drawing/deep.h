@@ -48,6 +48,10 @@ static inline void deep_set_vertices(struct deep *deep, const struct polygon *po
         s->vertices = material_made(s->scratch->vertices, s->given, s->count, s->material);
 }
 
+/* As polygons_draw, for a material with perspective, from `polygons` to `end`. */
+enum polygon_result deep_run(struct deep *deep, struct renderer *renderer, const struct polygon *polygons,
+                             const struct polygon *end, const struct material *material);
+
 /* Draws a polygon whose sides, box and, if is_sure, depth are found; edges too, or their plan's lefts is 0. */
 enum polygon_result deep_rest(struct deep *deep, int32 is_sure);
 

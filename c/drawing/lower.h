@@ -42,6 +42,9 @@ void lower_by_planes(struct setup *s);
 /* Lowers s->kind by the box and the steps of texturing; not with GRADIENTS_SCANLINE. */
 void lower_by_steps(struct setup *s);
 
+/* The same for spans that are not affine ones of a byte a pixel. */
+void lower_others(struct setup *s);
+
 /* Returns non-zero if lines need not be cut to the frame's columns. */
 static inline int32 lower_to_no_scissor(struct setup *s)
 {
@@ -51,9 +54,6 @@ static inline int32 lower_to_no_scissor(struct setup *s)
     RULE_APPLIES(s, INSIDE_FRAME);
     return 1;
 }
-
-/* Returns non-zero if lines need not be moved to keep u and v in range. */
-int32 lower_to_no_clamp(struct setup *s, int32 leaves_range);
 
 int32 lower_w_is_constant(const struct setup *s);
 

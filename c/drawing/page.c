@@ -1,7 +1,7 @@
 #include "drawing/page.h"
 
 #include "polygon/key.h"
-#include "system/system.h"
+#include "system/memory.h"
 
 enum { SIDE = MAP_PAGE_SIDE, HALF_LEAST = 16 };
 

@@ -39,6 +39,14 @@ struct three {
     uint32 steep;               /* THREE_SHADES: steps from here on may need clamp_lines */
 };
 
+/* Sets the routine for the lines of the kind of span. */
+static inline void three_set_lines(struct three *three)
+{
+    const int32 exact = EDGES_ARE_EXACT(three->s.material->edges);
+
+    three->lines = line_routines[kind_lines[three->s.kind]].lines[exact];
+}
+
 /* Sets what the frame and the material decide. Returns 0 if polygon_draw_inside draws the material's
    triangles: EDGES_SNAPPED, CLIP_VERTICES, GRADIENTS_SCANLINE, `whole`, other spans and forms, a rule is
    off, polygons are counted, or the pitch is not an int16. */
@@ -47,12 +55,18 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
 /* Draws a triangle of the plan's material. */
 enum polygon_result three_polygon(struct three *three, const struct vertex *vertices);
 
+/* MAPPER_GOURAUD: the same; made: the given vertices from material_vertices. */
+enum polygon_result three_shaded(struct three *three, const struct vertex *given, const struct vertex *made);
+
 /* The same, with vertices from material_vertices. src68k/polygon: contracts there. */
 enum polygon_result three_draw(struct three *three, const struct vertex *vertices);
 
 /* Draws polygons up to one that is not a triangle, or is out of range, or has three equal shades; returns its address or `end`. Not for THREE_MADE. */
 const struct polygon *three_run(struct three *three, const struct polygon *polygons,
                                 const struct polygon *end);
+
+/* THREE_LONGEST: finds steps and starts; a0 is the plan. */
+void three_longest(void);
 
 /* Finds steps and starts that the plane alone, or the longest scanline and the crossings, do not give. */
 void three_starts(struct three *three);

@@ -5,6 +5,7 @@
 #include "math/math.h"
 #include "polygon/kind.h"
 #include "polygon/scratch.h"
+#include "scene/load.h"
 #include "span/box.h"
 
 /* Fills a box, whose sides are at multiples of 4 pixels, with the background. */

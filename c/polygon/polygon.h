@@ -195,7 +195,7 @@ struct material {
 };
 
 /* Draws with every mapper except MAPPER_N64 and MAPPER_GLIDE. With GRADIENTS_PLANE, a polygon of
-   more than three vertices whose values are not on a plane (fan.c has the tolerance) is drawn as a
+   more than three vertices whose values are not on a plane (drawing/parts/fan.c has the tolerance) is drawn as a
    fan of triangles from its first vertex, so that the picture has the values of every vertex. */
 polygon_routine polygon_draw;
 

@@ -68,7 +68,7 @@
     OTHER(GLIDE_TILES, glide_tiles)
 
 /* RULE(rule, name): why a polygon is drawn in a cheaper way than its material's. They are
-   in c/drawing/lower.c, and those of texture units in c/n64 and c/glide. */
+   in c/drawing/lower.c and c/drawing/parts, and those of texture units in c/n64 and c/glide. */
 #define RULE_LIST(RULE) \
     RULE(OUTSIDE, outside)                 /* outside the frame: nothing is drawn */ \
     RULE(EQUAL_SHADES, equal_shades)       /* all vertices have the same pixel: flat */ \

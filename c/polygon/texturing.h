@@ -51,13 +51,9 @@ void texturing_edges(const struct texturing *t, struct edge *edges, int32 count,
 uint32 texturing_middle(const struct texturing *t, const struct rectangle *box);
 
 /* Returns value rounded up to a multiple of 2^cut. */
-uint32 texturing_raised(uint32 value, uint32 cut);
-
-/* The same as texturing_edges, but moved to the first pixels, for START_SUBTEXEL. No line is wider
-   than `width` pixels. */
-void texturing_pixels(const struct texturing *t, struct edge *edges, int32 count, int32 width);
-
-/* Moves u and v of left edges on the plane back to where these cross the lines: START_TRUNCATED. */
-void texturing_crossings(const struct texturing *t, struct edge *edges, int32 count);
+static inline uint32 texturing_raised(uint32 value, uint32 cut)
+{
+    return ((value + (1u << cut) - 1) >> cut) << cut;
+}
 
 #endif

@@ -7,6 +7,7 @@
    tests. */
 #include "demo/log.h"
 #include "demo/picture.h"
+#include "scene/load.h"
 #include "system/arguments.h"
 #include "system/machine.h"
 #include "system/outcome.h"

@@ -12,6 +12,7 @@
    set all materials to a step (scene/settings.h), numbered from 0. */
 #include "frames/counts.h"
 #include "polygon/scratch.h"
+#include "scene/load.h"
 #include "scene/settings.h"
 #include "system/arguments.h"
 #include "system/file.h"

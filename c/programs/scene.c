@@ -4,6 +4,7 @@
    does, and prints a line a frame: colour clocks. tools/tmap/product/scene_program.py links it. */
 #include "frames/frames.h"
 #include "polygon/scratch.h"
+#include "scene/load.h"
 #include "system/system.h"
 #include "system/text.h"
 

@@ -23,6 +23,7 @@
      while it runs, so that no more than a fifth of the time goes there, none while a rate is held; the figures of all that were since the last change of a
      step are added up. */
 #include "show/show.h"
+#include "scene/load.h"
 #include "system/arguments.h"
 #include "system/outcome.h"
 #include "system/system.h"

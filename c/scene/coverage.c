@@ -1,6 +1,6 @@
 /* Memory for what of a scene's frame is drawn already. */
 #include "polygon/kind.h"
-#include "scene/scene.h"
+#include "scene/load.h"
 #include "system/system.h"
 
 static int32 make_lines(struct cut_lines *lines, int32 count)

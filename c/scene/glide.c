@@ -1,5 +1,5 @@
 /* Glide's texture units of a scene. */
-#include "scene/scene.h"
+#include "scene/load.h"
 
 #include "glide/polygons/tiles.h"
 #include "system/file.h"

@@ -1,5 +1,5 @@
 /* Checks the header of a scene file, so that its tables can be read. */
-#include "scene/scene.h"
+#include "scene/load.h"
 
 #include "system/file.h"
 

@@ -1,5 +1,5 @@
 /* Materials with mip maps. */
-#include "scene/scene.h"
+#include "scene/load.h"
 
 void scene_make_levels(struct scene *scene)
 {

@@ -3,6 +3,7 @@
 #include "math/math.h"
 #include "perspective/tolerance.h"
 #include "polygon/kind.h"
+#include "scene/load.h"
 #include "system/file.h"
 #include "system/outcome.h"
 #include "system/system.h"

@@ -1,5 +1,5 @@
 /* Prepares a scene in memory for drawing, but its maps; nothing here checks it. */
-#include "scene/scene.h"
+#include "scene/load.h"
 
 #include "scene/maps.h"
 #include "scene/tables.h"

@@ -1,6 +1,7 @@
 /* What maps that are copied and maps that are read have in common. */
 #include "scene/maps.h"
 
+#include "scene/load.h"
 #include "system/system.h"
 
 void scene_copy(uint8 *to, const uint8 *from, uint32 bytes)

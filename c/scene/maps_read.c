@@ -1,6 +1,7 @@
 /* Reads textures from the scene file straight to the memory that mappers read. */
 #include "scene/maps.h"
 
+#include "scene/load.h"
 #include "system/system.h"
 
 /* What is kept free at the ends of a piece: the head of a block, and the walls that AROS puts around each

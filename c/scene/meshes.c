@@ -1,6 +1,6 @@
 /* Checks the meshes, instances, views and trees of a scene, so that drawing cannot leave its arrays and
    its numbers cannot exceed 32 bits. */
-#include "scene/scene.h"
+#include "scene/load.h"
 
 enum limits {
     UNIT_14 = 1 << 14,

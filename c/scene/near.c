@@ -1,7 +1,7 @@
 /* Tables of trees that are walked from the nearest face on. */
 #include "math/math.h"
 #include "mesh/near.h"
-#include "scene/scene.h"
+#include "scene/load.h"
 #include "system/system.h"
 
 enum {

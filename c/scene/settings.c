@@ -1,6 +1,7 @@
 #include "scene/settings.h"
 
 #include "polygon/kind.h"
+#include "scene/load.h"
 #include "scene/tables.h"
 
 static const struct {

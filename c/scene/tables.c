@@ -1,5 +1,6 @@
 #include "scene/tables.h"
 
+#include "scene/load.h"
 #include "span/far.h"
 #include "system/system.h"
 #include "triangle/triangles.h"

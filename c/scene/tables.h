@@ -2,7 +2,7 @@
 #ifndef SCENE_TABLES_H
 #define SCENE_TABLES_H
 
-#include "scene/scene.h"
+#include "scene/load.h"
 
 /* Makes the tables that the scene's materials need with their present settings, each once: 82 KB
    of reciprocals, and those of triangles. Returns SCENE_RECIPROCALS if memory is, or was, short for one. */

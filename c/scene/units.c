@@ -1,5 +1,5 @@
 /* The texture engines of a scene and the display lists that set them up. */
-#include "scene/scene.h"
+#include "scene/load.h"
 
 #include "n64/polygons/rectangle.h"
 #include "system/system.h"

@@ -1,4 +1,4 @@
-#include "scene/scene.h"
+#include "scene/load.h"
 
 const char *scene_why(const struct scene *scene, uint32 result)
 {

@@ -1,6 +1,7 @@
 #include "show/show.h"
 
 #include "scene/coarse.h"
+#include "scene/load.h"
 #include "system/machine.h"
 #include "system/outcome.h"
 #include "system/system.h"

@@ -3,6 +3,7 @@
 #define SYSTEM_H
 
 #include "compiler.h"
+#include "system/memory.h"
 
 /* Return codes of programs. */
 enum return_code {
@@ -14,7 +15,6 @@ enum return_code {
                            chips; or the program crashed */
 };
 enum file_mode { FILE_OLD = 1005, FILE_NEW = 1006 };
-enum memory_type { MEMORY_ANY = 0, MEMORY_CHIP = 2, MEMORY_FAST = 4 };
 
 /* A routine that gives something back at the program's end; see at_end. Keeps d2-d7/a2-a6. */
 struct end {
@@ -34,11 +34,12 @@ void print(const char *text);
 int32 args_read(const char *template_text, int32 *items);
 uint32 program_load(const char *name);
 void program_unload(uint32 program);
+uint32 program_base(void);
+int32 program_enter(uint32 program, const char *arguments, int32 bytes);
 int32 program_run(uint32 program, const char *arguments, int32 bytes, const char *output);
 int32 mem_alloc(void *address, int32 bytes, int32 kind);
 int32 mem_asked(int32 *kind);
 int32 mem_largest(int32 kind);
-int32 mem_take(void *address, int32 bytes, int32 kind);
 void mem_reserve(void);
 int32 mem_take_at(void *address, int32 bytes);
 uint32 mem_lists(void);

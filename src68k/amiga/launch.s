@@ -2,7 +2,7 @@
 
         include "amiga.i"
 
-        xref    dos_base
+        xref    dos_base,start
 
 ; program_load - loads a program, until program_unload
 ;
@@ -34,6 +34,33 @@
         movea.l (sp)+,a6
         rts
 
+; program_base - where this program's code is, to which crash reports are relative
+;
+; out:     d0  uint32   its address
+        routine program_base
+        move.l  #start,d0
+        rts
+
+; program_enter - enters a loaded program as the shell does
+;
+; in:      d0  uint32   from program_load
+;          d1  const char*  arguments, the last character a line feed
+;          a0  int32    their bytes
+; out:     d0  int32   its return code, or -1: not run
+; writes:  whatever the program does
+; error:   -1 if memory is short
+        routine program_enter,d0,d1,a0
+        movem.l d2-d4/a6,-(sp)
+        move.l  d1,d3
+        move.l  a0,d4
+        move.l  d0,d1
+        lsr.l   #2,d1
+        move.l  #STACK,d2
+        movea.l dos_base,a6
+        lvo     RunCommand
+        movem.l (sp)+,d2-d4/a6
+        rts
+
 ; program_run - enters a loaded program as the shell does, its output in a file
 ;
 ; in:      d0  uint32   from program_load
@@ -57,10 +84,10 @@
         move.l  d6,d1
         lvo     SelectOutput
         move.l  d0,d7
-        move.l  d5,d1
-        lsr.l   #2,d1
-        move.l  #STACK,d2
-        lvo     RunCommand
+        move.l  d5,d0
+        move.l  d3,d1
+        movea.l d4,a0
+        jsr     program_enter
         move.l  d0,d5
         move.l  d7,d1
         lvo     SelectOutput

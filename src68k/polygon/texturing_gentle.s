@@ -1,7 +1,7 @@
         include "gentle.i"
         include "starts.i"
 
-        xref    texturing_plane,texturing_starts,texturing_wrap
+        xref    _texturing_plane,_texturing_starts,texturing_wrap
 
 ; Pushes the vector (x, y, s, t) from the vertex in d4-d7 to the vertex \1 of the setup's sides;
 ; \2 = its address. Uses d0-d3/a2.
@@ -205,13 +205,14 @@ MARGIN          equ     1<<15
         beq.s   .unchained
         clr.l   texturing+texturing_u_cut(a6)
 .unchained
-        lea     texturing(a6),a0
-        lea     sides(a6),a1
-        move.l  a6,d0
-        add.l   #box,d0
-        jsr     texturing_plane
-        lea     texturing(a6),a0
-        movea.l edges+edge_plan_left(a6),a1
-        move.l  edges+edge_plan_lefts(a6),d0
-        jsr     texturing_starts
+        move.l  d1,-(sp)
+        pea     box(a6)
+        pea     sides(a6)
+        pea     texturing(a6)
+        jsr     _texturing_plane
+        move.l  edges+edge_plan_lefts(a6),-(sp)
+        move.l  edges+edge_plan_left(a6),-(sp)
+        pea     texturing(a6)
+        jsr     _texturing_starts
+        lea     7*4(sp),sp
         bra     .done

@@ -1,7 +1,7 @@
         include "routine.i"
 
-        xref    triangle_outline,longest_find,crossings_find,shade_vertices
-        xref    _kind_spans,_three_rest,_three_starts
+        xref    triangle_outline,shade_vertices
+        xref    _kind_spans,_three_longest,_three_rest,_three_starts
 
 ; three_draw - draws a triangle by the plan of its material
 ;
@@ -175,21 +175,8 @@
 .starts subq.l  #THREE_LONGEST,d0
         bne.s   .chosen
         movem.l d2/d6/a6,-(sp)
-        lea     setup_texturing(a6),a0
-        lea     setup_sides(a6),a1
-        moveq   #CHAIN_ANYWHERE,d1
-        moveq   #THREE_SHADES,d0
-        cmp.l   d0,d2
-        bne.s   .chained
-        moveq   #CHAIN_NONE,d1
-.chained
-        move.l  a6,d0
-        add.l   #setup_box,d0
-        jsr     longest_find
-        movea.l setup_edges+edge_plan_left(a6),a1
-        move.l  setup_edges+edge_plan_lefts(a6),d0
-        move.l  4(sp),d1
-        jsr     crossings_find
+        movea.l a6,a0
+        jsr     _three_longest
         movem.l (sp)+,d2/d6/a6
         movem.l setup_texturing+texturing_dudx(a6),d0-d1
         movem.l d0-d1,setup_span+span_plan_dudx(a6)

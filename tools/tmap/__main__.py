@@ -7,7 +7,6 @@ of one line; 130 interrupted; 129, 131, 143 ended by SIGHUP, SIGQUIT, SIGTERM.
 import argparse
 import signal
 import sys
-from collections.abc import Iterable
 from pathlib import Path
 
 from tmap import actions
@@ -17,63 +16,12 @@ from tmap.base.pixel_formats import FORMATS
 from tmap.base.signals import end_by
 from tmap.fuzz import families
 from tmap.guest.conditions import CONDITIONS
-from tmap.guest.emulator import MACHINES, MEASURED, SECOND
+from tmap.guest.emulator import MACHINES, MEASURED, SECOND, STALL_SECONDS
+from tmap.parser import Commands, Parser, add_machine, add_out, number, pair, rate, size
 from tmap.run.convert import LAYOUTS
 from tmap.scene_file.textures import MAPPERS
 
 FORMS = ("addx", "swap", "c")
-
-
-class Parser(argparse.ArgumentParser):
-    """Reports argument errors in one line, like all other errors."""
-
-    def error(self, message: str):
-        raise UserError(f"{self.prog.removeprefix('tmap').strip() or 'usage'}: {message}; "
-                        f"see {self.prog} --help")
-
-
-def number(text: str) -> float:
-    """Returns a finite number from 0 on. Messages on wrong numbers contain this function's name."""
-    value = float(text)
-    if not 0 <= value < float("inf"):
-        raise ValueError
-    return value
-
-
-def size(text: str) -> float:
-    """Returns a finite number above 0."""
-    if not number(text):
-        raise ValueError
-    return float(text)
-
-
-def rate(text: str) -> float:
-    """Returns a number of frames a second."""
-    return size(text)
-
-
-class Commands:
-    """Adds commands to a parser."""
-
-    def __init__(self, top: Parser) -> None:
-        self.commands = top.add_subparsers(title="commands", metavar="COMMAND", required=True)
-
-    def add(self, name: str, function, text: str) -> argparse.ArgumentParser:
-        """Adds a command that calls a function with its arguments."""
-        command = self.commands.add_parser(name, help=text, description=text)
-        command.set_defaults(function=function)
-        return command
-
-
-def add_out(command: argparse.ArgumentParser, text: str, metavar: str = "DIR", **more) -> None:
-    """Adds a command's output option."""
-    command.add_argument("-o", dest="out", type=Path, metavar=metavar, help=text, **more)
-
-
-def add_machine(command: argparse.ArgumentParser, default: str | None = None, text: str | None = None,
-                choices: Iterable[str] = MEASURED, **more) -> None:
-    """Adds the option that chooses the emulated machine."""
-    command.add_argument("--machine", choices=tuple(choices), default=default, help=text, **more)
 
 
 def add_scenes(commands: Commands) -> None:
@@ -232,6 +180,23 @@ def add_products(commands: Commands) -> None:
     add_out(command, "where to: FILE.adf, or a folder (build/play/SCENE.adf)", "PATH")
     add_machine(command, "a1200-fast", "whose memory must hold it (a1200-fast)", MACHINES)
     command.add_argument("--fps", type=rate, metavar="RATE", help="hold that many frames a second, as show does")
+
+    command = commands.add("emulate", actions.emulate, "Run an Amiga program without a window: its output here, its "
+                           "return code as the status, what it writes in a folder. 2 too if it crashes or hangs.")
+    add_out(command, "where to put what it writes (build/emulate/PROGRAM)")
+    add_machine(command, "a1200-fast", "as run has them (a1200-fast)", MACHINES)
+    command.add_argument("--input", action="append", type=Path, default=[], metavar="FILE",
+                         help="a file to put beside it; may be given several times")
+    command.add_argument("--picture", type=pair, metavar="WIDTHxHEIGHT",
+                         help="what it writes of so many pixels becomes a PNG too")
+    command.add_argument("--format", choices=tuple(FORMATS), default="chunky",
+                         help="of these pixels: palette indices (chunky), or what their bytes are")
+    command.add_argument("--palette", type=Path, metavar="PICTURE.png", help="of chunky pixels (greys)")
+    command.add_argument("--limit", type=size, default=STALL_SECONDS, metavar="SECONDS",
+                         help="of the host's processor time without output, after which it hangs "
+                              f"({STALL_SECONDS:g})")
+    command.add_argument("program", type=Path, metavar="PROGRAM", help="a hunk file, or an ELF program of ld -q")
+    command.add_argument("arguments", nargs=argparse.REMAINDER, metavar="ARGUMENTS")
 
     commands.add("readme", actions.readme,
                  "Bring the tables and pictures of README.md and the rooms' pages up to date.")

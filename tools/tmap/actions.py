@@ -125,6 +125,14 @@ def play(args: argparse.Namespace) -> int:
     return tool.command(args.scene, args.out or BUILD / "play" / f"{args.scene.stem}.adf", args.machine, args.fps)
 
 
+def emulate(args: argparse.Namespace) -> int:
+    """Runs any Amiga program."""
+    build_programs()
+    from tmap.product import emulate as tool
+    return tool.command(args.program, args.arguments, args.out or BUILD / "emulate" / args.program.stem, args.machine,
+                        args.input, args.picture, args.format, args.palette, args.limit)
+
+
 def readme(_: argparse.Namespace) -> int:
     """Writes the tables of the pages."""
     from tmap.report import readme as tool

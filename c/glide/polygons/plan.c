@@ -1,5 +1,5 @@
 #include "glide/polygons/tiles.h"
-#include "system/system.h"
+#include "system/memory.h"
 
 int32 glide_only_lod(const struct glide *glide, struct glide_lod *lod)
 {

@@ -1,6 +1,6 @@
 /* The store of tiles, shared by all pipes. */
 #include "glide/polygons/tiles.h"
-#include "system/system.h"
+#include "system/memory.h"
 
 enum { PIXELS = MAP_PAGE_SIDE * MAP_PAGE_SIDE };
 

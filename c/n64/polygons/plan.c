@@ -1,7 +1,7 @@
 #include "n64/polygons/plan.h"
 
 #include "polygon/scratch.h"
-#include "system/system.h"
+#include "system/memory.h"
 
 SCRATCH_FITS(union n64_scratch);
 

@@ -6,7 +6,7 @@
    wrapped ones too. In mirrored ones odd and even change places, which the pass over coordinates
    does not allow for. */
 #include "n64/polygons/plan.h"
-#include "system/system.h"
+#include "system/memory.h"
 
 static int32 tile_allows(const struct n64 *n64, const struct n64_tile *tile)
 {

@@ -1,6 +1,7 @@
 """What each rule of lowering saves: a polygon it applies to, drawn with it and without it.
 
-The rules are lines of c/drawing/lower.c; those of tolerances change the picture and have no row.
+The rules are lines of c/drawing/lower.c and, in c/drawing/parts, vertices.c and steps.c; those of tolerances
+change the picture and have no row.
 """
 
 from dataclasses import dataclass

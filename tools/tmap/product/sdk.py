@@ -28,22 +28,25 @@ from tmap.product import sdk_include, sdk_reference
 
 #: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
 #: Displays are left to the programs.
-C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "mipmap", "depths", "coverage",
+C_ROOMS = ("math", "mesh", "polygon", "perspective", "drawing", "drawing/parts", "mipmap", "depths", "coverage",
            "span", "texture", "triangle", "glide", "glide/polygons", "n64", "n64/polygons")
 C_FILES = (Path("frames/draw_bodies.c"), Path("frames/draw_bodies.h"), Path("frames/draw_faces.c"),
            Path("frames/draw_meshes.c"), Path("frames/draw_meshes.h"), Path("frames/draw_near.c"),
            Path("frames/draw_once.c"), Path("frames/draw_depths.c"), Path("frames/draw_touched.c"),
            Path("frames/draw_touched.h"),
            Path("screen/ham8.c"), Path("screen/planar.h"))
+#: These define what a program names: one of its C files includes them, and tmap020.h does not.
+PARTS = (Path("drawing/parts/parts.h"), Path("drawing/parts/spans.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
-LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw"),
+LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw", "material_is_named"),
          "perspective": ("reciprocals_make",), "mipmap": ("polygon_draw_mipmapped",),
          "texture": ("column_layout_make", "map_rows_make", "map_scale"), "screen": ("ham8_control",),
          "mesh": ("mesh_draw", "mesh_points16", "coverage_draw"),
          "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
-EXAMPLE = ("Makefile", "example.c", "triangles.c", "spans.s", "start.s", "amiga.ld")
+EXAMPLE = ("Makefile", "example.c", "example_parts.c", "triangles.c", "triangles_parts.c", "spans.s", "start.s",
+           "amiga.ld")
 INCLUDE = re.compile(r'#include "([^"]+)"')
 DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
 #: Routines of one type: n64_pass n64_walk, n64_divide;
@@ -229,7 +232,7 @@ def make(out: Path) -> int:
     paths = tree.needed([each.name for each in routines])
     write_libraries(out, tree.groups([path for path in paths if is_assembly(path)]))
     (out / "c" / "sources.mk").write_text(source_lists(tree))
-    (out / "include" / "tmap020.h").write_text(sdk_include.umbrella(offered(".h")))
+    (out / "include" / "tmap020.h").write_text(sdk_include.umbrella([path for path in offered(".h") if path not in PARTS]))
     (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), routines))
     (out / "REFERENCE.md").write_text(sdk_reference.reference(offered(".h"), routines))
     return len(routines)

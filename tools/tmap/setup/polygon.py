@@ -24,7 +24,7 @@ from tmap.setup.tolerance import coarser, is_flat
 
 CORNERS_MAX = 64
 FAR = 16384 << 16
-INSET = ONE // 16  # see c/drawing/material.c
+INSET = ONE // 16  # see c/drawing/parts/clamp.c
 ON_PLANE = 3 * INSET // 4
 STEEP_4, STEEP_256 = 4 << 16, 256 << 16
 HELD = ("gouraud", "arbitrary")  # mappers whose lines are held in a range

@@ -43,32 +43,6 @@ static enum three_way way_of(const struct three *three, const struct material *m
          : three->s.kind == SPAN_AFFINE_ADDX_WRAP ? THREE_TEXELS : THREE_REST;
 }
 
-static void set_lines(struct three *three)
-{
-    const int32 exact = EDGES_ARE_EXACT(three->s.material->edges);
-
-    three->lines = line_routines[kind_lines[three->s.kind]].lines[exact];
-}
-
-void three_starts(struct three *three)
-{
-    struct setup *s = &three->s;
-    struct texturing *t = &s->texturing;
-    const int32 at_pixels = s->material->start == START_SUBTEXEL;
-
-    if (at_pixels) {
-        texturing_longest(t, &s->sides, &s->box,
-                          three->way == THREE_SHADES ? CHAIN_NONE : CHAIN_ANYWHERE);
-        texturing_pixels(t, s->edges.left, s->edges.lefts, s->box.right - s->box.left);
-    } else {
-        texturing_crossings(t, s->edges.left, s->edges.lefts);
-    }
-    s->span.dudx = t->dudx;
-    s->span.dvdx = t->dvdx;
-    s->edges.dudx = at_pixels ? t->dudx : 0;
-    s->edges.dvdx = at_pixels ? t->dvdx : 0;
-}
-
 static enum three_starts starts_of(const struct material *material)
 {
     const int32 at_pixels = material->start == START_SUBTEXEL;
@@ -108,7 +82,7 @@ int32 three_set(struct three *three, const struct renderer *renderer, const stru
     three->edges = EDGES_ARE_EXACT(material->edges) ? edge_exact_across : edge_rounded_across;
     three->chain = chain_of(material);
     three->way = way_of(three, material);
-    set_lines(three);
+    three_set_lines(three);
     three->row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
     three->right = (uint32)frame->width << 16;
     three->vertices = vertices_of(material);
@@ -135,48 +109,10 @@ void three_rest(struct three *three)
     s->kind = kind;
 }
 
-static void set_way(struct three *three, enum span_kind kind, int32 chain, enum three_way way)
-{
-    three->s.kind = kind;
-    three->chain = chain;
-    three->way = way;
-    set_lines(three);
-}
-
-/* Draws a Gouraud triangle of one shade. */
-static enum polygon_result draw_flat(struct three *three, const struct vertex *vertices,
-                                     uint32 colour)
-{
-    const int32 chain = three->chain;
-    const enum three_way way = (enum three_way)three->way;
-    enum polygon_result result;
-
-    three->s.span.colour = colour;
-    set_way(three, SPAN_FILL, OUTLINE_ALONE, THREE_FLAT);
-    result = three_draw(three, vertices);
-    set_way(three, SPAN_GOURAUD, chain, way);
-    return result;
-}
-
 enum polygon_result three_polygon(struct three *three, const struct vertex *vertices)
 {
     const struct material *material = three->s.material;
     const struct vertex *made = material_vertices(three->s.scratch->vertices, vertices, 3, material);
-    uint32 top;
 
-    if (material->mapper == MAPPER_GOURAUD) {
-        top = (uint32)vertices->shade >> 16;
-        if (top == (uint32)vertices[1].shade >> 16 && top == (uint32)vertices[2].shade >> 16)
-            return draw_flat(three, made, top);
-    }
-    return three_draw(three, made);
-}
-
-enum polygon_result polygon_draw_three(struct renderer *renderer, const struct polygon *polygon,
-                                       const struct material *material)
-{
-    struct three three;
-
-    return three_set(&three, renderer, material) ? three_polygon(&three, polygon->vertices)
-                                                 : polygon_draw_inside(renderer, polygon, material);
+    return material->mapper == MAPPER_GOURAUD ? three_shaded(three, vertices, made) : three_draw(three, made);
 }

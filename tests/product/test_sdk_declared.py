@@ -1,0 +1,48 @@
+"""Every function that a header of the SDK declares is in the SDK, or asked of the program; all of it links."""
+
+import re
+import subprocess
+
+from tmap.base.paths import ROOT
+from tmap.product import sdk
+
+#: What the program has itself, as README.txt says.
+ASKED = {"mem_take"}
+FLAGS = ("-std=c99", "-m68020", "-ffreestanding", "-fno-pic", "-fleading-underscore")
+COMPILER = ("m68k-linux-gnu-gcc", *FLAGS, "-I", ROOT / "c")
+MARKER = re.compile(r"^#.*$", re.M)
+#: A declaration at the outermost level: no inline function, no type, no array.
+DECLARATION = re.compile(r"^(?!static|typedef|enum\b[^(]*[;{]|struct \w+ *[;{]|extern\b[^(]*\[)[a-z][\w *]*?[ *](?=\w)"
+                         r"([^;{]*);", re.M)
+
+
+def declared() -> set[str]:
+    """The functions and tables that all headers declare, those of one type in a row too."""
+    headers = "".join(f'#include "{path}"\n' for path in sdk.headers() if path not in sdk.PARTS)
+    text = subprocess.run([*COMPILER, "-E", "-x", "c", "-"], input=headers, capture_output=True, text=True,
+                          check=True).stdout
+    found = set()
+    for match in DECLARATION.finditer(MARKER.sub("", text)):
+        names = re.sub(r"\(.*", "(", match[1], flags=re.S)
+        if "(" not in names:
+            found |= {re.findall(r"\w+", name)[-1] for name in names.split(",")}
+        elif routine := re.search(r"(\w+)\($", names):
+            found.add(routine[1])
+    return found
+
+
+def test_every_declared_function_is_there_and_links(tmp_path):
+    tree = sdk.built()
+    functions = declared()
+    assert functions >= {"polygon_draw", "n64_walk", "span_fill", "triangles_draw", "drawing_parts"}
+    missing = {name for name in functions if f"_{name}" not in tree.home} - ASKED
+    assert not missing
+    source, made = tmp_path / "all.c", tmp_path / "all.o"
+    names = sorted(functions - ASKED)
+    source.write_text("".join(f"extern char {name}[];\n" for name in names)
+                      + f"char *all[] = {{{', '.join(names)}}};\nint mem_take(void) {{ return 0; }}\n")
+    subprocess.run([*COMPILER, "-fno-builtin", "-c", "-o", made, source], check=True)
+    done = subprocess.run(["m68k-linux-gnu-ld", "-q", "-z", "noexecstack", "--no-check-sections", "-e", "0", "-T",
+                           sdk.FILES / "amiga.ld", "-o", tmp_path / "all.elf", made, *tree.sections],
+                          capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[-2000:]
