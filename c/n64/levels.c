@@ -19,6 +19,16 @@ static uint32 blending(const struct n64_level_modes *m, int32 level, int32 dista
     return (uint32)(first & 7) << 24 | (uint32)(second & 7) << 16 | (low & 0xffff);
 }
 
+/* Fills from one power of two of the LOD to the next: the fraction is LOD * 8 >> level. */
+static void find_near(uint32 *near, const uint32 *levels)
+{
+    for (int32 i = 32; i < N64_NEAR_LEVELS; i++) {
+        const uint32 of = levels[i >> 5];
+
+        near[i] = (of & 0xffff0000) | (((uint32)i << 3 >> (of >> 8 & 255)) & 255) | (of & 255);
+    }
+}
+
 void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *m)
 {
     const int32 is_plain = !m->sharpen && !m->detail;
@@ -30,7 +40,7 @@ void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *m)
         const int32 fraction = is_plain ? (distant ? 255 : 0)
             : 8 * most - (m->sharpen ? 256 : 0);
 
-        levels->magnified[i] = blending(m, 0, distant, 1, (uint32)fraction);
+        levels->near[i] = blending(m, 0, distant, 1, (uint32)fraction);
     }
     levels->levels[0] = 0;
     for (int32 i = 1; i < 512; i++) {
@@ -44,4 +54,5 @@ void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *m)
         levels->levels[i] = blending(m, level, distant, 0,
                                      (uint32)level << 8 | (distant && is_plain ? 255 : 0));
     }
+    find_near(levels->near, levels->levels);
 }

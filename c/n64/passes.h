@@ -125,11 +125,14 @@ struct n64_blending {
     int16 fraction;
 };
 
-/* The blending of each level of detail, calculated once for a mode. A level's long has the two
-   tiles, the shift that gives the fraction, and 255 if the fraction is always that, else 0. */
+enum n64_level_constants { N64_NEAR_LEVELS = 512 };
+
+/* The blending of each level of detail, calculated once for a mode, by the LOD: the longest change
+   between pixels. A level's long has the two tiles, the shift that gives the fraction, and 255 if
+   the fraction is always that, else 0. */
 struct n64_levels {
-    uint32 magnified[32];       /* n64_blending, by the LOD: the longest change between pixels */
-    uint32 levels[512];         /* by LOD / 32, from 1 on */
+    uint32 near[N64_NEAR_LEVELS];       /* n64_blending, by the LOD */
+    uint32 levels[512];         /* by LOD / 32, from N64_NEAR_LEVELS / 32 on */
     uint32 far;                 /* n64_blending */
 };
 
@@ -139,10 +142,9 @@ struct n64_level_modes {
     uint8 max_level, min_level, tile;
 };
 
-/* Steps of the iterators, their gradients in x and y, tables, and where blendings are written. */
+/* Steps of the iterators, their gradients in y, tables, and where blendings are written. */
 struct n64_lod_steps {
     int32 s, t, w;
-    int32 x_s, x_t, x_w;
     int32 y_s, y_t, y_w;
     const uint32 *reciprocals;
     const struct n64_levels *levels;

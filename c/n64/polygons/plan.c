@@ -120,7 +120,7 @@ static int32 find_lod(struct n64_plan *plan)
 
     plan->coordinates = n64_lod;
     for (int32 i = N64_S; i <= N64_W; i++) {
-        (&lod->s)[i] = (&lod->x_s)[i] = (int32)of[i].dx;
+        (&lod->s)[i] = (int32)of[i].dx;
         (&lod->y_s)[i] = down ? (int32)of[i].dy : 0;
     }
     lod->reciprocals = find_reciprocals(plan->unit);

@@ -75,7 +75,7 @@ def level_bytes(state: State) -> bytes:
     whole = np.frexp(np.maximum(k & 255, 1))[1] - 1
     all_one = (fraction == 255) & np.all([each[2] == 255 for each in inside], 0) \
         & (not (state.modes.sharpen or state.modes.detail))
-    return longs([*entries(*blending(np.arange(32))), 0,
+    return longs([*entries(*blending(np.arange(512))), 0,
                   *entries(first, second, whole << 8 | 255 * all_one),
                   *entries(*blending(np.zeros(1, int), True))])
 
@@ -88,20 +88,31 @@ def levels(rng, count: int) -> Example:
 
 
 def lod(rng, count: int, apart: int = 0) -> Example:
+    """``apart``: what the bench's steps have beside a multiple of 32."""
     start, step = any_iterators(rng, count)
-    spread = 1 << int(rng.integers(12, 28))
-    x, y = rng.integers(-spread, spread, (2, 3))
+    y = rng.integers(-1 << int(rng.integers(12, 28)), 1 << 12, 3)
     if rng.random() < 0.5:
-        x = step = step & ~31
-    if count == BENCH:
+        step = step & ~31
+    if count == BENCH or rng.random() < 0.3:
         start, step = usual_iterators(rng, count)
-        x, y = step, step[[1, 0, 2]]
+        y = step[[1, 0, 2]]
         step = step & ~31 | apart
+    if count != BENCH and rng.random() < 0.3:
+        step = nearly_carried(rng, start, step)
     state = any_level(rng)
-    found = level(state, *walked(start, step, count).T, Gradients(*x, *y))
+    found = level(state, *walked(start, step, count).T, Gradients(*step, *y))
     blendings = entries(found.tile0, found.tile1, signed(found.fraction, 9))
-    values = dict(zip("stw", step)) | {f"{name}_{axis}": n for name, g in (("x", x), ("y", y))
-                                       for axis, n in zip("stw", g)}
+    values = dict(zip("stw", step)) | {f"y_{axis}": n for axis, n in zip("stw", y)}
     return Example(longs(start), pairs(np.stack([found.s, found.t], 1)), count, "n64_lod_steps",
                    values, {"reciprocals": reciprocals(), "levels": level_bytes(state)},
                    more={"blendings": longs(blendings)})
+
+
+def nearly_carried(rng, start, step) -> np.ndarray:
+    """Steps after which one iterator's lower word is 0 to 31: cut by as much, it has another upper
+    word."""
+    axis, few = rng.integers(3), rng.integers(32)
+    step = step.copy()
+    step[axis] = (step[axis] & -65536 | 32 * int(rng.integers(2048)) | few)
+    start[axis] = (start[axis] & -65536) + (int(rng.integers(0, few + 1)) - step[axis] & 0xFFFF)
+    return step
