@@ -5,7 +5,7 @@
 #include "n64/passes.h"
 #include "n64/texel.h"
 
-enum { N64_LINE_PIXELS = 256 };  /* that the passes draw at a time */
+enum n64_scratch_constants { N64_LINE_PIXELS = 256 };  /* that the passes draw at a time */
 
 /* A line's samples of one tile: luma, the last byte of each, and chroma, the first two. */
 struct n64_yuv_line {
