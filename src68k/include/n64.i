@@ -7,8 +7,7 @@
 n64_filter macro
         xref    \1
         save_all
-        lea     (a0,d0.l*4),a3
-        move.l  a3,-(sp)
+        lea     (a0,d0.l*4),a6
         move.l  n64_decoded_mask_s(a2),d6       ; and mask_t
         move.w  n64_decoded_columns_bits(a2),d5
         movea.l n64_decoded_quads(a2),a4
@@ -19,7 +18,7 @@ n64_filter macro
         bra.s   .coordinates
 .weighed
         \2
-        cmpa.l  (sp),a0
+        cmpa.l  a6,a0
         beq.s   .done
 .coordinates
         move.l  (a0)+,d0                ; s:t
@@ -35,8 +34,7 @@ n64_filter macro
         move.w  (a5,d1.w*2),d1
         lea     (a4,d2.l*2),a2
         jmp     (a5,d1.w)
-.done   addq.l  #4,sp
-        return_all
+.done   return_all
         endm
 
 ; Writes the texel d2, R-B-, and d3, G-A-: all bytes, or 5/5/5/1.
