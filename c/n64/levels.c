@@ -1,7 +1,10 @@
 #include "n64/passes.h"
 
+#define NO_FRACTION (24u << 8)          /* a level's shift that leaves nothing of LOD * 8 */
+
+/* alike: what replaces low if only_blends and both tiles are the same. */
 static uint32 blending(const struct n64_level_modes *m, int32 level, int32 distant, int32 magnify,
-                       uint32 low)
+                       uint32 low, uint32 alike)
 {
     int32 first = m->tile, second = m->tile + 1;
 
@@ -16,6 +19,8 @@ static uint32 blending(const struct n64_level_modes *m, int32 level, int32 dista
             second = distant || (magnify && !m->sharpen) ? first : first + 1;
         }
     }
+    if (m->only_blends && !((first ^ second) & 7))
+        low = alike;
     return (uint32)(first & 7) << 24 | (uint32)(second & 7) << 16 | (low & 0xffff);
 }
 
@@ -34,13 +39,13 @@ void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *m)
     const int32 is_plain = !m->sharpen && !m->detail;
     int32 level = 0;
 
-    levels->far = blending(m, 0, 1, 0, 255);
+    levels->far = blending(m, 0, 1, 0, 255, 0);
     for (int32 i = 0; i < 32; i++) {
         const int32 distant = m->max_level == 0, most = i > m->min_level ? i : m->min_level;
         const int32 fraction = is_plain ? (distant ? 255 : 0)
             : 8 * most - (m->sharpen ? 256 : 0);
 
-        levels->near[i] = blending(m, 0, distant, 1, (uint32)fraction);
+        levels->near[i] = blending(m, 0, distant, 1, (uint32)fraction, 0);
     }
     levels->levels[0] = 0;
     for (int32 i = 1; i < 512; i++) {
@@ -52,7 +57,8 @@ void n64_levels_make(struct n64_levels *levels, const struct n64_level_modes *m)
             level++;
         distant = i >= 256 || m->max_level == 0 || level >= m->max_level;
         levels->levels[i] = blending(m, level, distant, 0,
-                                     (uint32)level << 8 | (distant && is_plain ? 255 : 0));
+                                     (uint32)level << 8 | (distant && is_plain ? 255 : 0),
+                                     NO_FRACTION);
     }
     find_near(levels->near, levels->levels);
 }

@@ -4,7 +4,7 @@
 ;
 ; like:    n64_divide
 ; in:      a2  const n64_lod_steps*  their steps, gradients, tables, the other output
-; writes:  the coordinates, a n64_blending of each pixel
+; writes:  the coordinates, a n64_blending of each pixel; behind the last blending, N64_NO_TILES
 ; formats: coordinates as n64_divide; the steps are the gradients in x. Gradients are cut to
 ;          multiples of 2^5 in x and of 2^15 in y
 ; cost:    bench rows n64_lod, n64_lod_apart
@@ -262,5 +262,6 @@ coarse  macro
         bra   .s
 .far_t  n64_nearest d6
         bra   .t
-.done   lea     locals(sp),sp
+.done   move.w  #N64_NO_TILES,(a0)
+        lea     locals(sp),sp
         return_all

@@ -7,7 +7,7 @@
 ;          a2  const n64_yuv_conversion*  chroma: U + 128, V + 128; the rest is not read
 ; formats: Y 0 to 255, U and V -128 to 127
         pass    n64_widen_yuv
-        movem.l d2-d4,-(sp)
+        movem.l d2-d4/a2,-(sp)
         movea.l n64_yuv_conversion_chroma(a2),a2
         move.w  d0,d3
         subq.w  #1,d3
@@ -31,5 +31,5 @@
         move.w  d0,d1
         move.l  d1,(a1)+
         dbra    d3,.pixels
-        movem.l (sp)+,d2-d4
+        movem.l (sp)+,d2-d4/a2
         rts

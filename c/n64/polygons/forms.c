@@ -108,7 +108,11 @@ void n64_form_find(struct n64_form *form, const struct n64 *n64)
     } else {
         form->first = N64_FIRST_TEXEL;
         find_second(form, n64, 1, N64_TEXEL0);
-        form->swapped = !form->any;
+        form->swapped = 1;
+    }
+    if (form->any) {            /* the combiner blends */
+        form->first = N64_FIRST_TEXEL;
+        form->swapped = 0;
     }
 }
 

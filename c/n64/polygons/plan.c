@@ -19,6 +19,31 @@ static void find_axis(struct n64_axis_range *to, const struct n64_axis *axis)
     to->last = (int16)((((axis->high >> 2) - (axis->low >> 2)) & 0x3ff) << 5);
 }
 
+/* Returns non-zero if an axis shows one texel without a fraction, whatever the coordinate. */
+static int32 is_single(const struct n64_axis *axis)
+{
+    return (axis->clamp || !axis->mask) && !axis->low && !axis->high;
+}
+
+/* Returns non-zero if coordinates are relative to the axis once they are shifted, or need not be:
+   the axis is single. */
+static int32 is_shifted(const struct n64_axis *axis)
+{
+    return (!axis->clamp && axis->mask && !axis->low) || is_single(axis);
+}
+
+/* Returns the shift to the right that makes coordinates relative to a tile, or -1: they need more.
+   s and t are shifted as one long. Bits of s enter t from above, and s lacks its sign there: the
+   tile's masks must cut these off. */
+static int32 only_shift(const struct n64_tile *tile, const struct n64_decoded *decoded)
+{
+    const int32 shift = tile->s.shift;
+    const uint32 masks = (uint32)decoded->mask_s | decoded->mask_t;
+
+    return shift == tile->t.shift && shift <= 10 && is_shifted(&tile->s) && is_shifted(&tile->t)
+        && !(masks >> (16 - shift)) ? shift : -1;
+}
+
 /* Texels of a tile; 0: they cannot be decoded ahead. */
 static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit, int32 n,
                            union n64_scratch *scratch)
@@ -39,6 +64,8 @@ static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit,
     sampling->chroma = is_apart ? &unit->chroma[n].decoded : 0;
     sampling->sample = !n64->modes.quad ? n64_point : n64->modes.mid ? n64_average : n64_threepoint;
     sampling->relative = needs_tile_pass(&tile->s) || needs_tile_pass(&tile->t) ? n64_tile : 0;
+    sampling->shift = only_shift(tile, sampling->tile);
+    sampling->fractions = (is_single(&tile->s) ? 0 : 31u << 16) | (is_single(&tile->t) ? 0 : 31u);
     find_axis(&sampling->axes.s, &tile->s);
     find_axis(&sampling->axes.t, &tile->t);
     return 1;
@@ -89,24 +116,37 @@ static const uint32 *find_reciprocals(struct n64_unit *unit)
     return *of;
 }
 
-/* Returns the blendings of levels, made again when the modes change; null: no memory. */
-static const struct n64_levels *find_levels(struct n64_unit *unit)
+/* Returns the blendings of levels, made again when what they depend on changes; null: no
+   memory. */
+static const struct n64_levels *find_levels(struct n64_plan *plan)
 {
+    struct n64_unit *unit = plan->unit;
     const struct n64 *n64 = &unit->n64;
+    struct n64_level_modes *of = &unit->levels_of;
     struct n64_level_modes modes;
 
-    if (unit->levels && unit->levels_made == n64->mode_generation)
-        return unit->levels;
-    if (!unit->levels && !mem_take(&unit->levels, sizeof *unit->levels, MEMORY_ANY))
-        return 0;
     modes.lod = n64->modes.lod;
     modes.sharpen = n64->modes.sharpen;
     modes.detail = n64->modes.detail;
     modes.max_level = n64->max_level;
     modes.min_level = n64->min_level;
     modes.tile = n64->primitive_tile;
+    modes.only_blends = (uint8)plan->only_blends;
+    if (unit->levels && of->lod == modes.lod && of->sharpen == modes.sharpen
+        && of->detail == modes.detail && of->max_level == modes.max_level
+        && of->min_level == modes.min_level && of->tile == modes.tile
+        && of->only_blends == modes.only_blends)
+        return unit->levels;
+    if (!unit->levels && !mem_take(&unit->levels, sizeof *unit->levels, MEMORY_ANY))
+        return 0;
     n64_levels_make(unit->levels, &modes);
-    unit->levels_made = n64->mode_generation;
+    of->lod = modes.lod;
+    of->sharpen = modes.sharpen;
+    of->detail = modes.detail;
+    of->max_level = modes.max_level;
+    of->min_level = modes.min_level;
+    of->tile = modes.tile;
+    of->only_blends = modes.only_blends;
     return unit->levels;
 }
 
@@ -124,7 +164,7 @@ static int32 find_coordinates(struct n64_plan *plan, int32 divided)
         return reciprocals != 0;
     }
     plan->steps.lod.reciprocals = reciprocals;
-    plan->steps.lod.levels = find_levels(plan->unit);
+    plan->steps.lod.levels = find_levels(plan);
     plan->steps.lod.blendings = plan->scratch->line.blendings;
     return reciprocals && plan->steps.lod.levels;
 }
@@ -186,7 +226,11 @@ static int32 find(struct n64_plan *plan, const struct n64_needs *needs, int32 pi
     plan->tile1 = (n64->primitive_tile + 1) & 7;
     plan->shade = packed(&needs->shade);
     n64_form_find(&plan->form, n64);
-    if (!find_samplings(plan, needs->inputs) || !find_coordinates(plan, needs->divided))
+    if (!find_samplings(plan, needs->inputs))
+        return 0;
+    plan->only_blends = plan->levels && !plan->yuv.on && !plan->form.any
+        && plan->form.first == N64_FIRST_BLEND && plan->form.fraction < 0;
+    if (!find_coordinates(plan, needs->divided))
         return 0;
     plan->is_direct = !plan->yuv.on && !plan->form.any && plan->form.first == N64_FIRST_TEXEL
         && plan->form.second == N64_SECOND_NOTHING && n64->modes.quad && !n64->modes.mid;

@@ -24,6 +24,8 @@ struct n64_sampling {
     struct n64_axes axes;
     n64_pass *sample;
     const struct n64_decoded *tile;
+    int32 shift;                /* of coordinates to the right, if they need no more; or -1 */
+    uint32 fractions;           /* the bits of s:t, then, that are fractions */
     const struct n64_decoded *chroma;   /* YUV's, if it is sampled separately, or null */
 };
 
@@ -94,12 +96,15 @@ struct n64_plan {
     uint32 shade;               /* R G B A, if it is constant */
     const uint8 *tables;        /* N64_SECOND_TABLES: 256 of R, G, B, A each */
     struct n64_yuv yuv;
+    int32 only_blends;          /* levels' fractions are a blend's alone: see n64_level_modes */
     int32 is_direct;            /* texels are the colours: one pass makes 16-bit pixels */
     /* What stages are called with. */
     struct n64_blend blend;
     struct n64_modulation modulation;
     struct n64_yuv_conversion conversions[2];   /* of texel 0 and 1; [0] also the form's one */
     struct n64_combiner_plan combiner;
+    struct n64_level_tile level_tiles[N64_TILES];
+    struct n64_level_sampling level_samplings[2];   /* of texel 0 and 1 */
     struct n64_in_c in_c;
     struct n64_stages stages;
 };

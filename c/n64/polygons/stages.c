@@ -44,22 +44,76 @@ static void sample(struct list *list, int32 tile, uint32 *texels)
     add(list, from->sample, at, texels, from->tile);
 }
 
+/* Adds the blend of both texels. */
+static void blend(struct list *list, uint32 *texels, const int16 *fractions, int32 step)
+{
+    struct n64_blend *of = &list->plan->blend;
+
+    of->other = list->work->texels1;
+    of->fractions = fractions;
+    of->fraction_step = step;
+    add(list, n64_lerp, list->work->texels0, texels, of);
+}
+
 /* Adds the form's first part: the texel, both texels or their blend. */
 static void find_texels(struct list *list, uint32 *texels)
 {
     struct n64_plan *plan = list->plan;
     const struct n64_form *form = &plan->form;
 
-    sample(list, form->swapped ? plan->tile1 : plan->tile0, texels);
+    const int32 blends = plan->second_texel && form->first == N64_FIRST_BLEND;
+    uint32 *first = blends ? list->work->texels0 : texels;
+
+    sample(list, form->swapped ? plan->tile1 : plan->tile0, first);
     if (!plan->second_texel)
         return;
     sample(list, form->swapped ? plan->tile0 : plan->tile1, list->work->texels1);
-    if (form->first != N64_FIRST_BLEND)
-        return;
-    plan->blend.other = list->work->texels1;
-    plan->blend.fractions = &form->fraction;
-    plan->blend.fraction_step = 0;
-    add(list, n64_lerp, texels, texels, &plan->blend);
+    if (blends)
+        blend(list, texels, &form->fraction, 0);
+}
+
+static int32 has_level_tiles(const struct n64_plan *plan)
+{
+    const uint32 used = n64_tiles_used(&plan->unit->n64);
+
+    for (int32 n = 0; n < N64_TILES; n++)
+        if (used >> n & 1 && (plan->tiles[n].sample != n64_threepoint || plan->tiles[n].shift < 0))
+            return 0;
+    return plan->only_blends;
+}
+
+/* Adds a blend of levels, each texel of a line by one pass over all its tiles. */
+static void find_levels(struct list *list, uint32 *texels)
+{
+    struct n64_plan *plan = list->plan;
+    const uint32 used = n64_tiles_used(&plan->unit->n64);
+    const struct n64_quad *const quads = plan->tiles[plan->tile0].tile->quads;
+
+    for (int32 n = 0; n < N64_TILES; n++) {
+        const struct n64_sampling *from = &plan->tiles[n];
+        struct n64_level_tile *to = &plan->level_tiles[n];
+
+        if (!(used >> n & 1))
+            continue;
+        to->mask_s = from->tile->mask_s;
+        to->mask_t = from->tile->mask_t;
+        to->fractions = from->fractions;
+        to->quads_at = (uint32)from->tile->quads - (uint32)quads;
+        to->columns_bits = from->tile->columns_bits;
+        to->shift = (uint16)from->shift;
+    }
+    for (int32 i = 0; i < 2; i++) {
+        struct n64_level_sampling *sampling = &plan->level_samplings[i];
+
+        sampling->blendings = list->work->blendings;
+        sampling->tiles = plan->level_tiles;
+        sampling->quads = quads;
+        sampling->second = (int16)(i != plan->form.swapped);
+        sampling->skips = (int16)i;
+        add(list, n64_threepoint_levels, list->work->coordinates,
+            i ? list->work->texels1 : list->work->texels0, sampling);
+    }
+    blend(list, texels, &list->work->blendings->fraction, sizeof *list->work->blendings);
 }
 
 static void find_yuv(struct list *list)
@@ -173,7 +227,9 @@ static int32 find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
     const struct n64_sampling *from = &plan->tiles[plan->form.swapped ? plan->tile1 : plan->tile0];
     const int32 is_direct = pixel_bytes == 2 && plan->is_direct;
 
-    if (plan->levels) {
+    if (plan->levels && has_level_tiles(plan)) {
+        find_levels(list, texels);
+    } else if (plan->levels) {
         add_runs(list, is_direct ? n64_runs_direct : plan->yuv.on ? n64_runs_yuv : n64_runs_texels,
                  texels);
     } else if (is_direct) {

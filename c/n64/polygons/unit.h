@@ -19,8 +19,8 @@ struct n64_unit {
     enum n64_result result;     /* why the last polygon was refused */
     int32 memory;               /* enum memory_type, of cached data */
     uint32 **reciprocals;       /* of all units of a scene; *reciprocals is null until needed */
-    struct n64_levels *levels;  /* made at mode_generation levels_made; or null */
-    uint32 levels_made;
+    struct n64_levels *levels;  /* made for the modes levels_of; or null */
+    struct n64_level_modes levels_of;
     uint8 *tables;              /* made at mode_generation tables_made; or null */
     uint32 tables_made;
     uint32 validated;           /* sum of generations of the last state found valid */

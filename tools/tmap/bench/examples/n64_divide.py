@@ -6,9 +6,13 @@ import numpy as np
 
 from tmap.base.fixed import signed
 from tmap.bench.examples.example import BENCH, Example, longs, pairs, walked
+from tmap.bench.examples.n64_sample import NO_TILES
 from tmap.n64.divide import divide as divided, reciprocal
 from tmap.n64.lod import Gradients, choose, level
 from tmap.n64.state import Modes, State
+
+
+NOTHING_LEFT = 24 << 8  # a shift of all of a fraction
 
 
 @cache
@@ -64,11 +68,11 @@ def entries(first, second, low) -> np.ndarray:
     return first << 24 | second << 16 | low & 0xFFFF
 
 
-def level_bytes(state: State) -> bytes:
-    """struct n64_levels."""
+def level_bytes(state: State, only_blends: bool = False) -> bytes:
+    """struct n64_levels; ``only_blends``: the fraction of a tile and itself is 0."""
     def blending(change, far: bool = False) -> tuple[np.ndarray, ...]:
         first, second, fraction = choose(state, change, np.full(change.shape, far))
-        return first, second, signed(fraction, 9)
+        return first, second, np.where(only_blends & (first == second), 0, signed(fraction, 9))
 
     k = np.arange(1, 512)
     (first, second, fraction), *inside = (blending(32 * k + more) for more in (0, 1, 16))
@@ -76,14 +80,16 @@ def level_bytes(state: State) -> bytes:
     all_one = (fraction == 255) & np.all([each[2] == 255 for each in inside], 0) \
         & (not (state.modes.sharpen or state.modes.detail))
     return longs([*entries(*blending(np.arange(512))), 0,
-                  *entries(first, second, whole << 8 | 255 * all_one),
+                  *entries(first, second, np.where(only_blends & (first == second), NOTHING_LEFT,
+                                                   whole << 8 | 255 * all_one)),
                   *entries(*blending(np.zeros(1, int), True))])
 
 
 def levels(rng, count: int) -> Example:
-    state = any_level(rng)
+    state, only_blends = any_level(rng), bool(rng.integers(2))
     modes = {name: getattr(state.modes, name) for name in ("lod", "sharpen", "detail")}
-    return Example(bytes(4), level_bytes(state), count, "n64_level_modes", modes | {
+    return Example(bytes(4), level_bytes(state, only_blends), count, "n64_level_modes", modes | {
+        "only_blends": only_blends, "spare": 0,
         "max_level": state.max_level, "min_level": state.min_level, "tile": state.primitive_tile})
 
 
@@ -105,7 +111,7 @@ def lod(rng, count: int, apart: int = 0) -> Example:
     values = dict(zip("stw", step)) | {f"y_{axis}": n for axis, n in zip("stw", y)}
     return Example(longs(start), pairs(np.stack([found.s, found.t], 1)), count, "n64_lod_steps",
                    values, {"reciprocals": reciprocals(), "levels": level_bytes(state)},
-                   more={"blendings": longs(blendings)})
+                   more={"blendings": longs([*blendings, NO_TILES])})
 
 
 def nearly_carried(rng, start, step) -> np.ndarray:
