@@ -35,7 +35,9 @@ CONSTANT_CODES = ([3, 5, 6, 15], [3, 5, 7, 15], [3, 5, 10, 12, 14, 15, 31], [3, 
 CONSTANT_ALPHA_CODES = ([3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7])
 PASS = (15, 15, 31)  # (0 - 0) * 0, to which D is added
 BLEND = [[2, 1, 13, 1], [2, 1, 0, 1]]  # of texels 0 and 1 by the level's fraction
-HAND_ON = [[*PASS, 0], [7, 7, 7, 0]]  # the first cycle's result
+PRODUCT = [[1, 15, 2, 7], [1, 7, 2, 7]]  # of texels 0 and 1
+#: Second cycles: the first one's result, times shade, between two colours.
+AFTER = ([[*PASS, 0], [7, 7, 7, 0]],) * 2 + ([[0, 15, 4, 7], [0, 7, 4, 7]], [[3, 5, 0, 5], [7, 7, 7, 6]])
 
 
 @dataclass
@@ -171,7 +173,7 @@ def modes(rng: random.Random, words: List, kind: str, shape: str) -> dict:
     usual = (kind, kind) if kind == "flat" else (kind, kind, "texel")
     cycles = [cycle_codes(rng, rng.choice(usual)) for _ in range(2)]
     if kind == "levels":
-        cycles = [BLEND, rng.choice((HAND_ON, HAND_ON, [[0, 15, 4, 7], [0, 7, 4, 7]], cycles[1]))]
+        cycles = [rng.choice((BLEND, BLEND, PRODUCT)), rng.choice((*AFTER, cycles[1]))]
     if is_rectangle:
         cycles = [without_shade(cycle) for cycle in cycles]
     if chosen["cycles"] == "one":

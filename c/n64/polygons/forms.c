@@ -21,12 +21,11 @@ int32 n64_form_is_input(const struct n64 *n64, int32 cycle, uint32 source)
     return is_only(of, source) && is_only(of + N64_OF_ALPHA, source);
 }
 
-/* Returns non-zero if (A - B) C + D is the source times shade; COMBINED is 0 in one-cycle mode. */
-static int32 is_product(const struct n64 *n64, const uint8 *of, uint32 source)
+/* Returns non-zero if (A - B) C + D is the product of two sources. no_combined: COMBINED is 0. */
+static int32 is_product(const uint8 *of, uint32 a, uint32 c, int32 no_combined)
 {
-    return of[N64_A] == source && of[N64_C] == N64_SHADE && of[N64_D] == N64_ZERO
-        && (of[N64_B] == N64_ZERO
-            || (of[N64_B] == N64_COMBINED && n64->modes.cycle == N64_ONE_CYCLE));
+    return of[N64_A] == a && of[N64_C] == c && of[N64_D] == N64_ZERO
+        && (of[N64_B] == N64_ZERO || (of[N64_B] == N64_COMBINED && no_combined));
 }
 
 /* Returns non-zero if each channel depends only on the same channel of this source. */
@@ -42,11 +41,13 @@ static int32 has_tables(const uint8 *of, uint32 source)
 static void find_second(struct n64_form *form, const struct n64 *n64, int32 cycle, uint32 source)
 {
     const uint8 *rgb = n64->sources[cycle], *alpha = rgb + N64_OF_ALPHA;
+    const int32 is_one = n64->modes.cycle == N64_ONE_CYCLE;
 
     form->cycle = (uint8)cycle;
     if (is_only(rgb, source) && is_only(alpha, source))
         form->second = N64_SECOND_NOTHING;
-    else if (is_product(n64, rgb, source) && is_product(n64, alpha, source))
+    else if (is_product(rgb, source, N64_SHADE, is_one)
+             && is_product(alpha, source, N64_SHADE, is_one))
         form->second = N64_SECOND_MODULATE;
     else if (has_tables(rgb, source) && has_tables(alpha, source))
         form->second = N64_SECOND_TABLES;
@@ -89,6 +90,22 @@ static int32 find_blend(struct n64_form *form, const struct n64 *n64)
     return 1;
 }
 
+static int32 is_texels_product(const uint8 *of)
+{
+    return is_product(of, N64_TEXEL0, N64_TEXEL1, 1) || is_product(of, N64_TEXEL1, N64_TEXEL0, 1);
+}
+
+/* Finds the first cycle as the product of both texels, 0 to 254; returns 0 if it is none. */
+static int32 find_product(struct n64_form *form, const struct n64 *n64)
+{
+    const uint8 *rgb = n64->sources[0];
+
+    if (!is_texels_product(rgb) || !is_texels_product(rgb + N64_OF_ALPHA))
+        return 0;
+    form->first = N64_FIRST_PRODUCT;
+    return 1;
+}
+
 void n64_form_find(struct n64_form *form, const struct n64 *n64)
 {
     form->any = form->swapped = 0;
@@ -99,10 +116,10 @@ void n64_form_find(struct n64_form *form, const struct n64 *n64)
     if (n64->modes.cycle == N64_ONE_CYCLE) {
         find_second(form, n64, 1, N64_TEXEL0);
     } else if (n64_form_is_input(n64, 1, N64_COMBINED)) {
-        if (!find_blend(form, n64))
+        if (!find_blend(form, n64) && !find_product(form, n64))
             find_second(form, n64, 0, N64_TEXEL0);
     } else if (n64_form_is_input(n64, 0, N64_TEXEL0)
-               || (find_blend(form, n64) && !n64->modes.sharpen)) {
+               || (find_blend(form, n64) && !n64->modes.sharpen) || find_product(form, n64)) {
         /* A sharpened blend may leave 0 to 255 between the cycles. */
         find_second(form, n64, 1, N64_COMBINED);
     } else {

@@ -5,8 +5,8 @@
 #include "n64/pixel.h"
 #include "n64/polygons/scratch.h"
 
-/* The two parts of a form: the texel or a blend of texels, then an operation on it. */
-enum n64_first { N64_FIRST_TEXEL, N64_FIRST_BLEND };
+/* The two parts of a form: the texel, a blend or the product of both, then an operation on it. */
+enum n64_first { N64_FIRST_TEXEL, N64_FIRST_BLEND, N64_FIRST_PRODUCT };
 enum n64_second {
     N64_SECOND_NOTHING,
     N64_SECOND_TABLES,          /* each channel by its own table: the rest is constant */

@@ -100,7 +100,7 @@ struct n64_plan {
     int32 is_direct;            /* texels are the colours: one pass makes 16-bit pixels */
     /* What stages are called with. */
     struct n64_blend blend;
-    struct n64_modulation modulation;
+    struct n64_modulation modulation, product;
     struct n64_yuv_conversion conversions[2];   /* of texel 0 and 1; [0] also the form's one */
     struct n64_combiner_plan combiner;
     struct n64_level_tile level_tiles[N64_TILES];

@@ -40,7 +40,16 @@ static const int16 *fractions_of(const struct n64_plan *plan, int32 first)
                                    : &plan->form.fraction;
 }
 
-/* Finds a run's texels, blended if the form blends. A blend of a tile with itself is skipped. */
+static void multiply(const uint32 *other, uint32 *texels, int32 count)
+{
+    struct n64_modulation by;
+
+    by.other = other;
+    by.step = sizeof *other;
+    n64_modulate(texels, texels, &by, count);
+}
+
+/* Finds a run's texels, blended or multiplied as the form says. A blend of a tile with itself is skipped. */
 static void sample_run(const struct n64_plan *plan, const struct run *run, uint32 *texels)
 {
     struct n64_line_scratch *work = &plan->scratch->line;
@@ -54,6 +63,8 @@ static void sample_run(const struct n64_plan *plan, const struct run *run, uint3
     if (!plan->second_texel || (form->first == N64_FIRST_BLEND && run->tile0 == run->tile1))
         return;
     sample(work, &plan->tiles[form->swapped ? run->tile0 : run->tile1], at, other, run->count);
+    if (form->first == N64_FIRST_PRODUCT)
+        multiply(other, texels, run->count);
     if (form->first != N64_FIRST_BLEND)
         return;
     blend.other = other;

@@ -55,21 +55,25 @@ static void blend(struct list *list, uint32 *texels, const int16 *fractions, int
     add(list, n64_lerp, list->work->texels0, texels, of);
 }
 
-/* Adds the form's first part: the texel, both texels or their blend. */
+/* Adds the form's first part: the texel, both texels, their blend or their product. */
 static void find_texels(struct list *list, uint32 *texels)
 {
     struct n64_plan *plan = list->plan;
     const struct n64_form *form = &plan->form;
 
-    const int32 blends = plan->second_texel && form->first == N64_FIRST_BLEND;
-    uint32 *first = blends ? list->work->texels0 : texels;
+    uint32 *first = form->first != N64_FIRST_TEXEL ? list->work->texels0 : texels;
 
     sample(list, form->swapped ? plan->tile1 : plan->tile0, first);
     if (!plan->second_texel)
         return;
     sample(list, form->swapped ? plan->tile0 : plan->tile1, list->work->texels1);
-    if (blends)
+    if (form->first == N64_FIRST_BLEND) {
         blend(list, texels, &form->fraction, 0);
+    } else if (form->first == N64_FIRST_PRODUCT) {
+        plan->product.other = list->work->texels1;
+        plan->product.step = sizeof *list->work->texels1;
+        add(list, n64_modulate, first, texels, &plan->product);
+    }
 }
 
 static int32 has_level_tiles(const struct n64_plan *plan)
