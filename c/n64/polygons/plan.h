@@ -60,10 +60,13 @@ struct n64_stages {
     struct n64_stage of[N64_STAGES_MAX + 1];    /* the last one's pass is null */
 };
 
-/* A routine in C as a pass: it is called with data for constants. */
+struct n64_plan;
+typedef void n64_runs(const struct n64_plan *plan, void *out, int32 count);
+
+/* What n64_in_c calls. */
 struct n64_in_c {
-    n64_pass *routine;
-    const void *data;
+    n64_runs *routine;
+    const struct n64_plan *plan;
 };
 
 /* What a plan was made for. */
@@ -126,11 +129,9 @@ const uint32 *n64_yuv_conversion_set(struct n64_yuv_conversion *conversion,
                                      const struct n64_plan *plan,
                                      const struct n64_yuv_line *from, int32 texel);
 
-/* runs.c. n64_pass of runs of pixels with the same tiles; constants: the plan. The texels, blended if
-   the form blends; samples of YUV, to the scratch memory's lines; texels as 16-bit pixels. */
-void n64_runs_texels(const void *in, void *out, const void *constants, int32 count);
-void n64_runs_yuv(const void *in, void *out, const void *constants, int32 count);
-void n64_runs_direct(const void *in, void *out, const void *constants, int32 count);
+/* runs.c. Of pixels whose levels differ: texels, blended or multiplied as the form says; the
+   samples of YUV, to two n64_yuv_line; texels as 16-bit pixels. */
+n64_runs n64_runs_texels, n64_runs_yuv, n64_runs_direct;
 
 /* stages.c. Lists a plan's passes. */
 void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes);

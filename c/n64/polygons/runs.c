@@ -86,12 +86,9 @@ static void find_run(const struct n64_plan *plan, struct run *run, int32 end)
         run->count++;
 }
 
-void n64_runs_texels(const void *in, void *texels, const void *constants, int32 count)
+void n64_runs_texels(const struct n64_plan *plan, void *texels, int32 count)
 {
-    const struct n64_plan *plan = constants;
     struct run run;
-
-    (void)in;
 
     for (run.first = 0; run.first < count; run.first += run.count) {
         find_run(plan, &run, count);
@@ -99,32 +96,27 @@ void n64_runs_texels(const void *in, void *texels, const void *constants, int32 
     }
 }
 
-void n64_runs_yuv(const void *in, void *out, const void *constants, int32 count)
+void n64_runs_yuv(const struct n64_plan *plan, void *lines, int32 count)
 {
-    const struct n64_plan *plan = constants;
     struct n64_line_scratch *work = &plan->scratch->line;
+    struct n64_yuv_line *to = lines;
     struct run run;
 
-    (void)in;
-    (void)out;
     for (run.first = 0; run.first < count; run.first += run.count) {
         find_run(plan, &run, count);
         for (int32 i = 0; i < 2; i++)
             if (plan->yuv.sampled[i])
                 sample_yuv(work, &plan->tiles[i ? run.tile1 : run.tile0],
-                           work->coordinates + run.first, work->yuv[i].luma + run.first,
-                           work->yuv[i].chroma + run.first, run.count);
+                           work->coordinates + run.first, to[i].luma + run.first,
+                           to[i].chroma + run.first, run.count);
     }
 }
 
 /* Draws texels directly as 16-bit pixels. */
-void n64_runs_direct(const void *in, void *pixels, const void *constants, int32 count)
+void n64_runs_direct(const struct n64_plan *plan, void *pixels, int32 count)
 {
-    const struct n64_plan *plan = constants;
     struct n64_line_scratch *work = &plan->scratch->line;
     struct run run;
-
-    (void)in;
 
     for (run.first = 0; run.first < count; run.first += run.count) {
         const struct n64_sampling *from;

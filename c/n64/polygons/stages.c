@@ -20,10 +20,10 @@ static void add(struct list *list, n64_pass *pass, const void *in, void *out,
     stage->pass = pass;
 }
 
-static void add_runs(struct list *list, n64_pass *routine, void *out)
+static void add_runs(struct list *list, n64_runs *routine, void *out)
 {
     list->plan->in_c.routine = routine;
-    list->plan->in_c.data = list->plan;
+    list->plan->in_c.plan = list->plan;
     add(list, n64_in_c, 0, out, &list->plan->in_c);
 }
 
@@ -234,8 +234,10 @@ static int32 find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
     if (plan->levels && has_level_tiles(plan)) {
         find_levels(list, texels);
     } else if (plan->levels) {
-        add_runs(list, is_direct ? n64_runs_direct : plan->yuv.on ? n64_runs_yuv : n64_runs_texels,
-                 texels);
+        if (plan->yuv.on)
+            add_runs(list, n64_runs_yuv, list->work->yuv);
+        else
+            add_runs(list, is_direct ? n64_runs_direct : n64_runs_texels, texels);
     } else if (is_direct) {
         const uint32 *at = relate(list, from);
 
