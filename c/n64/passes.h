@@ -119,17 +119,23 @@ struct n64_combination {
     int32 a_step, b_step, c_step, d_step;
 };
 
+/* Both tiles of the n64_blending behind a line's last one: there are none. */
+enum n64_blending_constants { N64_NO_TILES = 0xffff };
+
 /* Two tiles and the weight of the second: 9 bits signed, 256 is 1.0. */
 struct n64_blending {
     uint8 tile0, tile1;
     int16 fraction;
 };
 
-/* The blending of each level of detail, calculated once for a mode. A level's long has the two
-   tiles, the shift that gives the fraction, and 255 if the fraction is always that, else 0. */
+enum n64_level_constants { N64_NEAR_LEVELS = 512 };
+
+/* The blending of each level of detail, calculated once for a mode, by the LOD: the longest change
+   between pixels. A level's long has the two tiles, the shift that gives the fraction, and 255 if
+   the fraction is always that, else 0. */
 struct n64_levels {
-    uint32 magnified[32];       /* n64_blending, by the LOD: the longest change between pixels */
-    uint32 levels[512];         /* by LOD / 32, from 1 on */
+    uint32 near[N64_NEAR_LEVELS];       /* n64_blending, by the LOD */
+    uint32 levels[512];         /* by LOD / 32, from N64_NEAR_LEVELS / 32 on */
     uint32 far;                 /* n64_blending */
 };
 
@@ -137,12 +143,31 @@ struct n64_levels {
 struct n64_level_modes {
     uint8 lod, sharpen, detail; /* 0 or 1 */
     uint8 max_level, min_level, tile;
+    uint8 only_blends;          /* 1: nothing but n64_lerp reads fractions. That of a tile and itself
+                                   is 0: the second texel is not needed */
+    uint8 spare;
 };
 
-/* Steps of the iterators, their gradients in x and y, tables, and where blendings are written. */
+/* A tile's quads, and the shift of both coordinates to the right; its coordinates need no more. */
+struct n64_level_tile {
+    uint16 mask_s, mask_t;      /* as of n64_decoded */
+    uint32 quads_at;            /* bytes from the sampling's quads on */
+    uint32 fractions;           /* 31 in each half, or 0 where an axis has one texel */
+    uint16 columns_bits, shift;
+};
+
+/* What one texel of each pixel is sampled from. */
+struct n64_level_sampling {
+    const struct n64_blending *blendings;
+    const struct n64_level_tile *tiles; /* 8 */
+    const struct n64_quad *quads;
+    int16 second;               /* 0: from tile0, 1: from tile1 */
+    int16 skips;                /* 1: not where both tiles are the same */
+};
+
+/* Steps of the iterators, their gradients in y, tables, and where blendings are written. */
 struct n64_lod_steps {
     int32 s, t, w;
-    int32 x_s, x_t, x_w;
     int32 y_s, y_t, y_w;
     const uint32 *reciprocals;
     const struct n64_levels *levels;
@@ -160,8 +185,9 @@ void n64_divide_table_make(uint32 *reciprocals);
 typedef void n64_pass(const void *in, void *out, const void *constants, int32 count);
 
 n64_pass n64_walk, n64_divide, n64_lod, n64_tile, n64_chroma;   /* iterators, coordinates */
-n64_pass n64_point, n64_threepoint, n64_threepoint_16, n64_average, n64_quads;
+n64_pass n64_point, n64_threepoint, n64_threepoint_levels, n64_threepoint_16, n64_average, n64_quads;
 n64_pass n64_lerp, n64_shade, n64_modulate, n64_map, n64_convert, n64_store_16;
-n64_pass n64_widen, n64_combiner, n64_convert_wide, n64_narrow;
+n64_pass n64_widen, n64_widen_yuv, n64_combiner, n64_convert_wide, n64_narrow;
+n64_pass n64_in_c;               /* calls what a struct n64_in_c names */
 
 #endif

@@ -7,8 +7,7 @@
 n64_filter macro
         xref    \1
         save_all
-        lea     (a0,d0.l*4),a3
-        move.l  a3,-(sp)
+        lea     (a0,d0.l*4),a6
         move.l  n64_decoded_mask_s(a2),d6       ; and mask_t
         move.w  n64_decoded_columns_bits(a2),d5
         movea.l n64_decoded_quads(a2),a4
@@ -19,7 +18,7 @@ n64_filter macro
         bra.s   .coordinates
 .weighed
         \2
-        cmpa.l  (sp),a0
+        cmpa.l  a6,a0
         beq.s   .done
 .coordinates
         move.l  (a0)+,d0                ; s:t
@@ -35,8 +34,7 @@ n64_filter macro
         move.w  (a5,d1.w*2),d1
         lea     (a4,d2.l*2),a2
         jmp     (a5,d1.w)
-.done   addq.l  #4,sp
-        return_all
+.done   return_all
         endm
 
 ; Writes the texel d2, R-B-, and d3, G-A-: all bytes, or 5/5/5/1.
@@ -178,4 +176,65 @@ n64_between macro
         lsr.l   #8,d4
         sub.l   d4,d1
         muls.l  d2,d1
+        endm
+
+; \1 = the larger one of |\1| and |\2|, of a negative number its one's complement. Destroys \2.
+n64_magnitude macro
+        tst.l   \1
+        minus   <not.l \1>
+        tst.l   \2
+        minus   <not.l \2>
+        cmp.l   \1,\2
+        ble.s   .magnitude\@
+        move.l  \2,\1
+.magnitude\@
+        endm
+
+; Goes to \1 unless no quotient of a line is clamped, as shown by its two ends. In: a0 iterators, a2
+; their steps, d0 count, d4: N64_GUARD, and with \2 (if given: any word) the most that |s| or |t|
+; grows and that w falls to the pixel below; a4: then what w changes by to it. Destroys d1-d7.
+;
+; Why: the ends are the first pixel and the one that follows the last. If w >= max(|s|, |t|) + N64_GUARD
+; holds at both, it holds at all pixels, as the iterators are linear; with the growth in d4 it holds
+; at the pixels below, too. None of these sums overflows, so none is taken modulo 2^32. Gradients are cut by
+; less than 2^15 and one's complements add 1, so in upper words |S| <= W - 61, and W is above 61. A
+; reciprocal R of W is at most 2^31 (1 + 2^-12) / W: rounding adds 2^-14, a chord of the table's
+; curve 2^-15. W is below 2^15, so |S| R <= 2^31 (1 + 2^-12) (1 - 61 / 2^15) < 2^31, and S R / 2^16
+; fits 16 bits.
+N64_GUARD equ   64<<16
+
+n64_guard macro
+        move.l  d4,d7
+        movem.l (a0),d1-d3
+        move.l  d1,d4
+        move.l  d2,d5
+        n64_guard_end \1,\2
+        movem.l (a2),d4-d6
+        muls.l  d0,d4
+        bvs     \1
+        muls.l  d0,d5
+        bvs     \1
+        muls.l  d0,d6
+        bvs     \1
+        add.l   d1,d4
+        bvs     \1
+        add.l   d2,d5
+        bvs     \1
+        add.l   d6,d3
+        bvs     \1
+        n64_guard_end \1,\2
+        endm
+
+; One end: s in d4, t in d5, w in d3.
+n64_guard_end macro
+        n64_magnitude d4,d5
+        add.l   d7,d4
+        bvs     \1
+        cmp.l   d4,d3
+        blt     \1
+        ifnb    \2
+        move.l  d3,d4
+        add.l   a4,d4
+        bvs     \1
+        endc
         endm

@@ -8,7 +8,8 @@
 ; formats: s:t, both s10.5; the results modulo 2^16
 ; cost:    bench rows n64_tile, n64_tile_plain
 
-; One axis at a time, by a loop that does only what the axis needs.
+; Both axes at once if they only have an origin; otherwise one at a time, by a loop that does only
+; what the axis needs.
 
 ; \1: the instruction that shifts d0 by d1, if any.
 axis_loops macro
@@ -46,8 +47,30 @@ axis_loops macro
         rts
         endm
 
+T       equ     n64_axes_t
+
         pass    n64_tile
         movem.l d2-d7/a2-a4,-(sp)
+        move.w  n64_axis_range_clamp(a2),d1
+        or.w    n64_axis_range_shift(a2),d1
+        or.w    T+n64_axis_range_clamp(a2),d1
+        or.w    T+n64_axis_range_shift(a2),d1
+        bne.s   .axes
+        lea     (a0,d0.l*4),a3
+        move.w  T+n64_axis_range_low(a2),d1
+        move.w  n64_axis_range_low(a2),d2
+        swap    d2
+        clr.w   d2
+.moved  move.l  (a0)+,d0
+        sub.w   d1,d0
+        sub.l   d2,d0
+        move.l  d0,(a1)+
+        cmpa.l  a3,a0
+        bne.s   .moved
+        movem.l (sp)+,d2-d7/a2-a4
+        rts
+
+.axes
         move.l  d0,d6
         bsr.s   .axis
         addq.l  #2,a0

@@ -21,7 +21,7 @@ HALF = TMEM_WORDS // 2
 REACH = 1024 * ONE
 W_MAX = 1 << 30
 DRAM_BYTES = 4096 + 512  # all of TMEM, and a TLUT
-KINDS = ("any",) * 8 + ("plain",) * 3 + ("flat",)
+KINDS = ("any",) * 8 + ("plain",) * 3 + ("levels",) * 3 + ("flat",)
 #: Kinds of primitives: those of units.PRIMITIVES, or rectangles in copy mode.
 SHAPES = (("polygons",) * 9 + ("coloured",) * 3 + ("rectangles",) * 2 + ("flipped",) * 2
           + ("copies",) * 4)
@@ -34,6 +34,10 @@ ALPHA_CODES = (list(range(8)),) * 4
 CONSTANT_CODES = ([3, 5, 6, 15], [3, 5, 7, 15], [3, 5, 10, 12, 14, 15, 31], [3, 5, 6, 7])
 CONSTANT_ALPHA_CODES = ([3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7], [3, 5, 6, 7])
 PASS = (15, 15, 31)  # (0 - 0) * 0, to which D is added
+BLEND = [[2, 1, 13, 1], [2, 1, 0, 1]]  # of texels 0 and 1 by the level's fraction
+PRODUCT = [[1, 15, 2, 7], [1, 7, 2, 7]]  # of texels 0 and 1
+#: Second cycles: the first one's result, times shade, between two colours.
+AFTER = ([[*PASS, 0], [7, 7, 7, 0]],) * 2 + ([[0, 15, 4, 7], [0, 7, 4, 7]], [[3, 5, 0, 5], [7, 7, 7, 6]])
 
 
 @dataclass
@@ -93,6 +97,24 @@ def tile(rng: random.Random, tlut: bool, plain: bool, copies: bool) -> Tile:
             return made
 
 
+def level_tiles(rng: random.Random, first: int, tlut: bool) -> list[Tile]:
+    """Levels of a map, half as large from tile ``first`` on, which mostly wrap; of any texels."""
+    sides = [rng.randrange(3, 6) for _ in "st"]
+    pairs = sorted(pair for pair in LEGAL if (pair[0] == CI) == tlut and pair[0] != YUV)
+    found = []
+    for n in range(8):
+        level = n - first & 7
+        axes = []
+        for side in sides:
+            mask = max(side - level, 0)
+            clamp, low = rng.choice(((0, 0),) * 30 + ((1, 0), (0, 4)))
+            axes.append(Axis(clamp, rng.randrange(2), mask, level, low, low + ((1 << mask) - 1 << 2)))
+        form, size = rng.choice(pairs)
+        made = Tile(form, size, rng.choice((1, 2, 4)), 64 * rng.randrange(4), rng.randrange(16), *axes)
+        found.append(made if fits(made, tlut) else Tile(form, 2 if form != CI else size, 1, 0, 0, *axes))
+    return found
+
+
 def cycle_codes(rng: random.Random, kind: str) -> list[list[int]]:
     """Inputs of colour and alpha of one cycle: all random, the texel alone or multiplied by a
     constant, or constants."""
@@ -130,6 +152,9 @@ def modes(rng: random.Random, words: List, kind: str, shape: str) -> dict:
         chosen["convert"] = "filter"
     if kind == "plain":
         chosen |= {"cycles": "one", "perspective": 0, "lod": 0, "filter": "point"}
+    if kind == "levels":
+        chosen |= {"cycles": "two", "lod": 1, "convert": "filter",
+                   "filter": rng.choice(("bilerp", "bilerp", chosen["filter"]))}
     is_rectangle = shape not in ("polygons", "coloured")
     if is_rectangle:
         chosen["perspective"] = 0
@@ -147,6 +172,8 @@ def modes(rng: random.Random, words: List, kind: str, shape: str) -> dict:
     words.texture(chosen["max level"], chosen["tile"])
     usual = (kind, kind) if kind == "flat" else (kind, kind, "texel")
     cycles = [cycle_codes(rng, rng.choice(usual)) for _ in range(2)]
+    if kind == "levels":
+        cycles = [rng.choice((BLEND, BLEND, PRODUCT)), rng.choice((*AFTER, cycles[1]))]
     if is_rectangle:
         cycles = [without_shade(cycle) for cycle in cycles]
     if chosen["cycles"] == "one":
@@ -248,7 +275,7 @@ def case(seed: int, number: int, pixels: str) -> Case:
         shape = "rectangles"
     copies = shape == "copies"
     words, kind, tlut = List(), rng.choice(KINDS), rng.randrange(4) == 0
-    if copies and rng.randrange(2):
+    if copies and (kind == "levels" or rng.randrange(2)):
         kind = "plain"
     words.set_texture_image(RGBA, 2, 1, 0)
     words.set_tile(7, RGBA, 2, 0, 0)
@@ -259,6 +286,8 @@ def case(seed: int, number: int, pixels: str) -> Case:
         words.texture_lut(rng.choice(("rgba16", "ia16")))
     found = modes(rng, words, kind, shape)
     tiles = [tile(rng, tlut, kind == "plain", copies) for _ in range(8)]
+    if kind == "levels":
+        tiles = level_tiles(rng, found["tile"], tlut)
     for n, each in enumerate(tiles):
         wraps = (Wrap(a.clamp, a.mirror, a.mask, a.shift) for a in (each.s, each.t))
         words.set_tile(n, each.format, each.size, each.line, each.tmem, each.palette, *wraps)

@@ -101,20 +101,15 @@ void n64_draw_line(const struct n64 *n64, const struct n64_planes *planes,
     }
 }
 
-/* plan: null if there are no passes. */
-static void draw_lines(const struct setup *s, const struct n64 *n64,
-                       const struct n64_planes *planes, const struct n64_colour *shade,
-                       const struct n64_plan *plan)
+static void draw_pixels(const struct setup *s, const struct n64 *n64,
+                        const struct n64_planes *planes, const struct n64_colour *shade)
 {
     const struct scanline *line = s->edges.lines;
 
     for (int32 y = s->box.top; y < s->box.bottom; y++, line++) {
-        int32 x = line->left - EDGE_BIAS, count = line->last - line->left + 1;
+        int32 x = line->left - EDGE_BIAS;
 
-        if (count > 0 && plan)
-            n64_plan_draw(plan, s->frame, x, y, count);
-        else
-            n64_draw_line(n64, planes, shade, s->frame, x, x + count, y);
+        n64_draw_line(n64, planes, shade, s->frame, x, line->last + 1 - EDGE_BIAS, y);
     }
 }
 
@@ -151,8 +146,7 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
 {
     enum polygon_result result;
     struct n64_planes planes;
-    struct n64_plan plan;
-    int32 passes;
+    struct n64_plan *plan = 0;
 
     if (unit->n64.modes.cycle == N64_COPY)      /* no page can be drawn from */
         return n64_refused(unit, N64_CYCLE_TYPE);
@@ -161,25 +155,36 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
         return result;
     if (!find_planes(&planes, s, needs->divided, (needs->inputs & N64_INPUT_SHADE) != 0, colours))
         return n64_refused(unit, N64_COORDINATE_RANGE);
-    passes = RULE_IS_ON(s, N64_PASSES)
-        && n64_plan_find(&plan, needs, unit, &planes, s->scratch->room);
-    if (passes)
+    if (RULE_IS_ON(s, N64_PASSES))
+        plan = n64_plan_find(needs, unit, &planes, s->frame->pixel_bytes, s->scratch->room);
+    if (plan)
         RULE_APPLIES(s, N64_PASSES);
     if (s->counts)
-        count_lines(s, passes ? SPAN_N64_PASSES : SPAN_N64_PIXELS);
-    if (!s->renderer->only_counts)
-        draw_lines(s, &unit->n64, &planes, &needs->shade, passes ? &plan : 0);
+        count_lines(s, plan ? SPAN_N64_PASSES : SPAN_N64_PIXELS);
+    if (s->renderer->only_counts)
+        return POLYGON_DRAWN;
+    if (plan)
+        n64_plan_draw(plan, s->frame, s->edges.lines, s->box.top, s->box.bottom - s->box.top);
+    else
+        draw_pixels(s, &unit->n64, &planes, &needs->shade);
     return POLYGON_DRAWN;
+}
+
+uint32 n64_unit_state(const struct n64_unit *unit)
+{
+    uint32 state = unit->n64.mode_generation + unit->n64.tmem_generation;
+
+    for (int32 i = 0; i < N64_TILES; i++)
+        state += unit->n64.tile_generation[i];
+    return state;
 }
 
 /* Returns N64_DONE if state and vertices can be drawn. Checks the state only if it has changed. */
 static enum n64_result judge(struct n64_unit *unit, const struct vertex *v, int32 count)
 {
     enum n64_result result = N64_DONE;
-    uint32 state = unit->n64.mode_generation + unit->n64.tmem_generation;
+    uint32 state = n64_unit_state(unit);
 
-    for (int32 i = 0; i < N64_TILES; i++)
-        state += unit->n64.tile_generation[i];
     if (state != unit->validated)
         result = n64_check_drawing(&unit->n64);
     if (result == N64_DONE)

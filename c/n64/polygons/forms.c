@@ -14,19 +14,18 @@ static int32 is_only(const uint8 *of, uint32 source)
     return (of[N64_A] == of[N64_B] || of[N64_C] == N64_ZERO) && of[N64_D] == source;
 }
 
-static int32 is_input(const struct n64 *n64, int32 cycle, uint32 source)
+int32 n64_form_is_input(const struct n64 *n64, int32 cycle, uint32 source)
 {
     const uint8 *of = n64->sources[cycle];
 
     return is_only(of, source) && is_only(of + N64_OF_ALPHA, source);
 }
 
-/* Returns non-zero if (A - B) C + D is the source times shade; COMBINED is 0 in one-cycle mode. */
-static int32 is_product(const struct n64 *n64, const uint8 *of, uint32 source)
+/* Returns non-zero if (A - B) C + D is the product of two sources. no_combined: COMBINED is 0. */
+static int32 is_product(const uint8 *of, uint32 a, uint32 c, int32 no_combined)
 {
-    return of[N64_A] == source && of[N64_C] == N64_SHADE && of[N64_D] == N64_ZERO
-        && (of[N64_B] == N64_ZERO
-            || (of[N64_B] == N64_COMBINED && n64->modes.cycle == N64_ONE_CYCLE));
+    return of[N64_A] == a && of[N64_C] == c && of[N64_D] == N64_ZERO
+        && (of[N64_B] == N64_ZERO || (of[N64_B] == N64_COMBINED && no_combined));
 }
 
 /* Returns non-zero if each channel depends only on the same channel of this source. */
@@ -42,11 +41,13 @@ static int32 has_tables(const uint8 *of, uint32 source)
 static void find_second(struct n64_form *form, const struct n64 *n64, int32 cycle, uint32 source)
 {
     const uint8 *rgb = n64->sources[cycle], *alpha = rgb + N64_OF_ALPHA;
+    const int32 is_one = n64->modes.cycle == N64_ONE_CYCLE;
 
     form->cycle = (uint8)cycle;
     if (is_only(rgb, source) && is_only(alpha, source))
         form->second = N64_SECOND_NOTHING;
-    else if (is_product(n64, rgb, source) && is_product(n64, alpha, source))
+    else if (is_product(rgb, source, N64_SHADE, is_one)
+             && is_product(alpha, source, N64_SHADE, is_one))
         form->second = N64_SECOND_MODULATE;
     else if (has_tables(rgb, source) && has_tables(alpha, source))
         form->second = N64_SECOND_TABLES;
@@ -89,6 +90,22 @@ static int32 find_blend(struct n64_form *form, const struct n64 *n64)
     return 1;
 }
 
+static int32 is_texels_product(const uint8 *of)
+{
+    return is_product(of, N64_TEXEL0, N64_TEXEL1, 1) || is_product(of, N64_TEXEL1, N64_TEXEL0, 1);
+}
+
+/* Finds the first cycle as the product of both texels, 0 to 254; returns 0 if it is none. */
+static int32 find_product(struct n64_form *form, const struct n64 *n64)
+{
+    const uint8 *rgb = n64->sources[0];
+
+    if (!is_texels_product(rgb) || !is_texels_product(rgb + N64_OF_ALPHA))
+        return 0;
+    form->first = N64_FIRST_PRODUCT;
+    return 1;
+}
+
 void n64_form_find(struct n64_form *form, const struct n64 *n64)
 {
     form->any = form->swapped = 0;
@@ -98,17 +115,21 @@ void n64_form_find(struct n64_form *form, const struct n64 *n64)
     form->cycle = 1;
     if (n64->modes.cycle == N64_ONE_CYCLE) {
         find_second(form, n64, 1, N64_TEXEL0);
-    } else if (is_input(n64, 1, N64_COMBINED)) {
-        if (!find_blend(form, n64))
+    } else if (n64_form_is_input(n64, 1, N64_COMBINED)) {
+        if (!find_blend(form, n64) && !find_product(form, n64))
             find_second(form, n64, 0, N64_TEXEL0);
-    } else if (is_input(n64, 0, N64_TEXEL0)
-               || (find_blend(form, n64) && !n64->modes.sharpen)) {
+    } else if (n64_form_is_input(n64, 0, N64_TEXEL0)
+               || (find_blend(form, n64) && !n64->modes.sharpen) || find_product(form, n64)) {
         /* A sharpened blend may leave 0 to 255 between the cycles. */
         find_second(form, n64, 1, N64_COMBINED);
     } else {
         form->first = N64_FIRST_TEXEL;
         find_second(form, n64, 1, N64_TEXEL0);
-        form->swapped = !form->any;
+        form->swapped = 1;
+    }
+    if (form->any) {            /* the combiner blends */
+        form->first = N64_FIRST_TEXEL;
+        form->swapped = 0;
     }
 }
 
@@ -133,11 +154,11 @@ static void set_place(struct place *to, const int16 *at, int32 step, int32 acros
 }
 
 /* Finds all sources of a cycle. COMBINED is 0 in the first one; texel 0 and 1 change places in the
-   second of two. singles: N64_ONE to N64_K5; the level's fraction is not there. */
+   second of two. */
 static void find_places(struct place *to, const struct n64_places *from, int32 is_second,
-                        const struct n64_wide *primitive, const struct n64_wide *environment,
-                        const int16 *singles)
+                        const struct n64_combiner_plan *plan)
 {
+    const int16 *singles = plan->singles;
     const int32 step = sizeof(struct n64_wide);
     const struct n64_wide *texel0 = is_second ? from->texel1 : from->texel0;
     const struct n64_wide *texel1 = is_second ? from->texel0 : from->texel1;
@@ -149,9 +170,9 @@ static void find_places(struct place *to, const struct n64_places *from, int32 i
         set_place(&to[N64_COMBINED], from->combined->channels, step, 1);
     set_place(&to[N64_TEXEL0], texel0->channels, step, 1);
     set_place(&to[N64_TEXEL1], texel1->channels, step, 1);
-    set_place(&to[N64_PRIMITIVE], primitive->channels, 0, 1);
+    set_place(&to[N64_PRIMITIVE], plan->primitive.channels, 0, 1);
     set_place(&to[N64_SHADE], from->shade->channels, from->shade_step, 1);
-    set_place(&to[N64_ENVIRONMENT], environment->channels, 0, 1);
+    set_place(&to[N64_ENVIRONMENT], plan->environment.channels, 0, 1);
     set_place(&to[N64_FRACTION], from->fraction, from->fraction_step, 0);
 }
 
@@ -165,46 +186,47 @@ static const int16 *place(const struct place *places, uint32 source, int32 chann
     return places[source].at + (places[source].across ? channel : 0);
 }
 
-void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
-                       struct n64_wide *results, int32 count)
+void n64_combiner_begin(struct n64_combiner_plan *plan, const struct n64 *n64)
+{
+    for (int32 i = 0; i < 4; i++) {
+        plan->primitive.channels[i] = n64->primitive[i];
+        plan->environment.channels[i] = n64->environment[i];
+    }
+    plan->singles[0] = 0x100;
+    plan->singles[N64_ZERO - N64_ONE] = 0;
+    plan->singles[N64_FRACTION - N64_ONE] = 0;
+    plan->singles[N64_PRIMITIVE_FRACTION - N64_ONE] = n64->primitive_fraction;
+    plan->singles[N64_K4 - N64_ONE] = extended(n64->k[4]);
+    plan->singles[N64_K5 - N64_ONE] = n64->k[5];
+}
+
+void n64_combiner_find(struct n64_combiner_plan *plan, const struct n64 *n64,
+                       const struct n64_places *at, int32 cycle)
 {
     const int32 is_second = cycle && n64->modes.cycle == N64_TWO_CYCLES;
     const uint8 *of = n64->sources[cycle];
-    struct n64_wide primitive, environment;
-    int16 singles[N64_K5 - N64_ONE + 1];
     struct place places[N64_K5 + 1];
-    struct n64_combination combination;
 
-    for (int32 i = 0; i < 4; i++) {
-        primitive.channels[i] = n64->primitive[i];
-        environment.channels[i] = n64->environment[i];
-    }
-    singles[0] = 0x100;
-    singles[N64_ZERO - N64_ONE] = 0;
-    singles[N64_PRIMITIVE_FRACTION - N64_ONE] = n64->primitive_fraction;
-    singles[N64_K4 - N64_ONE] = extended(n64->k[4]);
-    singles[N64_K5 - N64_ONE] = n64->k[5];
-    find_places(places, at, is_second, &primitive, &environment, singles);
+    find_places(places, at, is_second, plan);
     for (int32 channel = 0; channel < 4; channel++) {
+        struct n64_combination *to = &plan->of[cycle][channel];
+
         if (channel == 3)
             of += N64_OF_ALPHA;
-        combination.a = place(places, of[N64_A], channel, &combination.a_step);
-        combination.b = place(places, of[N64_B], channel, &combination.b_step);
-        combination.c = place(places, of[N64_C], channel, &combination.c_step);
-        combination.d = place(places, of[N64_D], channel, &combination.d_step);
-        n64_combiner(0, &results->channels[channel], &combination, count);
+        to->a = place(places, of[N64_A], channel, &to->a_step);
+        to->b = place(places, of[N64_B], channel, &to->b_step);
+        to->c = place(places, of[N64_C], channel, &to->c_step);
+        to->d = place(places, of[N64_D], channel, &to->d_step);
     }
 }
 
-void n64_combine_line(const struct n64 *n64, const struct n64_places *at,
-                      struct n64_wide (*results)[N64_LINE_PIXELS], uint32 *colours, int32 count)
+void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
+                       struct n64_wide *results, int32 count)
 {
-    struct n64_places places = *at;
+    struct n64_combiner_plan plan;
 
-    if (n64->modes.cycle == N64_TWO_CYCLES) {
-        n64_combine_cycle(n64, &places, 0, results[0], count);
-        places.combined = results[0];
-    }
-    n64_combine_cycle(n64, &places, 1, results[1], count);
-    n64_narrow(results[1], colours, 0, count);
+    n64_combiner_begin(&plan, n64);
+    n64_combiner_find(&plan, n64, at, cycle);
+    for (int32 channel = 0; channel < 4; channel++)
+        n64_combiner(0, &results->channels[channel], &plan.of[cycle][channel], count);
 }

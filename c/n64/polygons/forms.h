@@ -5,8 +5,8 @@
 #include "n64/pixel.h"
 #include "n64/polygons/scratch.h"
 
-/* The two parts of a form: the texel or a blend of texels, then an operation on it. */
-enum n64_first { N64_FIRST_TEXEL, N64_FIRST_BLEND };
+/* The two parts of a form: the texel, a blend or the product of both, then an operation on it. */
+enum n64_first { N64_FIRST_TEXEL, N64_FIRST_BLEND, N64_FIRST_PRODUCT };
 enum n64_second {
     N64_SECOND_NOTHING,
     N64_SECOND_TABLES,          /* each channel by its own table: the rest is constant */
@@ -31,13 +31,25 @@ struct n64_places {
     int32 fraction_step;
 };
 
+/* Both cycles of the combiner: constants and, for each channel, what it reads. */
+struct n64_combiner_plan {
+    struct n64_wide primitive, environment, shade;
+    int16 singles[6];           /* N64_ONE to N64_K5; the level's fraction is not there */
+    struct n64_combination of[2][4];
+};
+
+/* Finds the constants, except shade's. */
+void n64_combiner_begin(struct n64_combiner_plan *plan, const struct n64 *n64);
+
+/* Finds what the channels of a cycle read. */
+void n64_combiner_find(struct n64_combiner_plan *plan, const struct n64 *n64,
+                       const struct n64_places *at, int32 cycle);
+
+/* Returns non-zero if a cycle's result is this source (of colour and of alpha), unchanged. */
+int32 n64_form_is_input(const struct n64 *n64, int32 cycle, uint32 source);
+
 /* Runs one cycle of the combiner over pixels. */
 void n64_combine_cycle(const struct n64 *n64, const struct n64_places *at, int32 cycle,
                        struct n64_wide *results, int32 count);
-
-/* Runs all cycles of the combiner over pixels; ignores at->combined. results: room for two
-   lines. */
-void n64_combine_line(const struct n64 *n64, const struct n64_places *at,
-                      struct n64_wide (*results)[N64_LINE_PIXELS], uint32 *colours, int32 count);
 
 #endif

@@ -60,8 +60,7 @@ struct making {
     int32 from, count;          /* columns to draw; the others repeat these or the edges */
     struct frame frame;         /* the page, row 0; rows 128 on precede it, as in MAP_PAGE */
     struct n64_planes planes;
-    struct n64_plan plan;
-    int32 has_plan;
+    struct n64_plan *plan;      /* or null */
 };
 
 /* Returns the coordinate of column or row k: s10.5. */
@@ -144,9 +143,13 @@ static void draw_texels(struct making *m, int32 v, int32 t)
 {
     m->planes.all.j = v;
     m->planes.all.of[N64_T].at = (uint32)t << 16;
-    if (m->has_plan)
-        n64_plan_draw(&m->plan, &m->frame, m->from, v, m->count);
-    else
+    if (m->plan) {
+        struct scanline line;
+
+        line.left = (uint16)(m->from + EDGE_BIAS);
+        line.last = (int16)(m->from + m->count - 1 + EDGE_BIAS);
+        n64_plan_draw(m->plan, &m->frame, &line, v, 1);
+    } else
         n64_draw_line(&m->unit->n64, &m->planes, &m->needs->shade, &m->frame, m->from,
                       m->from + m->count, v);
 }
@@ -210,7 +213,7 @@ static void make_rows(struct making *m, const struct page_rows *rows)
     m->frame.pixels = (uint8 *)page->map.texels;
     find_columns(m);
     find_planes(m);
-    m->has_plan = !copy && n64_plan_find(&m->plan, m->needs, m->unit, &m->planes, m->room);
+    m->plan = copy ? 0 : n64_plan_find(m->needs, m->unit, &m->planes, m->frame.pixel_bytes, m->room);
     page_grow(page, rows, find_row, m);
 }
 

@@ -19,6 +19,31 @@ static void find_axis(struct n64_axis_range *to, const struct n64_axis *axis)
     to->last = (int16)((((axis->high >> 2) - (axis->low >> 2)) & 0x3ff) << 5);
 }
 
+/* Returns non-zero if an axis shows one texel without a fraction, whatever the coordinate. */
+static int32 is_single(const struct n64_axis *axis)
+{
+    return (axis->clamp || !axis->mask) && !axis->low && !axis->high;
+}
+
+/* Returns non-zero if coordinates are relative to the axis once they are shifted, or need not be:
+   the axis is single. */
+static int32 is_shifted(const struct n64_axis *axis)
+{
+    return (!axis->clamp && axis->mask && !axis->low) || is_single(axis);
+}
+
+/* Returns the shift to the right that makes coordinates relative to a tile, or -1: they need more.
+   s and t are shifted as one long. Bits of s enter t from above, and s lacks its sign there: the
+   tile's masks must cut these off. */
+static int32 only_shift(const struct n64_tile *tile, const struct n64_decoded *decoded)
+{
+    const int32 shift = tile->s.shift;
+    const uint32 masks = (uint32)decoded->mask_s | decoded->mask_t;
+
+    return shift == tile->t.shift && shift <= 10 && is_shifted(&tile->s) && is_shifted(&tile->t)
+        && !(masks >> (16 - shift)) ? shift : -1;
+}
+
 /* Texels of a tile; 0: they cannot be decoded ahead. */
 static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit, int32 n,
                            union n64_scratch *scratch)
@@ -39,6 +64,8 @@ static int32 find_sampling(struct n64_sampling *sampling, struct n64_unit *unit,
     sampling->chroma = is_apart ? &unit->chroma[n].decoded : 0;
     sampling->sample = !n64->modes.quad ? n64_point : n64->modes.mid ? n64_average : n64_threepoint;
     sampling->relative = needs_tile_pass(&tile->s) || needs_tile_pass(&tile->t) ? n64_tile : 0;
+    sampling->shift = only_shift(tile, sampling->tile);
+    sampling->fractions = (is_single(&tile->s) ? 0 : 31u << 16) | (is_single(&tile->t) ? 0 : 31u);
     find_axis(&sampling->axes.s, &tile->s);
     find_axis(&sampling->axes.t, &tile->t);
     return 1;
@@ -89,60 +116,77 @@ static const uint32 *find_reciprocals(struct n64_unit *unit)
     return *of;
 }
 
-/* Returns the blendings of levels, made again when the modes change; null: no memory. */
-static const struct n64_levels *find_levels(struct n64_unit *unit)
+/* Returns the blendings of levels, made again when what they depend on changes; null: no
+   memory. */
+static const struct n64_levels *find_levels(struct n64_plan *plan)
 {
+    struct n64_unit *unit = plan->unit;
     const struct n64 *n64 = &unit->n64;
+    struct n64_level_modes *of = &unit->levels_of;
     struct n64_level_modes modes;
 
-    if (unit->levels && unit->levels_made == n64->mode_generation)
-        return unit->levels;
-    if (!unit->levels && !mem_take(&unit->levels, sizeof *unit->levels, MEMORY_ANY))
-        return 0;
     modes.lod = n64->modes.lod;
     modes.sharpen = n64->modes.sharpen;
     modes.detail = n64->modes.detail;
     modes.max_level = n64->max_level;
     modes.min_level = n64->min_level;
     modes.tile = n64->primitive_tile;
+    modes.only_blends = (uint8)plan->only_blends;
+    if (unit->levels && of->lod == modes.lod && of->sharpen == modes.sharpen
+        && of->detail == modes.detail && of->max_level == modes.max_level
+        && of->min_level == modes.min_level && of->tile == modes.tile
+        && of->only_blends == modes.only_blends)
+        return unit->levels;
+    if (!unit->levels && !mem_take(&unit->levels, sizeof *unit->levels, MEMORY_ANY))
+        return 0;
     n64_levels_make(unit->levels, &modes);
-    unit->levels_made = n64->mode_generation;
+    of->lod = modes.lod;
+    of->sharpen = modes.sharpen;
+    of->detail = modes.detail;
+    of->max_level = modes.max_level;
+    of->min_level = modes.min_level;
+    of->tile = modes.tile;
+    of->only_blends = modes.only_blends;
     return unit->levels;
 }
 
-/* Without perspective w stays 0x7fff, and division by it changes nothing. In one-cycle mode the
-   level does not depend on the pixel below. */
-static int32 find_lod(struct n64_plan *plan)
+/* Finds the pass from iterators to coordinates; returns 0 if there is no memory. */
+static int32 find_coordinates(struct n64_plan *plan, int32 divided)
 {
-    const struct plane *of = plan->planes->all.of;
-    struct n64_lod_steps *lod = &plan->steps.lod;
-    const int32 down = plan->unit->n64.modes.cycle != N64_ONE_CYCLE;
+    const uint32 *reciprocals;
 
-    plan->coordinates = n64_lod;
-    for (int32 i = N64_S; i <= N64_W; i++) {
-        (&lod->s)[i] = (&lod->x_s)[i] = (int32)of[i].dx;
-        (&lod->y_s)[i] = down ? (int32)of[i].dy : 0;
+    plan->coordinates = plan->levels ? n64_lod : divided ? n64_divide : n64_walk;
+    if (plan->coordinates == n64_walk)
+        return 1;
+    reciprocals = find_reciprocals(plan->unit);
+    if (!plan->levels) {
+        plan->steps.division.reciprocals = reciprocals;
+        return reciprocals != 0;
     }
-    lod->reciprocals = find_reciprocals(plan->unit);
-    lod->levels = find_levels(plan->unit);
-    lod->blendings = plan->scratch->line.blendings;
-    return lod->reciprocals && lod->levels;
+    plan->steps.lod.reciprocals = reciprocals;
+    plan->steps.lod.levels = find_levels(plan);
+    plan->steps.lod.blendings = plan->scratch->line.blendings;
+    return reciprocals && plan->steps.lod.levels;
 }
 
-static int32 find_coordinates(struct n64_plan *plan)
+/* Sets a polygon's planes. Without perspective w stays 0x7fff, and division by it changes nothing.
+   In one-cycle mode the level does not depend on the pixel below. */
+static void set_planes(struct n64_plan *plan, const struct n64_planes *planes)
 {
-    const struct plane *of = plan->planes->all.of;
-    struct n64_division *division = &plan->steps.division;
+    const struct plane *of = planes->all.of;
+    const int32 down = plan->unit->n64.modes.cycle != N64_ONE_CYCLE;
 
-    if (plan->levels)
-        return find_lod(plan);
-    plan->coordinates = plan->planes->divided ? n64_divide : n64_walk;
+    plan->planes = planes;
+    plan->stages.planes = of;
+    plan->stages.column = planes->all.i;
     plan->steps.walk.s = (int32)of[N64_S].dx;
     plan->steps.walk.t = (int32)of[N64_T].dx;
     plan->steps.walk.w = (int32)of[N64_W].dx;
-    if (plan->planes->divided)
-        division->reciprocals = find_reciprocals(plan->unit);
-    return !plan->planes->divided || division->reciprocals;
+    if (plan->levels)
+        for (int32 i = N64_S; i <= N64_W; i++)
+            (&plan->steps.lod.y_s)[i] = down ? (int32)of[i].dy : 0;
+    for (int32 i = 0; i < 4; i++)
+        (&plan->shade_steps.r)[i] = (int32)of[N64_RED + i].dx;
 }
 
 /* Makes the tables of the form's second part; returns 0 if there is no memory. */
@@ -171,23 +215,58 @@ static uint32 packed(const struct n64_colour *colour)
         | (uint32)colour->a;
 }
 
-int32 n64_plan_find(struct n64_plan *plan, const struct n64_needs *needs, struct n64_unit *unit,
-                    const struct n64_planes *planes, uint32 *room)
+/* Finds all that depends on the state; returns 0 if there are no passes, or no memory. */
+static int32 find(struct n64_plan *plan, const struct n64_needs *needs, int32 pixel_bytes)
 {
-    const struct n64 *n64 = &unit->n64;
+    const struct n64 *n64 = &plan->unit->n64;
 
-    plan->scratch = (union n64_scratch *)room;
-    plan->unit = unit;
-    plan->planes = planes;
     plan->levels = n64->modes.lod || needs->inputs & N64_INPUT_LOD_FRACTION;
+    plan->shaded = (needs->inputs & N64_INPUT_SHADE) != 0;
     plan->tile0 = n64->primitive_tile;
     plan->tile1 = (n64->primitive_tile + 1) & 7;
     plan->shade = packed(&needs->shade);
     n64_form_find(&plan->form, n64);
-    if (!find_samplings(plan, needs->inputs) || !find_coordinates(plan))
+    if (!find_samplings(plan, needs->inputs))
+        return 0;
+    plan->only_blends = plan->levels && !plan->yuv.on && !plan->form.any
+        && plan->form.first == N64_FIRST_BLEND && plan->form.fraction < 0;
+    if (!find_coordinates(plan, needs->divided))
         return 0;
     plan->is_direct = !plan->yuv.on && !plan->form.any && plan->form.first == N64_FIRST_TEXEL
         && plan->form.second == N64_SECOND_NOTHING && n64->modes.quad && !n64->modes.mid;
-    return plan->yuv.on || plan->form.any || plan->form.second != N64_SECOND_TABLES
-        || find_tables(plan);
+    if (!plan->yuv.on && !plan->form.any && plan->form.second == N64_SECOND_TABLES
+        && !find_tables(plan))
+        return 0;
+    n64_stages_find(plan, pixel_bytes);
+    return 1;
+}
+
+struct n64_plan *n64_plan_find(const struct n64_needs *needs, struct n64_unit *unit,
+                               const struct n64_planes *planes, int32 pixel_bytes, uint32 *room)
+{
+    const uint32 state = n64_unit_state(unit), shade = packed(&needs->shade);
+    struct n64_plan *plan;
+    struct n64_plan_key *key;
+
+    if (!unit->plan && !mem_take(&unit->plan, sizeof *unit->plan, MEMORY_ANY))
+        return 0;
+    plan = unit->plan;
+    key = &plan->key;
+    if (key->state != state || key->inputs != needs->inputs || key->shade != shade
+        || key->divided != needs->divided || key->pixel_bytes != pixel_bytes
+        || key->room != room) {
+        key->state = 0;
+        plan->scratch = (union n64_scratch *)room;
+        plan->unit = unit;
+        if (!find(plan, needs, pixel_bytes))
+            return 0;
+        key->state = state;
+        key->inputs = needs->inputs;
+        key->shade = shade;
+        key->divided = needs->divided;
+        key->pixel_bytes = pixel_bytes;
+        key->room = room;
+    }
+    set_planes(plan, planes);
+    return plan;
 }

@@ -4,6 +4,7 @@
 
 #include "n64/polygons/forms.h"
 #include "n64/polygons/lower.h"
+#include "span/scanline.h"
 #include "polygon/planes.h"
 
 enum n64_interpolant { N64_S, N64_T, N64_W, N64_RED, N64_GREEN, N64_BLUE, N64_ALPHA };
@@ -23,6 +24,8 @@ struct n64_sampling {
     struct n64_axes axes;
     n64_pass *sample;
     const struct n64_decoded *tile;
+    int32 shift;                /* of coordinates to the right, if they need no more; or -1 */
+    uint32 fractions;           /* the bits of s:t, then, that are fractions */
     const struct n64_decoded *chroma;   /* YUV's, if it is sampled separately, or null */
 };
 
@@ -35,7 +38,48 @@ struct n64_yuv {
     struct n64_yuv_conversion conversion;   /* without chroma */
 };
 
+/* A pass of a line, and what it is called with. in, out: null for the line's pixels. */
+struct n64_stage {
+    const void *in;
+    void *out;
+    const void *constants;
+    n64_pass *pass;
+};
+
+enum n64_stage_constants { N64_STAGES_MAX = 24, N64_INTERPOLANTS = 7 };
+
+/* The passes of a polygon's lines, and where the lines begin. */
+struct n64_stages {
+    const struct plane *planes;
+    int32 column;               /* where the planes begin */
+    int32 interpolants;         /* of them that the passes take, from N64_S on */
+    uint32 starts[N64_INTERPOLANTS];    /* their values in that column of the line to draw */
+    uint32 at[N64_INTERPOLANTS];        /* at the first pixel: n64_iterators, then n64_shades */
+    uint8 *pixels;              /* of the line to draw: column 0 */
+    int32 pitch, pixel_bits;    /* bytes to the next line; log2 of a pixel's */
+    struct n64_stage of[N64_STAGES_MAX + 1];    /* the last one's pass is null */
+};
+
+struct n64_plan;
+typedef void n64_runs(const struct n64_plan *plan, void *out, int32 count);
+
+/* What n64_in_c calls. */
+struct n64_in_c {
+    n64_runs *routine;
+    const struct n64_plan *plan;
+};
+
+/* What a plan was made for. */
+struct n64_plan_key {
+    uint32 state;               /* the sum of generations; 0: no plan is made */
+    uint32 inputs, shade;
+    int32 divided, pixel_bytes;
+    const void *room;
+};
+
+/* Kept until the key changes; only planes and steps are each polygon's. */
 struct n64_plan {
+    struct n64_plan_key key;
     union n64_scratch *scratch;
     struct n64_unit *unit;
     const struct n64_planes *planes;
@@ -45,6 +89,8 @@ struct n64_plan {
         struct n64_division division;
         struct n64_lod_steps lod;
     } steps;
+    struct n64_shades shade_steps;
+    int32 shaded;
     int32 levels;               /* tiles and fraction change from pixel to pixel */
     int32 tile0, tile1;         /* if they do not */
     int32 second_texel;         /* texel 1 is needed */
@@ -53,13 +99,23 @@ struct n64_plan {
     uint32 shade;               /* R G B A, if it is constant */
     const uint8 *tables;        /* N64_SECOND_TABLES: 256 of R, G, B, A each */
     struct n64_yuv yuv;
+    int32 only_blends;          /* levels' fractions are a blend's alone: see n64_level_modes */
     int32 is_direct;            /* texels are the colours: one pass makes 16-bit pixels */
+    /* What stages are called with. */
+    struct n64_blend blend;
+    struct n64_modulation modulation, product;
+    struct n64_yuv_conversion conversions[2];   /* of texel 0 and 1; [0] also the form's one */
+    struct n64_combiner_plan combiner;
+    struct n64_level_tile level_tiles[N64_TILES];
+    struct n64_level_sampling level_samplings[2];   /* of texel 0 and 1 */
+    struct n64_in_c in_c;
+    struct n64_stages stages;
 };
 
-/* Finds the passes for a polygon; 0: there are none for these modes or tiles, or memory is
-   short. room: the renderer's, for the plan too. */
-int32 n64_plan_find(struct n64_plan *plan, const struct n64_needs *needs, struct n64_unit *unit,
-                    const struct n64_planes *planes, uint32 *room);
+/* Returns the unit's plan with the passes for a polygon; null: there are none for these modes or
+   tiles, or memory is short. room: the renderer's, for the plan too. */
+struct n64_plan *n64_plan_find(const struct n64_needs *needs, struct n64_unit *unit,
+                               const struct n64_planes *planes, int32 pixel_bytes, uint32 *room);
 
 /* yuv.c. Finds plan->yuv; returns 0 if there are no passes. May set plan->form.any. */
 int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs);
@@ -68,17 +124,24 @@ int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs);
    after the form's second part. */
 void n64_form_colours(const struct n64_plan *plan, uint32 *colours, int32 count);
 
-/* yuv.c. Converts the form's one texel to colours. from: the lines of T0 and T1. */
-void n64_yuv_colours(const struct n64_plan *plan, const struct n64_yuv_line *from, uint32 *colours,
-                     int32 count);
+/* yuv.c. Sets a conversion of texel 0 or 1. from: the lines of T0 and T1. Returns the luma. */
+const uint32 *n64_yuv_conversion_set(struct n64_yuv_conversion *conversion,
+                                     const struct n64_plan *plan,
+                                     const struct n64_yuv_line *from, int32 texel);
 
-/* yuv.c. Converts texel 0 or 1 to an input of the combiner. */
-void n64_yuv_widen(const struct n64_plan *plan, const struct n64_yuv_line *from, int32 texel,
-                   struct n64_wide *wide, int32 count);
+/* runs.c. Of pixels whose levels differ: texels, blended or multiplied as the form says; the
+   samples of YUV, to two n64_yuv_line; texels as 16-bit pixels. */
+n64_runs n64_runs_texels, n64_runs_yuv, n64_runs_direct;
 
-/* line.c. Draws pixels x to x + count - 1 of line y. */
-void n64_plan_draw(const struct n64_plan *plan, const struct frame *frame, int32 x, int32 y,
-                   int32 count);
+/* stages.c. Lists a plan's passes. */
+void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes);
+
+/* stages.c. Draws lines: rows of the table, from line y of the frame on. */
+void n64_plan_draw(struct n64_plan *plan, const struct frame *frame, const struct scanline *lines,
+                   int32 y, int32 rows);
+
+/* src68k/n64: contract there. */
+void n64_stages_draw(struct n64_stages *stages, const struct scanline *lines, int32 rows);
 
 /* draw.c. Draws pixels x to end - 1 of line y one by one, in all modes. constant: the shade if the
    planes have none. */

@@ -5,7 +5,7 @@
 #include "n64/passes.h"
 #include "n64/texel.h"
 
-enum { N64_LINE_PIXELS = 256 };  /* that the passes draw at a time */
+enum n64_scratch_constants { N64_LINE_PIXELS = 256 };  /* that the passes draw at a time */
 
 /* A line's samples of one tile: luma, the last byte of each, and chroma, the first two. */
 struct n64_yuv_line {
@@ -15,7 +15,7 @@ struct n64_yuv_line {
 /* Between the passes of a line. */
 struct n64_line_scratch {
     uint32 coordinates[N64_LINE_PIXELS], relative[N64_LINE_PIXELS];
-    struct n64_blending blendings[N64_LINE_PIXELS];
+    struct n64_blending blendings[N64_LINE_PIXELS + 1]; /* the last: N64_NO_TILES */
     uint32 texels0[N64_LINE_PIXELS], texels1[N64_LINE_PIXELS];
     uint32 shades[N64_LINE_PIXELS], colours[N64_LINE_PIXELS];
     struct n64_yuv_line yuv[2];

@@ -12,18 +12,21 @@ struct n64_yuv_tables {
     uint32 colours[512];
 };
 
+struct n64_plan;
+
 struct n64_unit {
     struct n64 n64;
     enum n64_result result;     /* why the last polygon was refused */
     int32 memory;               /* enum memory_type, of cached data */
     uint32 **reciprocals;       /* of all units of a scene; *reciprocals is null until needed */
-    struct n64_levels *levels;  /* made at mode_generation levels_made; or null */
-    uint32 levels_made;
+    struct n64_levels *levels;  /* made for the modes levels_of; or null */
+    struct n64_level_modes levels_of;
     uint8 *tables;              /* made at mode_generation tables_made; or null */
     uint32 tables_made;
     uint32 validated;           /* sum of generations of the last state found valid */
     struct n64_yuv_tables *yuv;  /* made at mode_generation yuv_made; or null */
     uint32 yuv_made;
+    struct n64_plan *plan;      /* of the last polygon drawn by passes; or null */
     struct page page;           /* a tile as the plain mappers read it: page.h */
     struct n64_colours colours;
     struct n64_kept tiles[N64_TILES];   /* decoded for the passes */
@@ -34,6 +37,9 @@ struct n64_unit {
    pointer to it, null at first. */
 void n64_unit_init(struct n64_unit *unit, const uint8 *dram, uint32 dram_bytes, int32 memory,
                    uint32 **reciprocals);
+
+/* Returns the sum of the generations of all that a picture depends on. */
+uint32 n64_unit_state(const struct n64_unit *unit);
 
 /* Sets unit->result and returns POLYGON_REFUSED. */
 enum polygon_result n64_refused(struct n64_unit *unit, enum n64_result result);

@@ -89,39 +89,13 @@ int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs)
     return find_tables(plan);
 }
 
-static struct n64_yuv_conversion conversion_of(const struct n64_plan *plan,
-                                               const struct n64_yuv_line *from)
+const uint32 *n64_yuv_conversion_set(struct n64_yuv_conversion *conversion,
+                                     const struct n64_plan *plan,
+                                     const struct n64_yuv_line *from, int32 texel)
 {
-    struct n64_yuv_conversion conversion = plan->yuv.conversion;
-
-    conversion.chroma = plan->unit->n64.modes.quad ? from->chroma : from->luma;
-    return conversion;
-}
-
-void n64_yuv_colours(const struct n64_plan *plan, const struct n64_yuv_line *from, uint32 *colours,
-                     int32 count)
-{
-    struct n64_yuv_conversion conversion;
-
-    from += plan->yuv.tile[plan->form.swapped];
-    conversion = conversion_of(plan, from);
-    n64_convert(from->luma, colours, &conversion, count);
-}
-
-void n64_yuv_widen(const struct n64_plan *plan, const struct n64_yuv_line *from, int32 texel,
-                   struct n64_wide *wide, int32 count)
-{
-    struct n64_yuv_conversion conversion;
-
     from += plan->yuv.tile[texel];
-    conversion = conversion_of(plan, from);
-    if (plan->yuv.converted[texel]) {
-        n64_convert_wide(from->luma, wide, &conversion, count);
-        return;
-    }
-    n64_widen(from->luma, wide, 0, count);
-    for (int32 i = 0; i < count; i++, wide++) {
-        wide->channels[0] = (int16)((conversion.chroma[i] >> 24) - 128);
-        wide->channels[1] = (int16)((conversion.chroma[i] >> 16 & 255) - 128);
-    }
+    conversion->matrix = plan->yuv.conversion.matrix;
+    conversion->colours = plan->yuv.conversion.colours;
+    conversion->chroma = plan->unit->n64.modes.quad ? from->chroma : from->luma;
+    return from->luma;
 }

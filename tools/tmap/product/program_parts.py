@@ -146,7 +146,7 @@ class Program:
 
     def lead(self, part: Part, relocation: Relocation) -> tuple[Section, int]:
         """Like ``resolve``, but returns the stop if the target is a routine that was never
-        executed.
+        executed. C's entry of one that was executed stays: callers reach the other from it.
 
         vbcc has tables in the sections of code, so the target of an instruction may be a table.
         """
@@ -155,7 +155,8 @@ class Program:
             return target, offset
         executed, _ = self.trace.get(target, ([], 0))
         routines = {o for name, o in target.symbols.items() if not name.endswith(TABLE)}
-        if offset in executed or (executed and offset not in routines):
+        behind = {target.symbols.get(f"_{name}") for name, o in target.symbols.items() if o in executed}
+        if offset in executed or (executed and offset not in routines) or offset in behind:
             return target, offset
         if target.name == VBCC_CODE and not part.is_table(relocation.offset):
             return target, offset

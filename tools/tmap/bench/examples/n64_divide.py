@@ -6,9 +6,13 @@ import numpy as np
 
 from tmap.base.fixed import signed
 from tmap.bench.examples.example import BENCH, Example, longs, pairs, walked
+from tmap.bench.examples.n64_sample import NO_TILES
 from tmap.n64.divide import divide as divided, reciprocal
 from tmap.n64.lod import Gradients, choose, level
 from tmap.n64.state import Modes, State
+
+
+NOTHING_LEFT = 24 << 8  # a shift of all of a fraction
 
 
 @cache
@@ -64,44 +68,57 @@ def entries(first, second, low) -> np.ndarray:
     return first << 24 | second << 16 | low & 0xFFFF
 
 
-def level_bytes(state: State) -> bytes:
-    """struct n64_levels."""
+def level_bytes(state: State, only_blends: bool = False) -> bytes:
+    """struct n64_levels; ``only_blends``: the fraction of a tile and itself is 0."""
     def blending(change, far: bool = False) -> tuple[np.ndarray, ...]:
         first, second, fraction = choose(state, change, np.full(change.shape, far))
-        return first, second, signed(fraction, 9)
+        return first, second, np.where(only_blends & (first == second), 0, signed(fraction, 9))
 
     k = np.arange(1, 512)
     (first, second, fraction), *inside = (blending(32 * k + more) for more in (0, 1, 16))
     whole = np.frexp(np.maximum(k & 255, 1))[1] - 1
     all_one = (fraction == 255) & np.all([each[2] == 255 for each in inside], 0) \
         & (not (state.modes.sharpen or state.modes.detail))
-    return longs([*entries(*blending(np.arange(32))), 0,
-                  *entries(first, second, whole << 8 | 255 * all_one),
+    return longs([*entries(*blending(np.arange(512))), 0,
+                  *entries(first, second, np.where(only_blends & (first == second), NOTHING_LEFT,
+                                                   whole << 8 | 255 * all_one)),
                   *entries(*blending(np.zeros(1, int), True))])
 
 
 def levels(rng, count: int) -> Example:
-    state = any_level(rng)
+    state, only_blends = any_level(rng), bool(rng.integers(2))
     modes = {name: getattr(state.modes, name) for name in ("lod", "sharpen", "detail")}
-    return Example(bytes(4), level_bytes(state), count, "n64_level_modes", modes | {
+    return Example(bytes(4), level_bytes(state, only_blends), count, "n64_level_modes", modes | {
+        "only_blends": only_blends, "spare": 0,
         "max_level": state.max_level, "min_level": state.min_level, "tile": state.primitive_tile})
 
 
 def lod(rng, count: int, apart: int = 0) -> Example:
+    """``apart``: what the bench's steps have beside a multiple of 32."""
     start, step = any_iterators(rng, count)
-    spread = 1 << int(rng.integers(12, 28))
-    x, y = rng.integers(-spread, spread, (2, 3))
+    y = rng.integers(-1 << int(rng.integers(12, 28)), 1 << 12, 3)
     if rng.random() < 0.5:
-        x = step = step & ~31
-    if count == BENCH:
+        step = step & ~31
+    if count == BENCH or rng.random() < 0.3:
         start, step = usual_iterators(rng, count)
-        x, y = step, step[[1, 0, 2]]
+        y = step[[1, 0, 2]]
         step = step & ~31 | apart
+    if count != BENCH and rng.random() < 0.3:
+        step = nearly_carried(rng, start, step)
     state = any_level(rng)
-    found = level(state, *walked(start, step, count).T, Gradients(*x, *y))
+    found = level(state, *walked(start, step, count).T, Gradients(*step, *y))
     blendings = entries(found.tile0, found.tile1, signed(found.fraction, 9))
-    values = dict(zip("stw", step)) | {f"{name}_{axis}": n for name, g in (("x", x), ("y", y))
-                                       for axis, n in zip("stw", g)}
+    values = dict(zip("stw", step)) | {f"y_{axis}": n for axis, n in zip("stw", y)}
     return Example(longs(start), pairs(np.stack([found.s, found.t], 1)), count, "n64_lod_steps",
                    values, {"reciprocals": reciprocals(), "levels": level_bytes(state)},
-                   more={"blendings": longs(blendings)})
+                   more={"blendings": longs([*blendings, NO_TILES])})
+
+
+def nearly_carried(rng, start, step) -> np.ndarray:
+    """Steps after which one iterator's lower word is 0 to 31: cut by as much, it has another upper
+    word."""
+    axis, few = rng.integers(3), rng.integers(32)
+    step = step.copy()
+    step[axis] = (step[axis] & -65536 | 32 * int(rng.integers(2048)) | few)
+    start[axis] = (start[axis] & -65536) + (int(rng.integers(0, few + 1)) - step[axis] & 0xFFFF)
+    return step

@@ -9,6 +9,7 @@ from tmap.build import layout
 from tmap.n64.filters import Quad, filtered
 from tmap.n64.state import Modes, State
 
+NO_TILES = 0xFFFF0000  # behind the last blending
 EDGES = (0, 1, 31, 32, 0x7FFF, 0x8000, 0xFFFF, 0xFFE0)  # of s and t in 16 bits
 WIDEST = 512  # texels in a row
 DECODED = "n64_decoded", 5  # struct of a tile, bits of fraction of its coordinates
@@ -17,6 +18,11 @@ DECODED = "n64_decoded", 5  # struct of a tile, bits of fraction of its coordina
 def coordinates(rng, count: int) -> np.ndarray:
     """s and t, s10.5 modulo 2^16, [count][2]."""
     return some_coordinates(rng, count, EDGES, 0.2)
+
+
+def struct_bytes(name: str, **values: int) -> bytes:
+    """A C struct without pointers."""
+    return layout.load().struct(name).pack(**values)
 
 
 def walk(rng, count: int) -> Example:
@@ -59,6 +65,33 @@ def threepoint(rng, count: int, averages: bool = False) -> Example:
     quad = Quad(*ground.corners(*(st >> 5).T).swapaxes(0, 1))
     drawn = filtered(State(modes=Modes(mid=averages)), quad, *(st.T & 31), None)
     return Example(pairs(st), pixels(drawn), count, *ground.decoded(*DECODED, quad_bytes))
+
+
+def threepoint_levels(rng, count: int) -> Example:
+    """Of the second texel, those of a pair of equal tiles are not written."""
+    st, shifts = coordinates(rng, count), rng.integers(0, 4, 8)
+    grounds = [any_map(rng, 256) for _ in shifts]
+    second, skips = (int(n) for n in rng.integers(0, 2, 2))
+    runs = rng.integers(0, 8, (count, 2)).repeat(rng.integers(1, 9, count), 0)[:count]
+    single = np.where(rng.random(8) < 0.2, 0, 31)  # fractions that are not looked at
+    tiles, drawn, places = runs[:, second], np.zeros((count, 4), np.int64), []
+    blocks = b""
+    for n, ground in enumerate(grounds):
+        _, values, made = ground.decoded(*DECODED, quad_bytes)
+        places.append(struct_bytes("n64_level_tile", **{
+            name: int(values[name]) for name in ("mask_s", "mask_t", "columns_bits")},
+            quads_at=len(blocks), shift=int(shifts[n]), fractions=int(single[n]) << 16 | 31))
+        blocks += made["quads"]
+        at = tiles == n
+        moved = signed(st[at], 16) >> shifts[n]
+        quad = Quad(*ground.corners(*(moved >> 5).T).swapaxes(0, 1))
+        fractions = moved.T & np.array([[single[n]], [31]])
+        drawn[at] = filtered(State(modes=Modes()), quad, *fractions, None)
+    drawn[(runs[:, 0] == runs[:, 1]) & bool(second and skips)] = 0
+    blendings = longs([*(runs[:, 0] << 24 | runs[:, 1] << 16), NO_TILES])
+    return Example(pairs(st), pixels(drawn), count, "n64_level_sampling",
+                   {"second": second, "skips": skips},
+                   {"blendings": blendings, "tiles": b"".join(places), "quads": blocks})
 
 
 def threepoint_16(rng, count: int) -> Example:

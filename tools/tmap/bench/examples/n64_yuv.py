@@ -59,3 +59,11 @@ def convert_wide(rng, count: int) -> Example:
     texels, found, blocks = conversion(rng, count)
     return Example(texels, words(extended(found)), count, "n64_yuv_conversion", {"colours": 0},
                    blocks)
+
+
+def widen(rng, count: int) -> Example:
+    texels, _, blocks = conversion(rng, count)
+    luma, chroma = (np.frombuffer(made, np.uint8).reshape(count, 4).astype(int)
+                    for made in (texels, blocks["chroma"]))
+    return Example(texels, words(np.concatenate([chroma[:, :2] - NEUTRAL, luma[:, 2:]], 1)), count,
+                   "n64_yuv_conversion", {"colours": 0}, blocks)

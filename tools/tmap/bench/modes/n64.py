@@ -47,6 +47,9 @@ CLAMPED = {"s": {"wrap": "clamp"}, "t": {"wrap": "clamp"}}
 YUV = tile("yuv16", **CLAMPED)
 FOLDED = tile(s={"wrap": "mirror and clamp", "mask": 5, "high": 63},
               t={"wrap": "mirror", "mask": 4, "low": 4.5, "high": 19})
+#: Texel 0 towards the environment colour by texel 1.
+TINTED = {"rgb": [["texel0", "environment", "texel1", "environment"], ["0", "0", "0", "combined"]],
+          "alpha": [["texel0", "environment", "texel1", "environment"], ["0", "0", "0", "combined"]]}
 THREE = "three-point"
 
 MODES = (
@@ -75,8 +78,11 @@ MODES = (
     Mode("blend", "two tiles, blended by a constant", of(
         tile(), tile(image=OTHER), **FILTERED, cycles=2, combine="mix",
         primitive_lod_fraction=96), filter=THREE),
-    Mode("general", "two tiles multiplied: any other combination", of(
+    Mode("general", "two tiles multiplied", of(
         tile(), tile(image=OTHER), **FILTERED, cycles=2, combine="interference"), filter=THREE),
+    Mode("any", "two tiles, any other combination", of(
+        tile(), tile(image=OTHER), **FILTERED, cycles=2, combine=TINTED,
+        environment="#406080"), filter=THREE),
     Mode("yuv_point", "YUV: point, converted", of(YUV, convert="convert", combine="convert"),
          "inside"),
     Mode("yuv_filter", "YUV: three-point, then converted", of(

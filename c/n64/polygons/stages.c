@@ -1,0 +1,298 @@
+/* Lists the passes that draw a polygon's lines, in order. */
+#include "n64/polygons/plan.h"
+#include "n64/codes.h"
+
+struct list {
+    struct n64_plan *plan;
+    struct n64_line_scratch *work;
+    struct n64_stage *next;
+};
+
+/* Adds a pass. in, out: null for the line's pixels. */
+static void add(struct list *list, n64_pass *pass, const void *in, void *out,
+                const void *constants)
+{
+    struct n64_stage *stage = list->next++;
+
+    stage->in = in;
+    stage->out = out;
+    stage->constants = constants;
+    stage->pass = pass;
+}
+
+static void add_runs(struct list *list, n64_runs *routine, void *out)
+{
+    list->plan->in_c.routine = routine;
+    list->plan->in_c.plan = list->plan;
+    add(list, n64_in_c, 0, out, &list->plan->in_c);
+}
+
+/* Adds the pass to coordinates relative to a tile, if it needs one. Returns where they are. */
+static const uint32 *relate(struct list *list, const struct n64_sampling *from)
+{
+    if (!from->relative)
+        return list->work->coordinates;
+    add(list, from->relative, list->work->coordinates, list->work->relative, &from->axes);
+    return list->work->relative;
+}
+
+static void sample(struct list *list, int32 tile, uint32 *texels)
+{
+    const struct n64_sampling *from = &list->plan->tiles[tile];
+    const uint32 *at = relate(list, from);
+
+    add(list, from->sample, at, texels, from->tile);
+}
+
+/* Adds the blend of both texels. */
+static void blend(struct list *list, uint32 *texels, const int16 *fractions, int32 step)
+{
+    struct n64_blend *of = &list->plan->blend;
+
+    of->other = list->work->texels1;
+    of->fractions = fractions;
+    of->fraction_step = step;
+    add(list, n64_lerp, list->work->texels0, texels, of);
+}
+
+/* Adds the form's first part: the texel, both texels, their blend or their product. */
+static void find_texels(struct list *list, uint32 *texels)
+{
+    struct n64_plan *plan = list->plan;
+    const struct n64_form *form = &plan->form;
+
+    uint32 *first = form->first != N64_FIRST_TEXEL ? list->work->texels0 : texels;
+
+    sample(list, form->swapped ? plan->tile1 : plan->tile0, first);
+    if (!plan->second_texel)
+        return;
+    sample(list, form->swapped ? plan->tile0 : plan->tile1, list->work->texels1);
+    if (form->first == N64_FIRST_BLEND) {
+        blend(list, texels, &form->fraction, 0);
+    } else if (form->first == N64_FIRST_PRODUCT) {
+        plan->product.other = list->work->texels1;
+        plan->product.step = sizeof *list->work->texels1;
+        add(list, n64_modulate, first, texels, &plan->product);
+    }
+}
+
+static int32 has_level_tiles(const struct n64_plan *plan)
+{
+    const uint32 used = n64_tiles_used(&plan->unit->n64);
+
+    for (int32 n = 0; n < N64_TILES; n++)
+        if (used >> n & 1 && (plan->tiles[n].sample != n64_threepoint || plan->tiles[n].shift < 0))
+            return 0;
+    return plan->only_blends;
+}
+
+/* Adds a blend of levels, each texel of a line by one pass over all its tiles. */
+static void find_levels(struct list *list, uint32 *texels)
+{
+    struct n64_plan *plan = list->plan;
+    const uint32 used = n64_tiles_used(&plan->unit->n64);
+    const struct n64_quad *const quads = plan->tiles[plan->tile0].tile->quads;
+
+    for (int32 n = 0; n < N64_TILES; n++) {
+        const struct n64_sampling *from = &plan->tiles[n];
+        struct n64_level_tile *to = &plan->level_tiles[n];
+
+        if (!(used >> n & 1))
+            continue;
+        to->mask_s = from->tile->mask_s;
+        to->mask_t = from->tile->mask_t;
+        to->fractions = from->fractions;
+        to->quads_at = (uint32)from->tile->quads - (uint32)quads;
+        to->columns_bits = from->tile->columns_bits;
+        to->shift = (uint16)from->shift;
+    }
+    for (int32 i = 0; i < 2; i++) {
+        struct n64_level_sampling *sampling = &plan->level_samplings[i];
+
+        sampling->blendings = list->work->blendings;
+        sampling->tiles = plan->level_tiles;
+        sampling->quads = quads;
+        sampling->second = (int16)(i != plan->form.swapped);
+        sampling->skips = (int16)i;
+        add(list, n64_threepoint_levels, list->work->coordinates,
+            i ? list->work->texels1 : list->work->texels0, sampling);
+    }
+    blend(list, texels, &list->work->blendings->fraction, sizeof *list->work->blendings);
+}
+
+static void find_yuv(struct list *list)
+{
+    struct n64_plan *plan = list->plan;
+
+    for (int32 i = 0; i < 2; i++) {
+        const struct n64_sampling *from = &plan->tiles[i ? plan->tile1 : plan->tile0];
+        struct n64_yuv_line *to = &list->work->yuv[i];
+        const uint32 *at;
+
+        if (!plan->yuv.sampled[i])
+            continue;
+        at = relate(list, from);
+        add(list, from->sample, at, to->luma, from->tile);
+        if (!from->chroma)
+            continue;
+        add(list, n64_chroma, at, list->work->relative, 0);
+        add(list, from->sample, list->work->relative, to->chroma, from->chroma);
+    }
+}
+
+/* Adds the conversion of the form's one texel to colours. */
+static void convert(struct list *list, uint32 *colours)
+{
+    struct n64_plan *plan = list->plan;
+    const uint32 *luma = n64_yuv_conversion_set(&plan->conversions[0], plan, list->work->yuv,
+                                                plan->form.swapped);
+
+    add(list, n64_convert, luma, colours, &plan->conversions[0]);
+}
+
+/* Adds what makes inputs of the combiner. Returns non-zero if there is a texel 1. */
+static int32 widen(struct list *list, const uint32 *texels)
+{
+    struct n64_plan *plan = list->plan;
+    struct n64_line_scratch *work = list->work;
+
+    if (plan->shaded)
+        add(list, n64_widen, work->shades, work->wide[2], 0);
+    else
+        n64_widen(&plan->shade, &plan->combiner.shade, 0, 1);
+    if (!plan->yuv.on) {
+        add(list, n64_widen, texels, work->wide[0], 0);
+        if (plan->second_texel)
+            add(list, n64_widen, work->texels1, work->wide[1], 0);
+        return plan->second_texel;
+    }
+    for (int32 i = 0; i < 2; i++) {
+        struct n64_yuv_conversion *by = &plan->conversions[i];
+        const uint32 *luma;
+
+        if (!plan->yuv.needed[i])
+            continue;
+        luma = n64_yuv_conversion_set(by, plan, work->yuv, i);
+        add(list, plan->yuv.converted[i] ? n64_convert_wide : n64_widen_yuv, luma, work->wide[i],
+            by);
+    }
+    return plan->yuv.needed[1];
+}
+
+static void find_cycle(struct list *list, const struct n64_places *places, int32 cycle)
+{
+    struct n64_combiner_plan *plan = &list->plan->combiner;
+
+    n64_combiner_find(plan, &list->plan->unit->n64, places, cycle);
+    for (int32 i = 0; i < 4; i++)
+        add(list, n64_combiner, 0, &list->work->results[cycle]->channels[i], &plan->of[cycle][i]);
+}
+
+/* Adds the combiner's cycles, except one that only hands on texel 0 or the result before it. */
+static void combine(struct list *list, const uint32 *texels, uint32 *colours)
+{
+    struct n64_plan *plan = list->plan;
+    const struct n64 *n64 = &plan->unit->n64;
+    struct n64_line_scratch *work = list->work;
+    const int32 is_two = n64->modes.cycle == N64_TWO_CYCLES;
+    const int32 is_last = is_two && n64_form_is_input(n64, 1, N64_COMBINED);
+    struct n64_places places;
+
+    places.texel0 = work->wide[0];
+    places.texel1 = work->wide[widen(list, texels)];
+    places.shade = plan->shaded ? work->wide[2] : &plan->combiner.shade;
+    places.shade_step = plan->shaded ? (int32)sizeof *places.shade : 0;
+    places.fraction = &work->blendings->fraction;
+    places.fraction_step = sizeof *work->blendings;
+    places.combined = work->results[0];
+    n64_combiner_begin(&plan->combiner, n64);
+    if (is_two && !is_last && n64_form_is_input(n64, 0, N64_TEXEL0))
+        places.combined = places.texel0;
+    else if (is_two)
+        find_cycle(list, &places, 0);
+    if (!is_last)
+        find_cycle(list, &places, 1);
+    add(list, n64_narrow, work->results[!is_last], colours, 0);
+}
+
+static void modulate(struct list *list, const uint32 *texels, uint32 *colours)
+{
+    struct n64_plan *plan = list->plan;
+
+    plan->modulation.other = plan->shaded ? list->work->shades : &plan->shade;
+    plan->modulation.step = plan->shaded ? (int32)sizeof *list->work->shades : 0;
+    add(list, n64_modulate, texels, colours, &plan->modulation);
+}
+
+/* Adds what the texels are made of. Returns non-zero if they are pixels already. */
+static int32 find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
+{
+    struct n64_plan *plan = list->plan;
+    const struct n64_sampling *from = &plan->tiles[plan->form.swapped ? plan->tile1 : plan->tile0];
+    const int32 is_direct = pixel_bytes == 2 && plan->is_direct;
+
+    if (plan->levels && has_level_tiles(plan)) {
+        find_levels(list, texels);
+    } else if (plan->levels) {
+        if (plan->yuv.on)
+            add_runs(list, n64_runs_yuv, list->work->yuv);
+        else
+            add_runs(list, is_direct ? n64_runs_direct : n64_runs_texels, texels);
+    } else if (is_direct) {
+        const uint32 *at = relate(list, from);
+
+        add(list, n64_threepoint_16, at, 0, from->tile);
+    } else if (plan->yuv.on) {
+        find_yuv(list);
+    } else {
+        find_texels(list, texels);
+    }
+    return is_direct;
+}
+
+void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes)
+{
+    struct n64_line_scratch *work = &plan->scratch->line;
+    const struct n64_form *form = &plan->form;
+    const int32 is_one = !form->any && form->second == N64_SECOND_NOTHING && !plan->yuv.on;
+    uint32 *colours = pixel_bytes == 4 ? 0 : work->colours;
+    uint32 *texels = is_one ? colours : work->texels0;
+    struct n64_stages *stages = &plan->stages;
+    struct list list;
+
+    list.plan = plan;
+    list.work = work;
+    list.next = stages->of;
+    stages->interpolants = plan->shaded ? N64_ALPHA + 1 : plan->coordinates == n64_walk ? 2 : 3;
+    stages->pixel_bits = pixel_bytes / 2;
+    add(&list, plan->coordinates, &stages->at[N64_S], work->coordinates, &plan->steps);
+    if (find_first(&list, pixel_bytes == 2 && plan->is_direct ? 0 : texels, pixel_bytes)) {
+        list.next->pass = 0;
+        return;
+    }
+    if (plan->shaded)
+        add(&list, n64_shade, &stages->at[N64_RED], work->shades, &plan->shade_steps);
+    if (form->any)
+        combine(&list, texels, colours);
+    else if (plan->yuv.on)
+        convert(&list, colours);
+    else if (form->second == N64_SECOND_MODULATE)
+        modulate(&list, texels, colours);
+    else if (form->second == N64_SECOND_TABLES)
+        add(&list, n64_map, texels, colours, plan->tables);
+    if (pixel_bytes == 2)
+        add(&list, n64_store_16, colours, 0, 0);
+    list.next->pass = 0;
+}
+
+void n64_plan_draw(struct n64_plan *plan, const struct frame *frame, const struct scanline *lines,
+                   int32 y, int32 rows)
+{
+    struct n64_stages *stages = &plan->stages;
+
+    for (int32 i = 0; i < stages->interpolants; i++)
+        stages->starts[i] = planes_at(&plan->planes->all, i, stages->column, y);
+    stages->pixels = frame->pixels + y * frame->pitch;
+    stages->pitch = frame->pitch;
+    n64_stages_draw(stages, lines, rows);
+}
