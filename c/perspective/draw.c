@@ -55,7 +55,7 @@ union made {
     struct scanline_step steps[FRAME_SIDE_MAX];
 };
 
-SCRATCH_FITS(union made);
+SCRATCH_FITS_LINE(struct perspective_line);
 
 #define STEEP_2_22 (1 << 22)
 

@@ -71,8 +71,6 @@ struct run {
     int32 untimed, exact;
 };
 
-static struct scratch scratch;
-
 /* Draws a frame and looks at the canaries. */
 static int32 draw(struct scene *scene, int32 number, struct run *run, struct frame_digest *drawn)
 {
@@ -225,7 +223,7 @@ int main(void)
     int32 args[ITEMS] = {0};
     static struct scene scene;  /* not on the stack, of which a shell gives 4,096 bytes */
     struct frame frame;
-    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, &scratch, 0, 0, 0}, {0, 0, 0}, 0, 0, 0};
+    struct run run = {0, {&frame, FORM_ADDX, 0, 0, 0, 0, 0, 0, 0}, {0, 0, 0}, 0, 0, 0};
     struct settings settings = {SETTINGS_OWN, SETTINGS_OWN, 0};
     int32 kind, form;
 
@@ -264,6 +262,9 @@ int main(void)
         return outcome_code(outcome_lack_memory("render", "the counts"));
     if (!make_frame(&frame, &scene, kind))
         return outcome_code(outcome_lack_memory("render", "the frame"));
+    if (!mem_alloc(&run.renderer.scratch, scratch_bytes(frame.width, frame.height,
+                                                        scene.header->units || scene.header->pipes), MEMORY_ANY))
+        return outcome_code(outcome_lack_memory("render", "the lines"));
     scene_reserve(&scene);
     if (!clock_open())
         return outcome_code(outcome_lack("render", "another program uses CIA-B's timers"));

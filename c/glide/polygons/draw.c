@@ -132,7 +132,7 @@ struct room {
     struct glide_line_scratch line;
 };
 
-SCRATCH_FITS(struct room);
+SCRATCH_FITS_UNIT(struct room);
 
 /* Counting draws these lines into scratch memory: whether a line has passes is only known when it is
    drawn. */

@@ -3,7 +3,7 @@
 #include "polygon/scratch.h"
 #include "system/memory.h"
 
-SCRATCH_FITS(union n64_scratch);
+SCRATCH_FITS_UNIT(union n64_scratch);
 
 static int32 needs_tile_pass(const struct n64_axis *axis)
 {

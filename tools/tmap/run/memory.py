@@ -139,7 +139,15 @@ def requests(scene: Scene) -> tuple[list[int], list[int]]:
     if any(m.edges == "snapped" for m in scene.materials):
         after.append(size["triangle_tables"])
     after += [*mesh_bytes(scene), *[len(scene.materials) * size["draw_counts"]] * 2]
-    return before, after + [scene.width * scene.height * scene.pixel.bytes + CANARIES]
+    return before, after + [scene.width * scene.height * scene.pixel.bytes + CANARIES, scratch_bytes(scene)]
+
+
+def scratch_bytes(scene: Scene) -> int:
+    """Returns the bytes of scratch memory for a scene's polygons: scratch_bytes in c/polygon/scratch.h."""
+    built = layout.load()
+    whole = built.constants["SCRATCH_ROOM"]
+    room = max(max(scene.width, scene.height) * built.constants["SCRATCH_LINE"], built.constants["SCRATCH_LEAST"])
+    return built.struct("scratch").size - whole + (whole if len(scene.units) or len(scene.pipes) else room)
 
 
 def take_maps(memory: Memory, textures: list[Texture]) -> bool:
