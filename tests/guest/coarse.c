@@ -6,6 +6,7 @@
 #include "frames/frames.h"
 #include "polygon/scratch.h"
 #include "scene/coarse.h"
+#include "scene/load.h"
 #include "system/arguments.h"
 #include "system/outcome.h"
 #include "system/system.h"

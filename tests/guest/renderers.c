@@ -5,6 +5,7 @@
    saved when the other scene has been drawn and both were counted. */
 #include "frames/counts.h"
 #include "polygon/scratch.h"
+#include "scene/load.h"
 #include "system/outcome.h"
 #include "system/system.h"
 

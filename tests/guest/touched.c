@@ -7,6 +7,7 @@
    was touched that is not the background. */
 #include "frames/frames.h"
 #include "polygon/scratch.h"
+#include "scene/load.h"
 #include "system/arguments.h"
 #include "system/outcome.h"
 #include "system/system.h"
