@@ -131,6 +131,12 @@ def lod(rng, count: int) -> Example:
                    {"logarithms": logarithm_bytes()})
 
 
+def flips(rng, count: int) -> Example:
+    lods = rng.integers(0, 2049, count)
+    factors = lods & 255 ^ np.where(lods >> 8 & 1, 255, 0)
+    return Example(words(lods), factors.astype(np.uint8).tobytes(), count)
+
+
 def details(rng, count: int) -> Example:
     """LODs on the slope of a detail factor: above 0, below the most."""
     end, scale = 256 * int(rng.integers(1, 32)), int(rng.integers(0, 8))
