@@ -11,7 +11,8 @@
 ;       pass name
 ;
 ; does the same for a pass of a texture unit over a line's pixels: a0 its input, a1 its output, a2
-; other data, d0 how many. Its entry for C saves a2 and calls the other entry.
+; other data, d0 how many. Its entry for C saves a2 and calls the other entry, which is PASS_SAVED
+; bytes behind it.
 ;
 ;       span name
 ;
@@ -56,11 +57,16 @@ pass    macro
         movea.l 12(sp),a1
         movea.l 16(sp),a2
         move.l  20(sp),d0
-        bsr     \1
+        bsr.s   \1
         movea.l (sp)+,a2
         rts
 \1:
+        ifne    \1-_\1-PASS_SAVED
+        fail    PASS_SAVED is not the distance of both entries
+        endc
         endm
+
+PASS_SAVED      equ     24
 
 span    macro
         c_entry \1

@@ -3,6 +3,7 @@
 #define GLIDE_PLAN_H
 
 #include "glide/polygons/combining.h"
+#include "glide/polygons/lines.h"
 #include "glide/polygons/unit.h"
 #include "limits.h"
 #include "polygon/planes.h"
@@ -164,6 +165,14 @@ struct glide_factors {
 void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,
                         const struct glide_factors *factors, const uint32 *local,
                         const uint32 *other, uint32 *to, int32 count);
+
+/* combine_line.c. Adds the passes of glide_combine_line. to: null if it is the frame. */
+void glide_combine_add(struct glide_lines *lines, const struct glide_combining *combining,
+                       const struct glide_modes *modes, const struct glide_factors *factors,
+                       const uint32 *local, const uint32 *other, uint32 *to);
+
+/* lines.c. Finds the passes of all lines; returns 0 if lines do not have the same ones. */
+int32 glide_lines_find(struct glide_lines *lines, struct glide_plan *plan, const struct setup *s);
 
 /* pixels.c. Returns the bits of a unit's pieces of 2^bits pixels (glide_subdivision), or 0 if it
    divides each pixel or none. */
