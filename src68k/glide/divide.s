@@ -22,9 +22,10 @@
 ; below 4 w. A slope is a constant divided by this pixel's w and by the last one's: gg is greatest
 ; where w is smallest, gg + w at an end.
 ;
-; Other lines are divided pixel by pixel. If w is from 1 to 2^30 and |s| below 2 w at both ends, they
-; are everywhere between. Then n + 2^(31 - shift) w, which is above 0 and below 2^62, is stepped in 64
-; bits: its quotient is u + 2^(31 - shift), 32 bits, and no pixel needs a test.
+; Other lines are divided pixel by pixel. If w is from 1 to 2^30 and |s| below 2 w at both ends, this is
+; so at each pixel, as all are linear. Then s + 2 w is above 0 and below 4 w, 2^32 at most. Times
+; 2^(30 - shift) it is stepped in 64 bits: its quotient, u + 2^(31 - shift), fits, and no pixel needs
+; a test. The step is the difference of the first two pixels, which holds modulo 2^64.
 
 FEW     equ     16                      ; pixels: shorter lines are divided
 MOST    equ     $40000000               ; w

@@ -25,8 +25,9 @@ REPORTED = 4  # most failed trials of one kernel that are shown
 RERUN = '.deps/venv/bin/python -m pytest "tests/kernels/test_kernels.py::test_contract[{}]"'
 #: No trial can call these: three_draw calls routines whose addresses its plan has, and C, deep_draw and
 #: cover_draw C; the frames of tests/polygon and the fuzzer draw by three_draw and deep_draw, those of tests/mesh by
-#: cover_draw. glide_lines takes routines' addresses. triangle_outline takes a routine's address, and texturing_gentle_from memory from the stack;
-#: polygon_outline and texturing_gentle end with them.
+#: cover_draw; glide_lines calls passes whose addresses it gets, and the frames of tests/glide draw by it.
+#: triangle_outline takes a routine's address, and texturing_gentle_from memory from the stack; polygon_outline and
+#: texturing_gentle end with them.
 UNCALLED = {"cover_draw", "deep_draw", "three_draw", "three_run", "three_one", "triangle_outline",
             "texturing_gentle_from", "glide_lines"}
 #: Bits of an ``out`` register that its C type covers.

@@ -4,11 +4,12 @@
 void glide_lods_open(const struct glide_part *part, struct glide_lods *lods)
 {
     const struct glide_modes *modes = &part->glide->modes;
+    const int32 least = glide_lod_least(modes), most = glide_lod_most(modes);
     const int32 lod = part->lod - GLIDE_LOD_ONE;
 
     lods->w = part->by_w ? (int32)part->iterations->planes.of[part->first + GLIDE_W].dx : 0;
-    lods->least = (int16)glide_lod_least(modes);
-    lods->most = (int16)glide_lod_most(modes);
+    lods->least = (int16)(least < most ? least : most);
+    lods->most = (int16)most;
     lods->logarithms = part->logarithms;
     for (int32 i = 0; i < 4; i++)
         lods->lods[i] = (int16)(lod < -32000 ? -32000 : lod);

@@ -87,7 +87,8 @@ static int32 find_mips(struct glide_part *part)
         return 1;
     for (uint32 n = part->band; n <= part->last; n++) {
         const struct glide_band *band = &part->bands->of[n];
-        const int32 end = n + 1 < part->bands->count ? band[1].lod.value - 1 : band->lod.value;
+        const int32 end = n + 1 < part->bands->count ? band[1].lod.value - 1
+            : glide_lod_most(&part->glide->modes);
         struct glide_sampling *from = &part->samplings[n];
 
         if (!from->level && !glide_sampling_find(part, n))
@@ -175,12 +176,13 @@ static void draw_part(struct glide_part *part, const struct glide_row *row, uint
         combine(part, before ? work->other : 0, to, count);
 }
 
-/* Returns non-zero if a unit's pixels of a line are in more than one band. */
+/* Returns non-zero if a unit's pixels of a line are in more than one band, or in one whose fractions
+   differ: both units then need what is found once here. */
 static int32 is_varied(struct glide_part *part, const struct glide_row *row, int32 count)
 {
     const uint32 step = part->iterations->planes.of[part->first + GLIDE_W].dx;
     const int32 dither = part->glide->modes.dither ? GLIDE_DITHERS - 1 : 0;
-    uint32 near = 1 << 30, far = 1 << 30;
+    uint32 near = 1 << 30, far = 1 << 30, band;
     struct glide_iterators at;
 
     if (part->by_w) {
@@ -188,8 +190,9 @@ static int32 is_varied(struct glide_part *part, const struct glide_row *row, int
         far = fix_magnitude(at.w);
         near = fix_magnitude((int32)((uint32)at.w + step * (uint32)(count - 1)));
     }
-    return glide_runs_band(part, dither, (int32)(near < far ? near : far))
-        != glide_runs_band(part, 0, (int32)(near < far ? far : near));
+    band = glide_runs_band(part, dither, (int32)(near < far ? near : far));
+    return part->bands->of[band].bits & GLIDE_FRACTIONS_DIFFER
+        || band != glide_runs_band(part, 0, (int32)(near < far ? far : near));
 }
 
 int32 glide_mips_draw(struct glide_plan *plan, const struct glide_row *row, uint32 *to, int32 count)
