@@ -59,7 +59,8 @@ void glide_mips_open(struct glide_part *part)
 
     part->mip_sample = 0;
     if (modes->fraction_bits != 4 || modes->clamp_s || modes->clamp_t || part->hides_behind
-        || part->piece_bits || !is_alike(part) || !(part->mixing->reads & GLIDE_READS_LOCAL))
+        || part->piece_bits || part->is_one || glide_lod_least(modes) > glide_lod_most(modes)
+        || modes->clamp_negative_w || !is_alike(part) || !(part->mixing->reads & GLIDE_READS_LOCAL))
         part->mixing = 0;
 }
 
