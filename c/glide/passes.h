@@ -66,6 +66,21 @@ struct glide_logarithm {
 
 #define GLIDE_LOGARITHMS 512
 
+/* A level of a map that wraps, for a pass that finds each pixel's. */
+struct glide_mip {
+    uint32 half;                /* half a texel in coordinates of level 0, in both words; 0 for points */
+    uint16 mask_s, mask_t;      /* as in glide_decoded */
+    int32 texels;               /* bytes from here to the level's texels, R G B A, or its quads */
+    uint16 columns_bits, shift; /* shift: from coordinates of level 0 */
+};
+
+#define GLIDE_MIPS 9
+
+struct glide_mips {
+    const uint16 *lods;         /* of the line's pixels */
+    const struct glide_mip *levels;  /* one for each integer part of a LOD */
+};
+
 /* A line's levels of detail. */
 struct glide_lods {
     int16 lods[4];              /* 8.8, -32,000 at least: the polygon's + bias + dither - 1.0, for
@@ -137,6 +152,7 @@ typedef void glide_pass(const void *in, void *out, const void *constants, int32 
 
 glide_pass glide_walk, glide_walk_clamp, glide_divide, glide_pieces;    /* to coordinates */
 glide_pass glide_point, glide_bilinear, glide_bilinear_565, glide_bilinear_8;
+glide_pass glide_point_mips, glide_bilinear_mips, glide_flips;
 glide_pass glide_tile_16, glide_tile_32, glide_lod, glide_details, glide_interleave;
 glide_pass glide_lerp, glide_scale, glide_modulate, glide_modulate_rgb, glide_add, glide_alpha;
 glide_pass glide_combiner, glide_store_565, glide_widen_565;

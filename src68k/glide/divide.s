@@ -20,15 +20,20 @@
 ; and 2.5 * 2^30. gg bounds it: r leaves -w to 2 w by gg at most. So a line is done this way if w is
 ; from 1 to 2^30 at both ends, no quotient is clamped, gg + w stays below 1.5 * 2^30 and gg
 ; below 4 w. A slope is a constant divided by this pixel's w and by the last one's: gg is greatest
-; where w is smallest, gg + w at an end. Other lines are divided pixel by pixel.
+; where w is smallest, gg + w at an end.
+;
+; Other lines are divided pixel by pixel. If w is from 1 to 2^30 and |s| below 2 w at both ends, this is
+; so at each pixel, as all are linear. Then s + 2 w is above 0 and below 4 w, 2^32 at most. Times
+; 2^(30 - shift) it is stepped in 64 bits: its quotient, u + 2^(31 - shift), fits, and no pixel needs
+; a test. The step is the difference of the first two pixels, which holds modulo 2^64.
 
-FEW     equ     8                       ; pixels: shorter lines are divided
+FEW     equ     16                      ; pixels: shorter lines are divided
 MOST    equ     $40000000               ; w
 LIMIT   equ     $60000000               ; gg + w
 
 ; On the stack.
 left    equ     0                       ; count - 1
-w_most  equ     4                       ; of the line; 0: divide all
+w_most  equ     4                       ; of the line; 0: no differences
 w_least equ     8
 fall    equ     12                      ; 64 (first w / last w)^2, or a little more; 64 if w rises
 s       equ     16
@@ -38,7 +43,7 @@ dw      equ     28
 mask    equ     32                      ; 2^(30 - shift) - 1
 first_u equ     36
 first_r equ     40
-w_end   equ     44
+w_end   equ     44                      ; 0: w is not from 1 to 2^30 at both ends
 axis    equ     48
 locals  equ     52
 
@@ -62,8 +67,7 @@ locals  equ     52
         move.l  d2,w(sp)
         move.l  d3,dw(sp)
         clr.l   w_most(sp)
-        cmp.l   #FEW-1,d0
-        blt.s   .s_axis
+        clr.l   w_end(sp)
         muls.l  d3,d0
         bvs.s   .s_axis
         add.l   d2,d0
@@ -76,6 +80,8 @@ locals  equ     52
         cmp.l   #MOST,d2
         bhi.s   .s_axis
         move.l  d0,w_end(sp)
+        cmpi.l  #FEW-1,left(sp)
+        blt.s   .s_axis
         moveq   #8,d1
         cmp.l   d2,d0
         bhs.s   .rises
@@ -109,10 +115,8 @@ locals  equ     52
         move.l  left(sp),d4
         lea     4(a1,d4.l*4),a3         ; end
         movem.l s(sp),d0-d3
-        tst.l   w_most(sp)
+        tst.l   w_end(sp)
         beq     .each
-
-        ; By differences, if no end is clamped.
         move.l  d0,d5
         magnitude d5
         move.l  d5,d6
@@ -127,6 +131,10 @@ locals  equ     52
         lsr.l   #1,d4
         cmp.l   w_end(sp),d4
         bhs     .each
+        tst.l   w_most(sp)
+        beq     .sound
+
+        ; By differences.
         move.l  d2,d4
         movea.l d0,a6
         quotient
@@ -205,8 +213,35 @@ locals  equ     52
         bra.s   .wrote
         correct .bad,.good
 
-        ; Pixel by pixel.
+        ; Pixel by pixel, all quotients sound.
 .again  movem.l s(sp),d0-d3
+.sound  dividends
+        move.l  a5,d0
+        addq.l  #1,d0
+        bne.s   .sound_clamped
+        move.l  left(sp),d0
+        not.w   d0
+        and.w   #3,d0                   ; pixels the first round lacks
+        move.w  d0,d7
+        lsl.w   #2,d7
+        add.w   d7,d0
+        jmp     .fours(pc,d0.w*4)
+.fours  rept    4
+        sound_quotient                  ; 20 bytes
+        move.w  d0,(a1)
+        addq.l  #4,a1
+        endr
+        cmpa.l  a3,a1
+        bne.s   .fours
+        bra     .next
+.sound_clamped
+        sound_quotient
+        put     d0
+        cmpa.l  a3,a1
+        bne.s   .sound_clamped
+        bra     .next
+
+        ; Pixel by pixel.
 .each   moveq   #30,d7
         sub.w   glide_steps_shift(a2),d7
 .pixel  move.l  d2,d4

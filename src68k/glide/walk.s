@@ -7,21 +7,9 @@
 ; formats: 14.18, without a limit, to s:t: (s >> shift) - half, modulo 2^16
 ; cost:    bench rows glide_walk, glide_walk_small
 
-; From shift 17 on s and t have more than 16 fraction bits; the excess bits are in separate
-; registers.
-
-; Shifts d0 and d1 right by \1; the bits shifted out become the upper bits of \2 and \3. d7 is their
-; mask.
-low_bits macro
-        move.l  d0,\2
-        move.l  d1,\3
-        ror.l   \1,\2
-        ror.l   \1,\3
-        and.l   d7,\2
-        and.l   d7,\3
-        asr.l   \1,d0
-        asr.l   \1,d1
-        endm
+; From shift 17 on s and t have more than 16 fraction bits: 16 + e. s is SSss, its lowest e bits are
+; at the upper end of another register, whose carry they are. t is its integer in a lower word and,
+; in another register, all of its fraction at the upper end.
 
         pass    glide_walk
         movem.l d2-d7/a3-a4,-(sp)
@@ -44,36 +32,54 @@ low_bits macro
         movem.l (sp)+,d2-d7/a3-a4
         rts
 
-.small  neg.w   d4
-        move.l  d0,d6
-        moveq   #-1,d7
-        lsr.l   d4,d7
-        not.l   d7                      ; the upper d4 bits
-        movem.l (a2),d0-d1
-        low_bits d4,d2,d3
+.small  n64_rounds
+        add.l   d6,d6
+        move.l  d6,-(sp)
+        neg.w   d4                      ; e
+        moveq   #32,d5
+        sub.w   d4,d5
+        move.l  glide_steps_s(a2),d2
+        lsl.l   d5,d2
         movea.l d2,a3
+        move.l  glide_steps_s(a2),d2
+        asr.l   d4,d2
+        move.l  glide_iterators_s(a0),d0
+        move.l  d0,d1
+        lsl.l   d5,d1
+        move.l  d1,d5
+        asr.l   d4,d0
+        moveq   #0,d1
+        move.w  glide_steps_half(a2),d1
+        swap    d1
+        sub.l   d1,d0
+        moveq   #16,d6
+        add.w   d4,d6
+        neg.w   d4
+        add.w   #16,d4
+        move.l  glide_steps_t(a2),d3
+        lsl.l   d4,d3
         movea.l d3,a4
-        move.l  d6,d5
-        move.l  d0,d2
-        move.l  d1,d3
-        movem.l (a0),d0-d1
-        lea     (a1,d5.l*4),a0
-        low_bits d4,d5,d6
-        moveq   #0,d4
-        move.w  glide_steps_half(a2),d4
-        swap    d4
-        sub.l   d4,d0
-        sub.l   d4,d1
-.pixel  move.l  d1,d4
-        move.l  d0,d7
-        swap    d4
-        move.w  d4,d7
+        move.l  glide_steps_t(a2),d3
+        asr.l   d6,d3
+        move.l  glide_iterators_t(a0),d1
+        asr.l   d6,d1
+        sub.w   glide_steps_half(a2),d1
+        move.l  glide_iterators_t(a0),d6
+        lsl.l   d4,d6
+        lea     .chain(pc),a0
+        move.l  (sp)+,d4
+        suba.l  d4,a0
+        lsl.l   #3,d4
+        jmp     (a0,d4.l)               ; 14 bytes for each pixel the first round lacks
+.chain  rept    8
+        move.l  d0,d4                   ; 14 bytes
+        move.w  d1,d4
         add.l   a3,d5
         addx.l  d2,d0
         add.l   a4,d6
-        addx.l  d3,d1
-        move.l  d7,(a1)+
-        cmpa.l  a0,a1
-        bne.s   .pixel
+        addx.w  d3,d1
+        move.l  d4,(a1)+
+        endr
+        dbra    d7,.chain
         movem.l (sp)+,d2-d7/a3-a4
         rts

@@ -22,6 +22,45 @@ quotient macro
 .up\@   sub.l   a4,d5
         endm
 
+; d4:d5 = the first pixel's 2^(30 - shift) (s + 2 w), d1:d6 = its step, a6 = 2^(31 - shift) + half.
+; In: d0 = s, d1 = its step, d2 = w, d3 = its step, a4 = half. Uses d0, d7.
+dividends macro
+        moveq   #30,d7
+        sub.w   glide_steps_shift(a2),d7
+        move.l  d2,d5
+        add.l   d5,d5
+        add.l   d0,d5
+        move.l  d3,d6
+        add.l   d6,d6
+        add.l   d5,d6
+        add.l   d1,d6                   ; s + 2 w of the second pixel
+        rol.l   d7,d5
+        rol.l   d7,d6
+        move.l  mask(sp),d4
+        move.l  d4,d1
+        and.l   d5,d4
+        and.l   d6,d1
+        eor.l   d4,d5
+        eor.l   d1,d6
+        sub.l   d5,d6
+        subx.l  d4,d1
+        moveq   #2,d0
+        lsl.l   d7,d0
+        add.l   a4,d0
+        movea.l d0,a6
+        endm
+
+; d0 = u - half of a pixel; steps to the next one. Uses d7.
+sound_quotient macro
+        move.l  d5,d0
+        move.l  d4,d7
+        divu.l  d2,d7:d0
+        add.l   d3,d2
+        sub.l   a6,d0
+        add.l   d6,d5
+        addx.l  d1,d4
+        endm
+
 ; |\1|
 magnitude macro
         tst.l   \1

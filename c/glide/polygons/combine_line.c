@@ -2,6 +2,7 @@
 #include "glide/polygons/plan.h"
 
 struct line {
+    struct glide_lines *lines;  /* that passes are added to; null: they are called */
     const struct glide_combining *combining;
     const struct glide_modes *modes;
     const struct glide_factors *factors;
@@ -13,6 +14,15 @@ struct line {
 enum { ALPHA = 3 };             /* of R G B A */
 
 static const uint8 none = 0;
+
+static void apply(const struct line *line, glide_pass *pass, const void *in, void *out,
+                  const void *constants, uint32 bytes)
+{
+    if (line->lines)
+        glide_lines_add(line->lines, pass, in, out, constants, bytes);
+    else
+        pass(in, out, constants, line->count);
+}
 
 /* The bytes of a channel: *bytes is the first, *step from one to the next; or 0 for all pixels. */
 static void set_zero(const uint8 **bytes, int32 *step)
@@ -69,7 +79,7 @@ static void combine_channel(const struct line *line, const struct glide_combinat
         set_channel(&in.added, &in.added_step, line->local, number);
     in.flip = (uint16)(line->factors->flip ^ (by->reverse ? 0 : 255));
     in.invert = by->invert ? 255 : 0;
-    glide_combiner(0, (uint8 *)line->to + number, &in, line->count);
+    apply(line, glide_combiner, 0, (uint8 *)line->to + number, &in, sizeof in);
 }
 
 static void open_mix(struct glide_mix *mix, const struct line *line)
@@ -97,28 +107,29 @@ static const uint32 *combine_texels(const struct line *line)
     case GLIDE_TERM_REST:               /* 256 - (m + 1) is m inverted */
         mix.flip = ~mix.flip;
         mix.one = 0;
-        glide_scale(line->local, line->to, &mix, line->count);
+        apply(line, glide_scale, line->local, line->to, &mix, sizeof mix);
         break;
     case GLIDE_TERM_BLEND:
         mix.other = line->other;
-        glide_lerp(line->local, line->to, &mix, line->count);
+        apply(line, glide_lerp, line->local, line->to, &mix, sizeof mix);
         break;
     case GLIDE_TERM_SCALED:
-    case GLIDE_TERM_SCALED_SUM: glide_scale(from, line->to, &mix, line->count); break;
+    case GLIDE_TERM_SCALED_SUM: apply(line, glide_scale, from, line->to, &mix, sizeof mix); break;
     case GLIDE_TERM_PRODUCT:
     case GLIDE_TERM_PRODUCT_SUM:
         if (line->combining->alpha_way == GLIDE_ALPHA_ALIKE)
-            glide_modulate(from, line->to, &mix, line->count);
+            apply(line, glide_modulate, from, line->to, &mix, sizeof mix);
         else
-            glide_modulate_rgb(from, line->to, &mix, line->count);
+            apply(line, glide_modulate_rgb, from, line->to, &mix, sizeof mix);
         break;
     default:
         break;
     }
     if (term == GLIDE_TERM_SCALED_SUM || term == GLIDE_TERM_PRODUCT_SUM)
         from = line->to;
-    if (from == line->to || term == GLIDE_TERM_SUM)
-        glide_add(from, line->to, &mix, line->count);
+    else if (term != GLIDE_TERM_SUM)
+        return line->to;
+    apply(line, glide_add, from, line->to, &mix, sizeof mix);
     return line->to;
 }
 
@@ -137,16 +148,33 @@ static void finish(const struct line *line, const uint32 *texels)
     else if (texels == line->to && !combining->inverted)
         return;
     alphas.inverted = combining->inverted;
-    glide_alpha(texels, line->to, &alphas, line->count);
+    if (line->lines && (uint32)alphas.alphas < GLIDE_PIXEL_PLACES)
+        line->lines->is_full = 1;       /* data has no place in the frame */
+    apply(line, glide_alpha, texels, line->to, &alphas, sizeof alphas);
+}
+
+static void combine(struct line *line)
+{
+    const enum glide_term term = line->combining->rgb;
+    const uint32 *texels = line->to;
+
+    if (term == GLIDE_TERM_ANY)
+        for (int32 number = 0; number < ALPHA; number++)
+            combine_channel(line, &line->modes->rgb, number);
+    else
+        texels = combine_texels(line);
+    finish(line, texels);
+    if (line->combining->alpha_way == GLIDE_ALPHA_COMBINED)
+        combine_channel(line, &line->modes->alpha, ALPHA);
 }
 
 void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,
                         const struct glide_factors *factors, const uint32 *local,
                         const uint32 *other, uint32 *to, int32 count)
 {
-    const uint32 *texels = to;
     struct line line;
 
+    line.lines = 0;
     line.combining = combining;
     line.modes = modes;
     line.factors = factors;
@@ -154,12 +182,22 @@ void glide_combine_line(const struct glide_combining *combining, const struct gl
     line.other = other;
     line.to = to;
     line.count = count;
-    if (combining->rgb == GLIDE_TERM_ANY)
-        for (int32 number = 0; number < ALPHA; number++)
-            combine_channel(&line, &modes->rgb, number);
-    else
-        texels = combine_texels(&line);
-    finish(&line, texels);
-    if (combining->alpha_way == GLIDE_ALPHA_COMBINED)
-        combine_channel(&line, &modes->alpha, ALPHA);
+    combine(&line);
+}
+
+void glide_combine_add(struct glide_lines *lines, const struct glide_combining *combining,
+                       const struct glide_modes *modes, const struct glide_factors *factors,
+                       const uint32 *local, const uint32 *other, uint32 *to)
+{
+    struct line line;
+
+    line.lines = lines;
+    line.combining = combining;
+    line.modes = modes;
+    line.factors = factors;
+    line.local = local;
+    line.other = other;
+    line.to = to;
+    line.count = 0;
+    combine(&line);
 }

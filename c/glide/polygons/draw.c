@@ -128,6 +128,7 @@ struct room {
     struct glide_iterations at;
     struct glide_tiling tiling;
     struct glide_plan plan;
+    struct glide_lines lines;
     struct frame unseen;
     struct glide_line_scratch line;
 };
@@ -180,8 +181,13 @@ static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
         RULE_APPLIES(s, GLIDE_TILES);
     if (s->renderer->only_counts)
         hide_lines(s, room);
-    missed = tiles ? glide_tiles_draw(&room->tiling, s)
-                   : draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);
+    missed = 0;
+    if (tiles)
+        missed = glide_tiles_draw(&room->tiling, s);
+    else if (passes && !pipe->adds && glide_lines_find(&room->lines, &room->plan, s))
+        glide_lines(&room->lines);
+    else
+        missed = draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);
     if (s->counts)
         count(s, tiles ? SPAN_GLIDE_TILES : SPAN_GLIDE_PASSES, missed);
     return POLYGON_DRAWN;

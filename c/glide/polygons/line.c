@@ -1,25 +1,42 @@
 /* Draws a line of a polygon: each unit run by run, each run pass by pass. */
 #include "glide/polygons/plan.h"
 
+void glide_lods_open(const struct glide_part *part, struct glide_lods *lods)
+{
+    const struct glide_modes *modes = &part->glide->modes;
+    const int32 least = glide_lod_least(modes), most = glide_lod_most(modes);
+    const int32 lod = part->lod - GLIDE_LOD_ONE;
+
+    lods->w = part->by_w ? (int32)part->iterations->planes.of[part->first + GLIDE_W].dx : 0;
+    lods->least = (int16)(least < most ? least : most);
+    lods->most = (int16)most;
+    lods->logarithms = part->logarithms;
+    for (int32 i = 0; i < 4; i++)
+        lods->lods[i] = (int16)(lod < -32000 ? -32000 : lod);
+}
+
+void glide_lods_set(const struct glide_part *part, const struct glide_row *row, int32 x,
+                    struct glide_lods *lods)
+{
+    if (!part->glide->modes.dither)
+        return;
+    for (int32 i = 0; i < 4; i++) {
+        const int32 lod = part->lod - GLIDE_LOD_ONE + glide_dither(x + (i << row->step_bits), row->y);
+
+        lods->lods[i] = (int16)(lod < -32000 ? -32000 : lod);
+    }
+}
+
 /* Finds LODs of a run's pixels. x: the first pixel's. */
 static void find_lods(const struct glide_runs *runs, const struct glide_row *row, int32 x, int32 count)
 {
-    const struct glide_modes *modes = &runs->part->glide->modes;
     struct glide_iterators at;
     struct glide_lods lods;
 
     at.w = runs->part->by_w ? runs->at.w : 1 << 30;
-    lods.w = runs->part->by_w ? runs->by.w : 0;
-    lods.least = (int16)glide_lod_least(modes);
-    lods.most = (int16)glide_lod_most(modes);
-    lods.logarithms = runs->part->logarithms;
-    for (int32 i = 0; i < 4; i++) {
-        int32 lod = runs->part->lod - 256;
-
-        if (modes->dither)
-            lod += glide_dither(x + (i << row->step_bits), row->y);
-        lods.lods[i] = (int16)(lod < -32000 ? -32000 : lod);
-    }
+    glide_lods_open(runs->part, &lods);
+    lods.w = (int32)((uint32)lods.w << row->step_bits);
+    glide_lods_set(runs->part, row, x, &lods);
     glide_lod(&at, runs->part->scratch->lods, &lods, count);
 }
 
@@ -228,6 +245,16 @@ int32 glide_plan_draw(struct glide_plan *plan, const struct frame *frame, int32 
     row.x = x;
     row.y = y;
     row.count = count;
+    row.step_bits = 0;
+    if (plan->has_mips) {
+        uint32 *to = bytes == 4 ? (uint32 *)pixels : plan->scratch->colours;
+
+        if (glide_mips_draw(plan, &row, to, count)) {
+            if (bytes == 2)
+                glide_store_565(to, pixels, 0, count);
+            return 1;
+        }
+    }
     for (int32 left = count; ; left -= count, row.x = x += count, pixels += count * bytes) {
         int32 mixed = 0;
 

@@ -61,6 +61,7 @@ static void find_bands(struct glide_part *part, const struct glide_range *range)
     }
     if (range->least > 0)
         part->hides_behind = 0;
+    part->last = last;
     part->is_one = part->band == last && !part->hides_behind;
     part->bits = 0;
     part->every = ~(uint32)0;
@@ -118,10 +119,11 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
 {
     const uint32 varies = GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER;
     struct glide_part **place = 0, *part = plan->parts;
-    int32 lods = 0, has_alpha = pixel_bytes == 4;
+    int32 lods = 0, varied = 0, has_alpha = pixel_bytes == 4;
     uint32 bits = GLIDE_NEEDS_OTHER;
 
     plan->is_dithered = 0;
+    plan->has_mips = 1;
     for (uint32 n = 0; n < pipe->chain.count && bits & GLIDE_NEEDS_OTHER; n++) {
         if (!find_part(part, pipe, n, iterations, has_alpha))
             return 0;
@@ -135,8 +137,12 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
         place = &part->upstream;
         plan->is_dithered |= part->glide->modes.dither && !part->is_one;
         lods |= plan->is_dithered || bits & varies;
+        glide_mips_open(part);
+        plan->has_mips &= part->mixing != 0;
+        varied |= !part->is_one;
         part++;
     }
     plan->is_direct = (plan->parts[0].every & GLIDE_IS_OWN) != 0;
-    return !lods || set_logarithms(plan, pipe->tiles);
+    plan->has_mips &= varied && (plan->is_dithered || plan->parts[0].mixes);
+    return !(lods || plan->has_mips) || set_logarithms(plan, pipe->tiles);
 }

@@ -45,7 +45,7 @@ struct glide_part {
     int32 by_w;                 /* pixels' LODs depend on their w */
     int32 hides_behind;         /* not divided; coordinates are 0 where w is negative */
     int32 is_one;               /* all its pixels are of one band */
-    uint32 band;                /* the first that pixels may have */
+    uint32 band, last;          /* the first and the last that pixels may have */
     uint32 bits, every;         /* bits of any, and of all, bands that pixels may have */
     glide_pass *coordinates;
     int32 piece_bits;           /* of glide_pieces; 0: every pixel is divided, or none */
@@ -54,6 +54,13 @@ struct glide_part {
        the next band's. */
     uint32 limits[GLIDE_DITHERS][GLIDE_BANDS];
     struct glide_sampling samplings[GLIDE_BANDS];
+    /* mips.c: for lines whose pixels have several levels. */
+    const struct glide_combining *mixing;  /* of all bands; null: such lines are drawn run by run */
+    int32 mixes;                /* by fractions that differ */
+    glide_pass *mip_sample;     /* null: mips, and what follows, are not made */
+    struct glide_steps mip_steps;
+    struct glide_lods mip_lods;  /* lods are a line's if they are dithered */
+    struct glide_mip mips[GLIDE_MIPS];
 };
 
 struct glide_plan {
@@ -61,6 +68,7 @@ struct glide_plan {
     struct glide_part parts[GLIDE_UNITS];  /* the first is nearest the pixel */
     int32 is_dithered;
     int32 is_direct;            /* texels are pixels */
+    int32 has_mips;             /* lines may be drawn by glide_mips_draw */
 };
 
 /* Pixels of one line, from x on: all of them, or every fourth, which have the same dither. */
@@ -89,6 +97,19 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
 /* Finds the passes to a band's texels; returns null if there is no memory. */
 struct glide_sampling *glide_sampling_find(struct glide_part *part, uint32 band);
 
+/* Finds a unit's iterators at a pixel. */
+static inline void glide_part_at(const struct glide_part *part, int32 x, int32 y,
+                                 struct glide_iterators *at)
+{
+    const struct planes *planes = &part->iterations->planes;
+    const struct plane *of = &planes->of[part->first];
+    const uint32 right = (uint32)(x - planes->i), down = (uint32)(y - planes->j);
+
+    at->s = (int32)(of[GLIDE_S].at + right * of[GLIDE_S].dx + down * of[GLIDE_S].dy);
+    at->t = (int32)(of[GLIDE_T].at + right * of[GLIDE_T].dx + down * of[GLIDE_T].dy);
+    at->w = (int32)(of[GLIDE_W].at + right * of[GLIDE_W].dx + down * of[GLIDE_W].dy);
+}
+
 /* runs.c. Returns the band of pixels with |w| = size and dither / 16 added to their LODs. */
 uint32 glide_runs_band(struct glide_part *part, int32 dither, int32 size);
 
@@ -116,6 +137,20 @@ static inline int32 glide_runs_next(struct glide_runs *runs)
    0; returns for how many of `count` pixels this is the same. */
 int32 glide_runs_alike(struct glide_plan *plan, int32 x, int32 y, int32 count, int32 *mixed);
 
+/* mips.c. Sets part->mixing and part->mixes. */
+void glide_mips_open(struct glide_part *part);
+
+/* mips.c. Draws a line's texels by passes that find each pixel's level, if it is expected to take
+   less time than run by run. Returns 0 if the line is not drawn. */
+int32 glide_mips_draw(struct glide_plan *plan, const struct glide_row *row, uint32 *to, int32 count);
+
+/* line.c. Sets what is the same for all lines, except w's step if lines have every fourth pixel. */
+void glide_lods_open(const struct glide_part *part, struct glide_lods *lods);
+
+/* line.c. Sets the LODs of the pixels from x on; *lods is open. */
+void glide_lods_set(const struct glide_part *part, const struct glide_row *row, int32 x,
+                    struct glide_lods *lods);
+
 /* Factors from the level of detail: bytes, `step` from pixel to pixel (0: one for all). flip: 255
    if the level is odd and inverts factors. */
 struct glide_factors {
@@ -129,6 +164,62 @@ struct glide_factors {
 void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,
                         const struct glide_factors *factors, const uint32 *local,
                         const uint32 *other, uint32 *to, int32 count);
+
+/* Polygons whose lines all have the same passes (lines.c). */
+enum {
+    GLIDE_STAGES = 24,          /* passes of a line; two units have 19 at most */
+    GLIDE_STAGE_LONGS = 160,    /* of what they read besides */
+    GLIDE_PIXEL_PLACES = 4      /* addresses below this are bytes from the line's first pixel on */
+};
+
+/* What a unit iterates. */
+struct glide_points {
+    struct glide_iterators start;   /* the line's, at pixel -EDGE_BIAS */
+    struct glide_iterators across, down;
+    struct glide_iterators at;      /* the line's first pixel's */
+};
+
+/* One pass: a routine of src68k/glide, none in C. */
+struct glide_stage {
+    const void *in;
+    void *out;
+    const void *constants;
+    glide_pass *pass;
+};
+
+struct glide_lines {
+    const struct scanline *lines;
+    int32 count;                /* of lines, 1 or more */
+    uint8 *pixels;              /* the first line's pixel -EDGE_BIAS */
+    int32 pitch, bits;          /* bytes from line to line; a pixel has 2^bits */
+    uint16 last_points, last_stage;     /* numbers of the last ones that are used */
+    struct glide_points points[2];      /* at GLIDE_S, at GLIDE_OWN */
+    struct glide_stage stages[GLIDE_STAGES];
+    uint32 constants[GLIDE_STAGE_LONGS];
+    uint32 longs;               /* of them that are used */
+    int32 is_full;              /* there was no room for a pass */
+    uint16 lods[2];   /* of all pixels; so are the details */
+    uint16 details[2];    /* a byte is used */
+};
+
+/* src68k/glide/lines.s: draws the lines. */
+void glide_lines(struct glide_lines *lines);
+
+/* lines.c. Adds a pass whose data is `bytes` long. */
+void glide_lines_add(struct glide_lines *lines, glide_pass *pass, const void *in, void *out,
+                     const void *constants, uint32 bytes);
+
+/* Adds a pass whose data stays where it is. */
+void glide_lines_stage(struct glide_lines *lines, glide_pass *pass, const void *in, void *out,
+                       const void *constants);
+
+/* combine_line.c. Adds the passes of glide_combine_line. to: null if it is the frame. */
+void glide_combine_add(struct glide_lines *lines, const struct glide_combining *combining,
+                       const struct glide_modes *modes, const struct glide_factors *factors,
+                       const uint32 *local, const uint32 *other, uint32 *to);
+
+/* lines.c. Finds the passes of all lines; returns 0 if lines do not have the same ones. */
+int32 glide_lines_find(struct glide_lines *lines, struct glide_plan *plan, const struct setup *s);
 
 /* pixels.c. Returns the bits of a unit's pieces of 2^bits pixels (glide_subdivision), or 0 if it
    divides each pixel or none. */

@@ -93,15 +93,11 @@ static int32 pixels_of_band(struct glide_part *part, int32 dither, int32 w, int3
 void glide_runs_open(struct glide_runs *runs, struct glide_part *part, const struct glide_row *row,
                      int32 first, int32 count)
 {
-    const struct planes *planes = &part->iterations->planes;
-    const struct plane *of = &planes->of[part->first];
-    const uint32 bits = row->step_bits, right = (uint32)(row->x + (first << bits) - planes->i);
-    const uint32 down = (uint32)(row->y - planes->j);
+    const struct plane *of = &part->iterations->planes.of[part->first];
+    const uint32 bits = row->step_bits;
 
     runs->part = part;
-    runs->at.s = (int32)(of[GLIDE_S].at + right * of[GLIDE_S].dx + down * of[GLIDE_S].dy);
-    runs->at.t = (int32)(of[GLIDE_T].at + right * of[GLIDE_T].dx + down * of[GLIDE_T].dy);
-    runs->at.w = (int32)(of[GLIDE_W].at + right * of[GLIDE_W].dx + down * of[GLIDE_W].dy);
+    glide_part_at(part, row->x + (first << bits), row->y, &runs->at);
     runs->by.s = (int32)(of[GLIDE_S].dx << bits);
     runs->by.t = (int32)(of[GLIDE_T].dx << bits);
     runs->by.w = (int32)(of[GLIDE_W].dx << bits);

@@ -7,7 +7,7 @@ the C nor the assembly is asked. The bench measures one example of each pass, th
 from collections.abc import Callable
 from functools import partial
 
-from tmap.bench.examples import (glide_combine as combine, glide_depth as depth,
+from tmap.bench.examples import (glide_combine as combine, glide_depth as depth, glide_mips as mips,
                                  glide_sample as sample, glide_tiles as tiles)
 from tmap.bench.examples.example import Example
 
@@ -23,7 +23,8 @@ MAKERS: dict[str, Callable[..., Example]] = {f"glide_{name}": make for name, mak
     "pieces_16": partial(depth.priced, bits=4),
     "pieces_clamp": partial(depth.priced, bits=3, last=255 * 16),
     "pieces_small": partial(depth.priced, bits=3, shift=17), "lod": depth.lod,
-    "logarithms": depth.logarithms, "details": depth.details, "interleave": sample.interleave,
+    "logarithms": depth.logarithms, "details": depth.details,
+    "flips": depth.flips, "point_mips": mips.point, "bilinear_mips": mips.bilinear, "interleave": sample.interleave,
     **combine.MIXES, "alpha": combine.alpha, "combiner": combine.combiner,
     "combine_line": combine.combine_line,
     "quads": partial(sample.quads, to_bytes=sample.quad_bytes)}.items()} | tiles.MAKERS

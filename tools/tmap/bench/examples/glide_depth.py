@@ -55,6 +55,10 @@ def divide(rng, count: int) -> Example:
         return priced(rng, count)
     ground = axes(rng, int(rng.integers(0, 9)), rng.random(2) < 0.4, int(rng.choice((4, 8))))
     ground.behind = int(rng.integers(2))
+    if count > 24 and rng.random() < 0.2:  # w falls to a quarter; slopes grow 16 times, from near a limit
+        slope = int(rng.integers(2, 12)) << 14
+        ground = Axes(14, 0, (WRAPPED, WRAPPED))
+        return found(*between([0, 0, ONE], [slope * count, -slope * count, ONE >> 2], count), count, ground)
     if rng.random() < 0.6:  # w falls to a part: slopes grow by its square
         ends = (ONE >> rng.integers(14)) // np.array([1, rng.choice((4, 30, 100, 250))])
         s, t = (rng.uniform(-1.5, 1.5) * ends + rng.choice((-1, 1)) * rng.uniform(1, 2) * (1 << rng.integers(14, 30)) for _ in range(2))
@@ -129,6 +133,12 @@ def lod(rng, count: int) -> Example:
                    "glide_lods",
                    {"lods": lods.tolist(), "least": least, "most": most, "w": step[2]},
                    {"logarithms": logarithm_bytes()})
+
+
+def flips(rng, count: int) -> Example:
+    lods = rng.integers(0, 2049, count)
+    factors = lods & 255 ^ np.where(lods >> 8 & 1, 255, 0)
+    return Example(words(lods), factors.astype(np.uint8).tobytes(), count)
 
 
 def details(rng, count: int) -> Example:
