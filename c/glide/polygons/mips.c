@@ -59,8 +59,7 @@ void glide_mips_open(struct glide_part *part)
 
     part->mip_sample = 0;
     if (modes->fraction_bits != 4 || modes->clamp_s || modes->clamp_t || part->hides_behind
-        || part->piece_bits || part->is_one || glide_lod_least(modes) > glide_lod_most(modes)
-        || modes->clamp_negative_w || !is_alike(part) || !(part->mixing->reads & GLIDE_READS_LOCAL))
+        || part->piece_bits || !is_alike(part) || !(part->mixing->reads & GLIDE_READS_LOCAL))
         part->mixing = 0;
 }
 
@@ -115,7 +114,8 @@ static int32 find_mips(struct glide_part *part)
 
 static int32 is_same_point(const struct glide_part *a, const struct glide_part *b)
 {
-    return b && a->first == b->first && a->coordinates == b->coordinates;
+    return b && a->first == b->first && a->coordinates == b->coordinates
+        && a->mip_steps.behind == b->mip_steps.behind;
 }
 
 static int32 is_same_lod(const struct glide_part *a, const struct glide_part *b)
