@@ -1,5 +1,6 @@
 #include "n64/polygons/lower.h"
 
+#include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "polygon/counts.h"
 
@@ -40,6 +41,14 @@ void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64
     }
 }
 
+/* Returns non-zero if no pixel's s and t leave the range of the vertices, as far as they must not: they are on a
+   plane, whatever the polygon says of itself. */
+static int32 keeps_windows(const struct setup *s, const struct page_window *columns, const struct page_window *rows)
+{
+    return s->count == 3 || (columns->period && rows->period)
+        || polygon_planar(s->scratch, s->given, s->given, s->count, PLANAR_TEXELS) == PLANAR_TEXELS;
+}
+
 /* Returns non-zero if the polygon can be drawn from a page: point sampling of one tile without
    levels, combined with constants, or copy mode into 16-bit pixels. */
 static int32 is_plain(const struct n64_needs *needs, const struct setup *s, const struct n64 *n64,
@@ -52,7 +61,8 @@ static int32 is_plain(const struct n64_needs *needs, const struct setup *s, cons
                  : needs->inputs == N64_INPUT_TEXEL0 && !n64->modes.lod && !n64->modes.quad)
         && !needs->divided
         && n64_page_windows(tile, copy, columns, rows)
-        && page_is_within(s, &s->given->s, columns) && page_is_within(s, &s->given->t, rows);
+        && page_is_within(s, &s->given->s, columns) && page_is_within(s, &s->given->t, rows)
+        && keeps_windows(s, columns, rows);
 }
 
 int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct n64_unit *unit,
