@@ -15,12 +15,11 @@ static enum polygon_result set_map(struct setup *s)
     const struct mapper_traits *traits = &mappers[mapper];
     uint8 *code;
 
-    if (mapper == MAPPER_FLAT)
+    if (!(s->frame->pixel_bytes & traits->bytes) || traits->is & MAPPER_UNIT)
+        return POLYGON_WRONG_MAP;
+    if (traits->layout == MAP_LAYOUTS)
         return POLYGON_DRAWN;
-    if (mapper == MAPPER_GOURAUD)
-        return s->frame->pixel_bytes == 1 ? POLYGON_DRAWN : POLYGON_WRONG_MAP;
-    if (!map || map->layout != traits->layout || map->texel_bytes != s->frame->pixel_bytes
-        || !(map->texel_bytes & traits->bytes))
+    if (!map || map->layout != traits->layout || map->texel_bytes != s->frame->pixel_bytes)
         return POLYGON_WRONG_MAP;
     s->span.map = map->texels;
     if (mapper == MAPPER_AFFINE)

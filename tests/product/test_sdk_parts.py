@@ -99,6 +99,9 @@ int main(void)
         || !material_is_named(&materials[2], 1) || material_is_named(&materials[4], 1)
         || material_is_named(&materials[2], 2))
         result |= REFUSES;
+    frame.pixel_bytes = 2;
+    if (REFUSES && polygon_draw(&renderer, polygons, &materials[0]) <= POLYGON_EMPTY)
+        result |= 1;
     return save(NAME, pixels, WIDTH * HEIGHT) ? 2 * result : 20;
 }
 """

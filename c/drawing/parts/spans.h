@@ -308,11 +308,14 @@ const uint32 drawing_parts = HAS_16 + HAS_32 + HAS_STARTS + HAS_SCANLINE + HAS_C
 #undef MAPPER
     ;
 
+/* The sizes of pixels. */
+#define PART_BYTES (1 + (HAS_16 ? 2 : 0) + (HAS_32 ? 4 : 0))
+
 enum { NO_LAYOUT = 255 };       /* of no map: set_map refuses it */
 
 const struct mapper_traits mappers[MAPPER_KINDS] = {
 #define MAPPER(kind, name, layout, bytes, is, span, span_16, span_32) \
-    {HAS_##kind ? (int)layout : (int)NO_LAYOUT, HAS_##kind ? bytes : 0, is, {span, span_16, span_32}, {0, 0}},
+    {HAS_##kind ? (int)layout : (int)NO_LAYOUT, HAS_##kind ? (bytes) & PART_BYTES : 0, is, {span, span_16, span_32}, {0, 0}},
     MAPPER_LIST(MAPPER)
 #undef MAPPER
 };

@@ -20,9 +20,9 @@ static int32 has_map(const struct material *material, const struct frame *frame)
 {
     const struct map *map = material->map;
 
-    return material->mapper == MAPPER_AFFINE
-         ? map && map->layout == MAP_PAGE && map->texel_bytes == frame->pixel_bytes
-         : material->mapper == MAPPER_FLAT || frame->pixel_bytes == 1;
+    return (mappers[material->mapper].bytes & frame->pixel_bytes) != 0
+        && (material->mapper != MAPPER_AFFINE
+            || (map && map->layout == MAP_PAGE && map->texel_bytes == frame->pixel_bytes));
 }
 
 /* Returns how the plane is found, if it is. */
