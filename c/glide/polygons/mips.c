@@ -178,7 +178,7 @@ static void draw_part(struct glide_part *part, const struct glide_row *row, uint
 }
 
 /* Returns non-zero if a unit's pixels of a line are in more than one band, or in one whose fractions
-   differ: both units then need what is found once here. */
+   differ from pixel to pixel: both units then need what is found once here. */
 static int32 is_varied(struct glide_part *part, const struct glide_row *row, int32 count)
 {
     const uint32 step = part->iterations->planes.of[part->first + GLIDE_W].dx;
@@ -192,7 +192,7 @@ static int32 is_varied(struct glide_part *part, const struct glide_row *row, int
         near = fix_magnitude((int32)((uint32)at.w + step * (uint32)(count - 1)));
     }
     band = glide_runs_band(part, dither, (int32)(near < far ? near : far));
-    return part->bands->of[band].bits & GLIDE_FRACTIONS_DIFFER
+    return ((dither || near != far) && part->bands->of[band].bits & GLIDE_FRACTIONS_DIFFER)
         || band != glide_runs_band(part, 0, (int32)(near < far ? far : near));
 }
 
