@@ -1,7 +1,5 @@
 #include "triangle/polygon.h"
 
-#include "polygon/kind.h"
-
 /* Returns non-zero if a material's map, and its light table, are those of spans of this many bytes a
    pixel. */
 static int32 triangle_has_maps(const struct material *material, int32 pixel_bytes)
@@ -23,7 +21,7 @@ enum span_kind triangle_kind(const struct frame *frame, const struct material *m
 {
     const int32 bytes = frame->pixel_bytes;
 
-    if (frame->pitch > TRIANGLE_PITCH_MAX || !(mappers[material->mapper].bytes & bytes))
+    if (frame->pitch > TRIANGLE_PITCH_MAX)
         return SPAN_KINDS;
     if (material->mapper == MAPPER_FLAT)
         return bytes == 1 ? SPAN_TRIANGLES_FLAT : bytes == 2 ? SPAN_FILL_16 : SPAN_FILL_32;

@@ -17,7 +17,8 @@
                             WITH_POLYGONS, for triangles that are not all inside the frame
    Mappers: WITH_FLAT, WITH_GOURAUD, WITH_AFFINE, WITH_ARBITRARY, WITH_TILED, WITH_COLUMNS, WITH_GENERATED, WITH_LIT,
        WITH_LIT_GOURAUD, WITH_DITHERED, WITH_KEYED; a map for another one is refused with POLYGON_WRONG_MAP
-   Pixels: of a byte; WITH_16, WITH_32: of two and four; frames of others are refused with POLYGON_WRONG_MAP
+   Pixels: of a byte; WITH_16, WITH_32: of two and four; frames of others are refused with POLYGON_WRONG_MAP.
+       Snapped triangles do not ask which of the two is named, if one is: material_is_named does
    Cheaper spans with the same picture; others draw instead:
        WITH_ROWS            rows, columns and copies, where u or v stays the same along lines
        WITH_SHORT           unrolled code for short lines
