@@ -1,6 +1,7 @@
 """Where a scene's cycles go: counted on the emulated machine, as shares of what the renderer takes."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -36,16 +37,37 @@ def test_a_floors_cycles_are_its_spans(tmp_path, capsys) -> None:
     assert {"level_lines", "sides_find", "polygon_draw_whole"} <= {row["name"] for row in rows}
     mean = np.mean(about["ticks"]) * 4
     assert sum(row["cycles"] for row in rows) == pytest.approx(mean)
-    # a count is every 2,020 cycles, of frames that its interrupts make longer by a tenth or so
-    counts = sum(row["counts"] for row in rows)
-    assert 1 <= counts * 2020 / (3 * mean) < 1.25
+    # a note is every 2,020 cycles, of frames that its interrupts make longer by a tenth or so
+    notes = sum(row["notes"] for row in rows)
+    assert 1 <= notes * 2020 / (3 * mean) < 1.25
     assert len(np.unique(np.asarray(Image.open(tmp_path / "out" / "profile.png")))) > 10
     assert "span/level_draw" in capsys.readouterr().out
 
 
-def test_no_count_is_one_line(tmp_path, monkeypatch) -> None:
+def test_units_take_nearly_all_of_a_scene(tmp_path, capsys) -> None:
+    """Each material's cycles a pixel, of all its pixels, are the scene's, but for the background."""
+    path = SCENES / "glide_window.toml"
+    assert main(["run", str(path), "-o", str(tmp_path / "out"), "--frames", "1"]) == 0
+    text = capsys.readouterr().out.partition("Cycles a pixel of texture units, in 1 frame,")[2]
+    found = {name: (float(each.replace(",", "")), int(pixels.replace(",", "")))
+             for name, each, pixels in re.findall(r"^(\w+)  ([\d,.]+), of ([\d,]+) pixels$", text, re.M)}
+    about = json.loads((tmp_path / "out" / "run.json").read_text())
+    assert list(found) == ["wall", "boards"]
+    assert sum(pixels for _, pixels in found.values()) == about["totals"]["pixels"]
+    assert 0.95 < sum(each * pixels for each, pixels in found.values()) / about["totals"]["cycles"] < 1
+    for routines in text.split("pixels\n")[1:]:
+        assert {"glide/glide_divide", "glide/glide_modulate_rgb"} <= set(routines.split())
+
+
+def test_scenes_without_units_have_no_table_of_them(tmp_path, capsys) -> None:
+    (tmp_path / "small.toml").write_text(SMALL)
+    assert main(["run", str(tmp_path / "small.toml"), "-o", str(tmp_path / "out")]) == 0
+    assert "texture units" not in capsys.readouterr().out
+
+
+def test_no_note_is_one_line(tmp_path, monkeypatch) -> None:
     path = tmp_path / "small.toml"
     path.write_text(SMALL)
-    monkeypatch.setattr(profile, "counted", lambda *_: {})
-    with pytest.raises(UserError, match="over before the first count"):
+    monkeypatch.setattr(profile, "noted", lambda *_: ({}, np.zeros(0, np.uint32)))
+    with pytest.raises(UserError, match="over before the first note"):
         profile.profile(compile_scene(path), "a1200-fast")

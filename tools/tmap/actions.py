@@ -18,11 +18,15 @@ def build_programs() -> None:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Renders a scene."""
+    """Renders a scene; what it prints of texture units has the addx form and all rules, as programs of scenes."""
     build_programs()
+    from tmap.product import profile
     from tmap.run import run as tool
-    return tool.command(args.scene, args.out or BUILD / "run" / args.scene.stem, args.machine,
+    done = tool.command(args.scene, args.out or BUILD / "run" / args.scene.stem, args.machine,
                         args.frames, args.form, args.off)
+    if not args.off:
+        profile.print_units(args.scene, args.machine, args.frames)
+    return done
 
 
 def show(args: argparse.Namespace) -> int:
