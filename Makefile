@@ -74,7 +74,7 @@ help:
 	@echo 'make play [SCENE=FILE] [FPS=RATE]                 a bootable disk that plays a scene: build/play/NAME.adf'
 	@echo 'make adf                                          a bootable disk for real Amigas: build/adf'
 	@echo 'make sdk                                          headers, objects, an example for other programs: build/sdk'
-	@echo 'make fuzz [SEED=N] [COUNT=N] [FAMILY=perspective] random polygons against model and bounds'
+	@echo 'make fuzz [SEED=N] [COUNT=N] [FAMILY=perspective|n64|glide] random polygons against model and bounds'
 	@echo 'make check                                        tests of what you changed, a sample of others: a minute'
 	@echo 'make mutants                                      small wrong changes, each of which a test must notice'
 	@echo 'make test                                         run all tests'

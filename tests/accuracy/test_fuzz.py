@@ -12,9 +12,10 @@ from tests.helpers import signalled
 from tmap.__main__ import main
 from tmap.base.errors import UserError
 from tmap.corpus import hard_cases
-from tmap.fuzz import fuzz, polygons as fuzz_polygons, shrink
+from tmap.fuzz import fuzz, polygons as fuzz_polygons, record, shrink, units
 from tmap.guest import guest_frames
 from tmap.guest.emulator import SECOND
+from tmap.model import model
 from tmap.scene_file import scene_file
 from tmap.scene_file.textures import IN_DEPTH
 from tmap.setup import edges
@@ -90,6 +91,34 @@ def test_a_wrong_model_is_found_and_explained(monkeypatch, capsys, tmp_path) -> 
     bits = [sum(bin(abs(c)).count("1") for vertex in vertices for c in vertex)
             for vertices in (kept["vertices"], fuzz_polygons.polygon(1, number).vertices)]
     assert bits[0] < bits[1]
+
+
+@pytest.mark.parametrize("family", units.UNITS)
+def test_a_wrong_unit_is_found_and_explained(family: str, monkeypatch, capsys, tmp_path) -> None:
+    """The model has another pixel in the middle of one polygon of three: it alone is printed, with all that it is made
+    of, and the run is kept."""
+    render = model.render
+
+    def wrong(scene, number):
+        frame = render(scene, number)
+        frame[16, 24] += number == 0
+        return frame
+
+    monkeypatch.setattr(units.model, "render", wrong)
+    monkeypatch.setattr(record, "FUZZED", tmp_path / "fuzzed.json")
+    monkeypatch.setattr(fuzz, "run", lambda seed, first, count, machine, on_part, family: units.run_part(
+        seed, range(first, first + count), machine, family))
+    asked = ["fuzz", "--family", family, "--first", "5", "--count", "3", "--machine", SECOND, "--record"]
+    assert main(asked) == 1
+    text = capsys.readouterr().out
+    for part in ("3 polygons, ", "1 failed: 5; the first\n", f"seed 1, polygon 5 of {family}", "1 pixels of 48x32; ",
+                 "pixel (24, 16) is 0x", "picture (expected, found", "edges ", "  x ",
+                 f"again: scripts/tmap fuzz --family {family} --seed 1 --first 5 --count 1"):
+        assert part in text, f"{part!r} is missing in\n{text}"
+    kept, = json.loads((tmp_path / "fuzzed.json").read_text())
+    assert (kept["family"], kept["first"], kept["polygons"], kept["wrong"]) == (family, 5, 3, 1)
+    assert main(asked) == 2
+    assert "polygons 5 to 7 of seed 1" in capsys.readouterr().err
 
 
 def test_faults_of_each_kind_are_told_apart() -> None:

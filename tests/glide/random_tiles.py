@@ -5,8 +5,8 @@ import random
 
 import numpy as np
 
-from tests.glide.random_scenes import MEMORY_BYTES, NCC, PALETTE
 from tmap.base.pixel_formats import FORMATS as PIXELS
+from tmap.corpus.random_glide import MEMORY_BYTES, NCC, PALETTE
 from tmap.glide.words import ASPECTS, FACTORS, FORMATS, FUNCTIONS, Words
 from tmap.scene_file.scene_file import Material, Object, Scene
 

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.glide.random_scenes import FAR, HEIGHT, WIDTH, Case, case, scene
-from tests.helpers.engine_polygons import Polygons, vertex_lines
+from tests.helpers.engine_polygons import Polygons
+from tmap.corpus import random_glide
+from tmap.corpus.random_glide import FAR, HEIGHT, PIXELS, WIDTH, Case, scene
 from tmap.glide import polygon
 from tmap.glide.lod import chosen, level_of_detail
 from tmap.glide.words import ASPECTS, FORMATS, MIPMAPS
@@ -18,17 +19,7 @@ from tmap.scene_file import pipes
 from tmap.scene_file.scene_file import write
 
 BITS = {"rgb565": 16, "rgba8888": 32}  # a pixel
-PIXELS = tuple(BITS)
-MOST = 15  # polygons in a scene: the decoded levels of each, for the passes, stay in memory
-
-
-def lines(each: Case) -> list[str]:
-    return [f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}, "
-            f"added {each.adds}, kind {each.kind}", *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
-            *vertex_lines(each.vertices)]
-
-
-POLYGONS = Polygons("GLIDE", 60, lambda seed, number, _: case(seed, number), scene, lines, MOST)
+POLYGONS = Polygons("GLIDE", 60, random_glide)
 SEED = POLYGONS.seed
 
 

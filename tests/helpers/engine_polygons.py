@@ -3,26 +3,16 @@ the model's, bit for bit. Environment variables that begin with the engine's nam
 N64_SEED, N64_COUNT; N64_CASE draws one."""
 
 import os
-from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from types import ModuleType
 
 from tests.helpers import guest_runs
 from tmap.guest import guest_frames
 from tmap.guest.guest_frames import first_wrong
 from tmap.model import model
 from tmap.run import run
-from tmap.scene_file.scene_file import ONE, Scene
 
-MOST = 100  # polygons in a scene: engines keep decoded fills, which take memory
 MACHINE = "a1200-fast"
-NAMES = ("x", "y", "s", "t", "shade", "w")
-
-
-def vertex_lines(vertices, raw=()) -> list[str]:
-    """Formats vertices of 16.16; the fields in ``raw`` are printed as integers."""
-    return ["  " + ", ".join(f"{name} {value}" if name in raw else f"{name} {value / ONE:.6f}"
-                             for name, value in zip(NAMES, vertex)) for vertex in vertices]
 
 
 @dataclass(frozen=True)
@@ -31,10 +21,7 @@ class Polygons:
 
     engine: str
     count: int  # unless the environment sets another
-    case: Callable[[int, int, str], Any]  # makes a case from a seed, a number, a format of pixels
-    scene: Callable[[list, int, str], Scene]  # makes a scene from cases, the seed, pixels
-    lines: Callable[[Any], list[str]]  # describes a case completely
-    scene_size: int = MOST
+    made: ModuleType  # of tmap.corpus: case, scene, lines, MOST
 
     def asked(self, name: str) -> str | None:
         return os.environ.get(f"{self.engine}_{name}")
@@ -45,7 +32,7 @@ class Polygons:
 
     def first(self, pixels: str) -> list:
         """The cases drawn with all rules, at least 100: a sample of what a generator makes."""
-        return [self.case(self.seed, number, pixels)
+        return [self.made.case(self.seed, number, pixels)
                 for number in range(max(len(self.numbers(None)), 100))]
 
     def numbers(self, off: str | None) -> list[int]:
@@ -59,15 +46,15 @@ class Polygons:
     def explain(self, number: int, pixels: str, off: str | None) -> str:
         """Draws a polygon once more and describes the failure: seed, case, first wrong pixel and
         the command to draw it again."""
-        each = self.case(self.seed, number, pixels)
-        made = self.scene([each], self.seed, pixels)
+        each = self.made.case(self.seed, number, pixels)
+        made = self.made.scene([each], self.seed, pixels)
         expected, found = model.render(made, 0), run.render(made, MACHINE, "addx", off, timed=False).frames[0]
         height, width = expected.shape
         count = int((found != expected).sum())
         first = first_wrong(expected, found) if count else "drawn once more it is right"
         return "\n".join([
             f"seed {self.seed}, polygon {number}, {pixels}: {count} pixels of {width}x{height}; "
-            f"{first}", *self.lines(each),
+            f"{first}", *self.made.lines(each),
             f"  again: {self.engine}_SEED={self.seed} {self.engine}_CASE={number} "
             f".deps/venv/bin/python -m pytest tests/{self.engine.lower()}/test_polygons.py -k {pixels}"])
 
@@ -75,9 +62,9 @@ class Polygons:
         """Asserts that all frames are the model's, all in a boot; returns the rules and the spans
         that drew them."""
         numbers = self.numbers(off)
-        parts = [numbers[k:k + self.scene_size] for k in range(0, len(numbers), self.scene_size)]
-        cases = [[self.case(self.seed, number, pixels) for number in some] for some in parts]
-        asked = [guest_runs.Asked(self.scene(some, self.seed, pixels), off) for some in cases]
+        parts = [numbers[k:k + self.made.MOST] for k in range(0, len(numbers), self.made.MOST)]
+        cases = [[self.made.case(self.seed, number, pixels) for number in some] for some in parts]
+        asked = [guest_runs.Asked(self.made.scene(some, self.seed, pixels), off) for some in cases]
         drawn = guest_runs.draw(asked, MACHINE)
         wrong = [number for some, each, found in zip(parts, asked, drawn)
                  for frame, (number, digest) in enumerate(zip(some, found.digests, strict=True))

@@ -6,12 +6,11 @@ from functools import cache
 import numpy as np
 
 from tests.accuracy import test_high
-from tests.glide import random_scenes as glide_scenes
 from tests.helpers import mesh_cases
-from tests.n64 import random_scenes as n64_scenes
 from tests.polygon import test_runs
 from tmap.base.paths import SCENES
 from tmap.compiler.scene import compile_scene
+from tmap.corpus import random_glide, random_n64
 from tmap.fuzz import fuzz
 from tmap.fuzz.families import ALL, PERSPECTIVE
 from tmap.fuzz.polygons import BLOCK, polygon, scene
@@ -49,12 +48,12 @@ def meshes(make: Callable[[int], Scene], count: int, form: str = "addx") -> list
 
 def n64(pixels: str, form: str, count: int) -> list[Drawing]:
     """Returns the random polygons of tests/n64."""
-    return [(n64_scenes.scene([n64_scenes.case(1, k, pixels) for k in range(count)], 1, pixels), form)]
+    return [(random_n64.scene([random_n64.case(1, k, pixels) for k in range(count)], 1, pixels), form)]
 
 
 def glide(pixels: str, form: str, first: int, count: int) -> list[Drawing]:
     """Returns some of the random polygons of tests/glide."""
-    return [(glide_scenes.scene([glide_scenes.case(1, k) for k in range(first, first + count)], 1, pixels), form)]
+    return [(random_glide.scene([random_glide.case(1, k) for k in range(first, first + count)], 1, pixels), form)]
 
 
 #: By subject, in parts that are drawn one after the other until one differs.

@@ -9,8 +9,9 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 
-from tests.n64.random_scenes import HEIGHT, WIDTH, Case, case, scene
-from tests.helpers.engine_polygons import MOST, Polygons, vertex_lines
+from tests.helpers.engine_polygons import Polygons
+from tmap.corpus import random_n64
+from tmap.corpus.random_n64 import HEIGHT, MOST, PIXELS, WIDTH, Case, case, scene
 from tmap.guest import guest_frames
 from tmap.guest.emulator import SECOND
 from tmap.model import model
@@ -18,19 +19,7 @@ from tmap.n64.combiner import samples
 from tmap.scene_file.scene_file import ONE
 from tmap.scene_file.units import PRIMITIVES, RECTANGLES, state_at
 
-PIXELS = ("rgba5551", "rgba8888")
-
-
-def lines(each: Case) -> list[str]:
-    is_rectangle = each.primitive in RECTANGLES
-    raw = "st" if is_rectangle else ("shade",) * (each.primitive == "coloured")
-    return [f"  modes {each.modes}, edges {each.edges}, clip {each.clip}",
-            *(f"  tile {n}: {tile}" for n, tile in enumerate(each.tiles)),
-            f"  {each.primitive}" + ", s and t in s10.5, then s5.10 a step" * is_rectangle,
-            *vertex_lines(each.vertices, raw)]
-
-
-POLYGONS = Polygons("N64", 100, case, scene, lines)
+POLYGONS = Polygons("N64", 100, random_n64)
 SEED = POLYGONS.seed
 
 

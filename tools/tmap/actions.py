@@ -84,7 +84,8 @@ def fuzz(args: argparse.Namespace) -> int:
     """Checks random polygons against the model and the bounds."""
     build_programs()
     from tmap.fuzz import fuzz as tool
-    return tool.command(args.seed, args.first, args.count, args.machine, args.keep, args.family)
+    return tool.command(args.seed, args.first, args.count, args.machine, args.keep, args.family,
+                        args.record)
 
 
 def fit(args: argparse.Namespace) -> int:

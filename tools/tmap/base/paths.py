@@ -11,3 +11,4 @@ SCENES = ROOT / "tests" / "scenes"
 BASELINE = ROOT / "tests" / "baseline" / "bench.json"
 ACCURACY_BASELINE = ROOT / "tests" / "baseline" / "accuracy.json"  # the medium set
 POLYS_BASELINE = ROOT / "tests" / "baseline" / "polys.json"
+FUZZED = ROOT / "tests" / "baseline" / "fuzzed.json"

@@ -92,3 +92,10 @@ def scene(seed: int, count: int, width: int, height: int) -> Scene:
     return Scene(width, height, count, 7, palette, [texture],
                  [Material("affine", texture=0), Material(colour=200)], objects,
                  np.array(vertices), np.array([IDENTITY]))
+
+
+def vertex_lines(vertices, raw=()) -> list[str]:
+    """Formats vertices of 16.16; the fields in ``raw`` are printed as integers."""
+    names = ("x", "y", "s", "t", "shade", "w")
+    return ["  " + ", ".join(f"{name} {value}" if name in raw else f"{name} {value / ONE:.6f}"
+                             for name, value in zip(names, vertex)) for vertex in vertices]

@@ -3,7 +3,7 @@ maps from their first texel to their last. Scenes consist of these, and noise ha
 
 SHARE of every fuzzer's polygons come from here: for the mapper settings, including perspective and
 depth (tmap.fuzz.polygons), for tmap.corpus.random_polygons, for the N64's engine and Glide's unit
-(tests/n64/random_scenes.py, tests/glide/random_scenes.py). Each family has a weight.
+(tmap.corpus.random_n64, random_glide). Each family has a weight.
 """
 
 import random

@@ -4,8 +4,10 @@ from argparse import ArgumentParser
 
 ALL = "all"
 PERSPECTIVE = "perspective"
+N64, GLIDE = "n64", "glide"
 #: Each with what its polygons are.
-FAMILIES = {ALL: "any polygon under any setting", PERSPECTIVE: "polygons whose depth differs, in perspective"}
+FAMILIES = {ALL: "any polygon of the mapper under any setting", PERSPECTIVE: "polygons whose depth differs, in perspective",
+            N64: "polygons and rectangles of the N64's texture engine", GLIDE: "polygons of Glide's texture units"}
 
 
 def add_arguments(command: ArgumentParser) -> None:
@@ -16,7 +18,8 @@ def add_arguments(command: ArgumentParser) -> None:
     command.add_argument("--count", type=int, default=20_000, metavar="N", help="how many (20000)")
     command.add_argument("--first", type=int, default=0, metavar="N", help="from which on (0)")
     command.add_argument("--keep", metavar="NAME",
-                         help="add the smallest failing polygon to the hard cases")
+                         help="add the smallest failing polygon to the hard cases, if it is the mapper's")
+    command.add_argument("--record", action="store_true", help="add the run to the page's table of them")
 
 
 def named(seed: int, number: int, family: str) -> str:

@@ -6,9 +6,8 @@ polygon is made simpler as long as it fails, and explained.
 """
 
 import sys
-from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import repeat
 
 import numpy as np
@@ -16,9 +15,11 @@ import numpy as np
 from tmap.base import workers
 from tmap.base.errors import UserError
 from tmap.build import layout
+from tmap.fuzz import record, units
 from tmap.fuzz.families import ALL, again, named
 from tmap.fuzz.polygons import BLOCK, Fuzzed, frame_size, polygon, scene, textures
 from tmap.fuzz.shrink import shrink
+from tmap.fuzz.tally import Fault, Tally
 from tmap.guest.emulator import SECOND
 from tmap.guest.guest_frames import draw, frame_of, is_models
 from tmap.ideal import bounds, planarity
@@ -66,15 +67,6 @@ def check(each: Fuzzed, seed: int, block: int) -> Checked:
             judged = False
             verdict.pixels += made.pixels if made else 0
     return Checked(frame, layout.load().constants["POLYGON_OUTSIDE_RANGE"] * outside, judged, verdict)
-
-
-@dataclass
-class Fault:
-    """A failing polygon. ``kind``: differs, bound, refused or crash; ``machine``: the one that fails, "" for all."""
-
-    kind: str
-    text: str
-    machine: str = ""
 
 
 def other_of(machine: str, block: int) -> str | None:
@@ -131,43 +123,6 @@ def faults(polygons: list[Fuzzed], seed: int, block: int, form: str,
     return {k: fault for k, fault in found.items() if fault}
 
 
-@dataclass
-class Tally:
-    """The counts of a run: polygons, drawn, refused, judged ones, pixels."""
-
-    counts: Counter = field(default_factory=Counter)
-    coverage_errors: Counter = field(default_factory=Counter)  # by edges; judged ones
-    worst: dict[str, float] = field(default_factory=dict)  # error / bound by mapper
-    failed: dict[int, Fault] = field(default_factory=dict)  # by number
-
-    def add(self, each: Fuzzed, checked: Checked) -> None:
-        """Counts a polygon."""
-        verdict, settings = checked.verdict, each.settings
-        judged = checked.judged and settings.clip == "scissor"
-        self.counts.update(polygons=1, drawn=int(verdict.pixels > 0), refused=int(checked.result != 0),
-                           judged=int(judged), pixels=verdict.pixels)
-        if judged:
-            self.coverage_errors[settings.edges] += verdict.coverage_errors
-        self.worst[settings.mapper] = max(self.worst.get(settings.mapper, 0), verdict.texel_ratio)
-
-    def merge(self, other: "Tally") -> None:
-        """Adds another part's counts."""
-        self.counts.update(other.counts)
-        self.coverage_errors.update(other.coverage_errors)
-        for mapper, ratio in other.worst.items():
-            self.worst[mapper] = max(self.worst.get(mapper, 0), ratio)
-        self.failed |= other.failed
-
-    def __str__(self) -> str:
-        wrong = ", ".join(f"{edges} {count}" for edges, count in sorted(self.coverage_errors.items()))
-        worst = ", ".join(f"{mapper} {ratio:.3f}" for mapper, ratio in sorted(self.worst.items()))
-        n = self.counts
-        return (f"{n['polygons']} polygons, {n['drawn']} of them with pixels, "
-                f"{n['pixels']} pixels, {n['refused']} refused; {n['judged']} judged "
-                "against the ideal: pixels of wrong "
-                f"coverage by edges: {wrong or '-'}; worst error / bound: {worst or '-'}")
-
-
 def form_of(block: int) -> str:
     """Returns the form in which a block is drawn."""
     return FORMS[block % len(FORMS)]
@@ -196,7 +151,7 @@ def run_part(seed: int, numbers: range, machine: str, family: str = ALL) -> Tall
             except Exception as fault:
                 fault.add_note(f"{named(seed, number, family)}; again: {again(seed, number, family, machine)}")
                 raise
-            tally.add(each, checked)
+            tally.add(each.settings, checked.verdict, checked.result != 0, checked.judged)
             fault = compare(checked, of_polygon(found, k))
             if fault:
                 tally.failed[number] = fault
@@ -207,12 +162,12 @@ def run_part(seed: int, numbers: range, machine: str, family: str = ALL) -> Tall
 def run(seed: int, first: int, count: int, machine: str = MACHINE,
         on_part: Callable[[Tally], None] | None = None, family: str = ALL) -> Tally:
     """Checks ``count`` polygons of a seed and a family from ``first`` on, on all of the host's processors."""
-    size = BLOCK * BLOCKS
+    part_of, size = (units.run_part, units.part_size(family)) if family in units.UNITS else (run_part, BLOCK * BLOCKS)
     starts = [first, *range(first // size * size + size, first + count, size)]
     ranges = [range(a, min(a // size * size + size, first + count)) for a in starts]
     total = Tally()
     with workers.pool(len(ranges)) as pool:
-        for part in pool.map(run_part, repeat(seed), ranges, repeat(machine), repeat(family)):
+        for part in pool.map(part_of, repeat(seed), ranges, repeat(machine), repeat(family)):
             total.merge(part)
             if on_part:
                 on_part(part)
@@ -252,8 +207,9 @@ def explanation(each: Fuzzed, fault: Fault, seed: int, number: int, machine: str
                    again(seed, number, family, machine))
 
 
-def command(seed: int, first: int, count: int, machine: str, keep: str | None, family: str = ALL) -> int:
-    """``tmap fuzz``: returns 0 only if no polygon failed."""
+def command(seed: int, first: int, count: int, machine: str, keep: str | None, family: str = ALL,
+            kept: bool = False) -> int:
+    """``tmap fuzz``: returns 0 only if no polygon failed. ``kept``: the run is added to the page's table."""
     from rich.progress import MofNCompleteColumn, Progress, TimeRemainingColumn
 
     if count < 1 or first < 0 or seed < 0:
@@ -264,11 +220,16 @@ def command(seed: int, first: int, count: int, machine: str, keep: str | None, f
         tally = run(seed, first, count, machine,
                     lambda part: progress.advance(task, part.counts["polygons"]), family)
     print(tally)
+    if kept:
+        record.keep(tally, seed, first, machine, family)
     if not tally.failed:
         return 0
     number, fault = next(iter(sorted(tally.failed.items())))
     print(f"{len(tally.failed)} failed: {', '.join(map(str, sorted(tally.failed)[:20]))}; "
-          f"the first, made smaller:")
+          "the first" + ", made smaller:" * (family not in units.UNITS))
+    if family in units.UNITS:
+        print(units.explanation(fault, seed, number, machine, family))
+        return 1
     each, fault = smallest(number, fault, seed, machine, family)
     print(explanation(each, fault, seed, number, machine, family))
     if keep:

@@ -15,6 +15,7 @@ from tmap.base.outputs import save_animation
 from tmap.base.paths import ACCURACY_BASELINE, BASELINE, POLYS_BASELINE, ROOT, SCENES
 from tmap.bench import instruction_costs
 from tmap.compiler import scene
+from tmap.fuzz import record
 from tmap.images import palette
 from tmap.report import (pages, readme_cycles, readme_modes, readme_numbers, readme_programs,
                          readme_reference, readme_scenes)
@@ -51,7 +52,7 @@ def tables() -> dict[str, str]:
         BASELINE, ACCURACY_BASELINE, POLYS_BASELINE))
     return (measured_tables(measured, accuracy, counted) | rooms.tables() | readme_numbers.tables()
             | readme_programs.tables(measured) | readme_reference.tables()
-            | readme_scenes.tables(measured, accuracy, counted)
+            | readme_scenes.tables(measured, accuracy, counted) | record.tables()
             | {"what a triangle costs": readme_cycles.prices_table(measured, accuracy, ("affine",)),
                "what accuracy costs": readme_cycles.accuracy_table(accuracy),
                "dithered points": readme_cycles.dithered_tables(measured),

@@ -1,6 +1,7 @@
 """A report that helps to find the cause of one wrong polygon."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 from PIL import Image
@@ -15,6 +16,15 @@ from tmap.scene_file.scene_file import Scene, vertices_at
 def numbers(name: str, value: int) -> str:
     """Returns a 16.16 number in decimal and in hexadecimal."""
     return f"{name} {value / ONE:.6f} ({value & M32:#010x})"
+
+
+def save_picture(scene: Scene, right: np.ndarray, found: np.ndarray, what: str) -> Path:
+    """Saves both frames and their difference; returns the file, named after ``what`` is wrong."""
+    picture = BUILD / "failed" / (re.sub(r"\W+", "_", what)[:60].strip("_") + ".png")
+    picture.parent.mkdir(parents=True, exist_ok=True)
+    both = Frame(right, scene.palette, scene.pixel), Frame(found, scene.palette, scene.pixel)
+    Image.fromarray(panels(*both, differing(right, found))).save(picture)
+    return picture
 
 
 def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, again: str) -> str:
@@ -40,9 +50,5 @@ def explain(scene: Scene, number: int, found: np.ndarray | None, what: str, agai
         lines += ["  " + numbers(k, signed(v))
                   for k, v in vars(polygon.texturing).items() if k.startswith("d")]
     if found is not None:
-        picture = BUILD / "failed" / (re.sub(r"\W+", "_", what)[:60].strip("_") + ".png")
-        picture.parent.mkdir(parents=True, exist_ok=True)
-        both = Frame(right, scene.palette, scene.pixel), Frame(found, scene.palette, scene.pixel)
-        Image.fromarray(panels(*both, differing(right, found))).save(picture)
-        lines.append(f"  picture (expected, found, difference): {picture}")
+        lines.append(f"  picture (expected, found, difference): {save_picture(scene, right, found, what)}")
     return "\n".join([*lines, f"  again: {again}"])

@@ -1,5 +1,5 @@
-"""Random polygons and rectangles of texture engines: modes, tiles and vertices, each in one frame
-of a scene."""
+"""Random polygons and rectangles of the N64's texture engine: modes, tiles and vertices, each in one
+frame of a scene."""
 
 import random
 from dataclasses import dataclass, field
@@ -8,6 +8,7 @@ import numpy as np
 
 from tmap.base.pixel_formats import FORMATS
 from tmap.corpus import written
+from tmap.corpus.random_polygons import vertex_lines
 from tmap.model.model import FAR
 from tmap.n64.opcodes import SET_COMBINE
 from tmap.n64.state import CI, LEGAL, RGBA, TMEM_WORDS, YUV, Axis, Tile
@@ -15,6 +16,8 @@ from tmap.n64.words import CONVERTS, DETAILS, FILTERS, List, Wrap
 from tmap.scene_file.scene_file import IDENTITY, Material, Object, Scene
 from tmap.scene_file.units import RECTANGLES, rectangle_ends
 
+PIXELS = ("rgba5551", "rgba8888")
+MOST = 100  # polygons in a scene: engines keep decoded fills, which take memory
 WIDTH, HEIGHT = 48, 32
 ONE = 65536
 HALF = TMEM_WORDS // 2
@@ -325,3 +328,13 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
                  objects, np.array(corners, np.int64), np.array([IDENTITY] * len(cases), np.int64),
                  pixels, units=np.array(units), lists=np.array(lists),
                  words=np.array(words, np.int64), dram=texels.tobytes())
+
+
+def lines(each: Case) -> list[str]:
+    """Describes a case completely."""
+    is_rectangle = each.primitive in RECTANGLES
+    raw = "st" if is_rectangle else ("shade",) * (each.primitive == "coloured")
+    return [f"  modes {each.modes}, edges {each.edges}, clip {each.clip}",
+            *(f"  tile {n}: {tile}" for n, tile in enumerate(each.tiles)),
+            f"  {each.primitive}" + ", s and t in s10.5, then s5.10 a step" * is_rectangle,
+            *vertex_lines(each.vertices, raw)]

@@ -6,13 +6,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from tmap.base.pixel_formats import FORMATS as PIXELS
+from tmap.base.pixel_formats import FORMATS as FRAMES
 from tmap.corpus import written
+from tmap.corpus.random_polygons import vertex_lines
 from tmap.glide.words import ASPECTS, FACTORS, FILTERS, FORMATS, FUNCTIONS, LEVELS, MIPMAPS, Words
 from tmap.model.model import FAR as BEYOND
 from tmap.scene_file.pipes import PREFILTER_KB
 from tmap.scene_file.scene_file import IDENTITY, Material, Object, Scene
 
+PIXELS = ("rgb565", "rgba8888")
+MOST = 15  # polygons in a scene: the decoded levels of each, for the passes, stay in memory
 WIDTH, HEIGHT = 48, 32
 ONE = 65536
 REACH = 8191 * ONE
@@ -174,8 +177,8 @@ def vertices(rng: random.Random, own: bool, far: bool) -> list[tuple]:
     return out
 
 
-def case(seed: int, number: int) -> Case:
-    """The polygon of a seed and a number."""
+def case(seed: int, number: int, _: str = "") -> Case:
+    """The polygon of a seed and a number, the same in all formats of frames."""
     rng = random.Random(f"{seed}, {number}")
     kind = rng.choice(KINDS)
     if number % DITHERED == 0:
@@ -211,7 +214,7 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
     coloured strips. A dot in a corner ensures that no frame has only one colour."""
     memory = np.random.default_rng(seed).integers(0, 256, MEMORY_BYTES, np.uint8)
     memory[PALETTE:PALETTE + 1024:4] = 0
-    flats = PIXELS[pixels].flat(STRIPS)
+    flats = FRAMES[pixels].flat(STRIPS)
     materials, objects, corners, glide_units, pipes = [], [], [], [], []
     for n in range(len(STRIPS)):
         objects += [Object(len(cases) + n, len(corners), 4, 0, 1, frame)
@@ -224,7 +227,7 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
         pipes.append([len(glide_units), len(each.units), 2 * each.own, PREFILTER_KB << 10,
                       each.adds])
         glide_units += each.units
-    ground, dot = PIXELS[pixels].flat([(16, 32, 48), (240, 24, 24)])
+    ground, dot = FRAMES[pixels].flat([(16, 32, 48), (240, 24, 24)])
     materials += [Material(colour=colour) for colour in [*flats, dot]]
     objects.append(Object(len(materials) - 1, len(corners), 3, 0, len(cases), 0))
     corners += [(x * ONE, y * ONE, 0, 0, 0, ONE) for x, y in ((0, 0), (2, 0), (0, 2))]
@@ -234,3 +237,8 @@ def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
                  glide_memory=memory.tobytes())
 
 
+def lines(each: Case) -> list[str]:
+    """Describes a case completely."""
+    return [f"  edges {each.edges}, clip {each.clip}, coordinates of its own {each.own}, "
+            f"added {each.adds}, kind {each.kind}", *(f"  unit {n}: {modes}" for n, modes in enumerate(each.modes)),
+            *vertex_lines(each.vertices)]
