@@ -5,6 +5,7 @@
 #include "drawing/page.h"
 #include "glide/polygons/bands.h"
 #include "glide/polygons/decode.h"
+#include "glide/polygons/lines.h"
 
 enum glide_limits {
     GLIDE_REACH = 8192,         /* s and t: below, and above -GLIDE_REACH */
@@ -24,6 +25,7 @@ struct glide_pipe {
     struct page page;           /* a level as the plain mappers read it */
     struct glide_kept levels[GLIDE_UNITS][GLIDE_LEVEL_LAST + 1];  /* decoded for the passes */
     struct glide_bands bands[GLIDE_UNITS];
+    struct glide_lines lines;
 };
 
 /* No tile is made yet. */
