@@ -184,7 +184,7 @@ static enum span_kind draw_planned(struct setup *s, struct room *room, struct gl
     if (s->renderer->only_counts)
         hide_lines(s, room);
     if (passes && !pipe->adds && glide_lines_find(pipe, &room->plan, s))
-        glide_lines_draw(&pipe->lines, &room->at.planes, s);
+        glide_lines_draw(&pipe->lines, &room->at.planes, s, &room->line);
     else
         *missed = draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);
     return SPAN_GLIDE_PASSES;
@@ -212,7 +212,7 @@ static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
         RULE_APPLIES(s, GLIDE_PASSES);
         if (s->renderer->only_counts)
             hide_lines(s, room);
-        glide_lines_draw(&pipe->lines, &room->at.planes, s);
+        glide_lines_draw(&pipe->lines, &room->at.planes, s, &room->line);
     } else {
         kind = draw_planned(s, room, pipe, asks_tiles, &missed);
     }

@@ -44,6 +44,8 @@ static void set_points(struct glide_points *to, const struct planes *planes, int
     to->down.s = (int32)of[GLIDE_S].dy;
     to->down.t = (int32)of[GLIDE_T].dy;
     to->down.w = (int32)of[GLIDE_W].dy;
+    to->at.w = to->start.w;
+    to->deep = to->across.w | to->down.w;
 }
 
 /* Whether all lines of the unit have the same passes, all of them in assembly. */
@@ -243,14 +245,20 @@ int32 glide_lines_find(struct glide_pipe *pipe, struct glide_plan *plan, const s
     lines->last_stage--;
     if (lines->is_full)
         return 0;
-    if (is_every_polygons(pipe, at))
+    lines->joins = 0;
+    if (is_every_polygons(pipe, at)) {
         set_key(lines->key, pipe, at, s);
+        lines->joins = lines->steps_used == 1 && lines->last_stage
+            && lines->stages[0].constants == &lines->steps[0];
+    }
     return 1;
 }
 
-void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s)
+void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s,
+                      struct glide_line_scratch *work)
 {
     const struct frame *frame = s->frame;
+    const int32 width = s->box.right - s->box.left;
 
     for (int32 n = 0; n <= lines->last_points; n++)
         set_points(&lines->points[n], planes, n ? GLIDE_OWN : GLIDE_S, s->box.top);
@@ -266,5 +274,8 @@ void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, co
     lines->pitch = frame->pitch;
     lines->bits = frame->pixel_bytes == 4 ? 2 : 1;
     lines->pixels = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
-    glide_lines(lines);
+    if (lines->joins && width <= GLIDE_TOGETHER && width * lines->count <= FRAME_SIDE_MAX)
+        glide_lines_together(lines, work->unseen);
+    else
+        glide_lines(lines);
 }

@@ -10,6 +10,7 @@ enum {
     GLIDE_STAGES = 24,          /* passes of a line; two units have 19 at most */
     GLIDE_STAGE_LONGS = 160,    /* of what they read besides */
     GLIDE_LINES_KEY = 2 + GLIDE_UNITS,
+    GLIDE_TOGETHER = 16,        /* pixels of the longest lines that are drawn together */
     GLIDE_PIXEL_PLACES = 4      /* addresses below this are bytes from the line's first pixel on */
 };
 
@@ -17,7 +18,8 @@ enum {
 struct glide_points {
     struct glide_iterators start;   /* the line's, at pixel -EDGE_BIAS */
     struct glide_iterators across, down;
-    struct glide_iterators at;      /* the line's first pixel's */
+    struct glide_iterators at;      /* the line's first pixel's; w is set if it is the same in all */
+    int32 deep;                     /* 0: it is */
 };
 
 /* One pass: a routine of src68k/glide, none in C. */
@@ -45,6 +47,7 @@ struct glide_lines {
     struct glide_steps steps[GLIDE_UNITS];  /* what passes to coordinates read */
     int32 firsts[GLIDE_UNITS];  /* their planes */
     int32 steps_used;
+    int32 joins;                /* passes behind the first one may draw all lines at once */
     uint32 key[GLIDE_LINES_KEY];  /* what passes were found from; key[0] is 0 if they are one polygon's */
 };
 

@@ -170,8 +170,9 @@ void glide_combine_line(const struct glide_combining *combining, const struct gl
                         const struct glide_factors *factors, const uint32 *local,
                         const uint32 *other, uint32 *to, int32 count);
 
-/* src68k/glide/lines.s: draws the lines. */
+/* src68k/glide: draw the lines; the second one those that have `joins`, if all pixels have room. */
 void glide_lines(struct glide_lines *lines);
+void glide_lines_together(struct glide_lines *lines, uint32 *room);
 
 /* lines.c. Adds a pass whose data is `bytes` long. */
 void glide_lines_add(struct glide_lines *lines, glide_pass *pass, const void *in, void *out,
@@ -194,7 +195,8 @@ int32 glide_lines_kept(const struct glide_pipe *pipe, const struct glide_iterati
                        const struct setup *s);
 
 /* lines.c. Draws a polygon's lines, 1 or more, by passes that are found. */
-void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s);
+void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s,
+                      struct glide_line_scratch *work);
 
 /* pixels.c. Returns the bits of a unit's pieces of 2^bits pixels (glide_subdivision), or 0 if it
    divides each pixel or none. */
