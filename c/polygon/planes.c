@@ -87,26 +87,33 @@ static void find_depths(struct depths *depths, const struct vertex *corners, int
     depths->least = (fix16)least;
 }
 
-/* The values s or t of a polygon's corners. */
-struct extent {
-    fix16 least;
-    uint32 range;
-};
-
-static int32 is_narrow(struct extent *extent, const fix16 *value, int32 count, fix16 reach)
+/* Returns non-zero if no coordinate is more than half the reach from 0, which is a power of two: then
+   all are less than that apart. */
+static int32 is_small(const struct vertex *v, int32 count, fix16 reach)
 {
-    extent->range = (uint32)vertex_range(value, count, &extent->least);
-    return (fix16)extent->range < reach;
+    fix16 any = 0;
+
+    for (; count > 0; count--, v++)
+        any |= (v->s ^ v->s >> 31) | (v->t ^ v->t >> 31);
+    return any < reach >> 1;
 }
 
-/* Raises the plane of S or T of divided corners. The raise is the largest value times the units by
-   which W may be too high, with 3 more for W's rounding at the corners, and 3 units for S's
-   rounding. */
-static void raise_divided(struct plane *plane, const struct extent *of,
+static int32 is_narrow(const fix16 *value, int32 count, fix16 reach)
+{
+    fix16 least;
+
+    return vertex_range(value, count, &least) < reach;
+}
+
+/* Raises the plane of S or T of divided corners. value: the first one's s or t. The raise is the
+   largest value times the units by which W may be too high, with 3 more for W's rounding at the
+   corners, and 3 units for S's rounding. */
+static void raise_divided(struct plane *plane, const fix16 *value, int32 count,
                           const struct planes_scale *scale, int32 too_high)
 {
-    const uint32 low = fix_magnitude(of->least);
-    const uint32 high = fix_magnitude((fix16)((uint32)of->least + of->range));
+    fix16 least;
+    const uint32 range = (uint32)vertex_range(value, count, &least);
+    const uint32 low = fix_magnitude(least), high = fix_magnitude((fix16)((uint32)least + range));
     const uint32 largest = (low > high ? low : high) << scale->bits;
 
     plane->at += (uint32)mul_div(largest > 0x7fffffff ? 0x7fffffff : (int32)largest, too_high + 3,
@@ -115,8 +122,7 @@ static void raise_divided(struct plane *plane, const struct extent *of,
 
 static void find_divided(struct planes *planes, const struct setup *s, int32 first,
                          const struct vertex *vertices, const struct planes_scale *scale,
-                         const struct depths *depths, const struct extent *of_s,
-                         const struct extent *of_t)
+                         const struct depths *depths)
 {
     const int32 one = depths->is_positive ? scale->one : scale->one >> 1;
     struct planes_corners corners;
@@ -139,8 +145,8 @@ static void find_divided(struct planes *planes, const struct setup *s, int32 fir
         corners.of[n].s = w[n];
     find_pair(planes, s, &corners.sides, first + 2, 0, CHAIN_SHADES, &t);
     too_high = above(s, &t);
-    raise_divided(&planes->of[first], of_s, scale, too_high);
-    raise_divided(&planes->of[first + 1], of_t, scale, too_high);
+    raise_divided(&planes->of[first], &vertices->s, s->count, scale, too_high);
+    raise_divided(&planes->of[first + 1], &vertices->t, s->count, scale, too_high);
 }
 
 static void find_plain(struct planes *planes, const struct setup *s, int32 first,
@@ -170,16 +176,16 @@ int32 planes_coordinates(struct planes *planes, const struct setup *s, int32 fir
                          const struct vertex *vertices, const struct planes_scale *scale,
                          int32 perspective)
 {
-    struct extent of_s, of_t;
     struct depths depths;
 
-    if (!is_narrow(&of_s, &vertices->s, s->count, scale->reach)
-        || !is_narrow(&of_t, &vertices->t, s->count, scale->reach))
+    if (!is_small(vertices, s->count, scale->reach)
+        && !(is_narrow(&vertices->s, s->count, scale->reach)
+             && is_narrow(&vertices->t, s->count, scale->reach)))
         return 0;
     if (perspective)
         find_depths(&depths, vertices, s->count);
     if (perspective && !(depths.is_constant && depths.is_positive))
-        find_divided(planes, s, first, vertices, scale, &depths, &of_s, &of_t);
+        find_divided(planes, s, first, vertices, scale, &depths);
     else
         find_plain(planes, s, first, vertices, scale);
     return 1;

@@ -21,7 +21,7 @@ struct planes {
 struct planes_scale {
     int32 bits;                 /* S of an undivided s is s times 2^bits */
     int32 one;                  /* W of the nearest corner, 1.0; even, above 0 */
-    fix16 reach;                /* s and t of two corners are less than this apart */
+    fix16 reach;                /* s and t of two vertices are less than this apart; a power of two */
 };
 
 /* The corners that planes go through: the top, the bottom and the middle one of a polygon's sides, with

@@ -32,11 +32,13 @@ static void find_iteration(const struct glide_pipe *pipe, uint32 unit, const str
     const struct glide_chain *chain = &pipe->chain;
 
     of->first = unit ? GLIDE_OWN : GLIDE_S;
-    of->divided = 0;
+    of->corners = v;
+    of->divided = chain->units[unit]->modes.perspective;
+    if (chain->count == 1)
+        return;
     for (uint32 n = 0; n < chain->count; n++)
         if ((chain->own >> n & 1 ? n : 0) == unit)
             of->divided |= chain->units[n]->modes.perspective;
-    of->corners = v;
 }
 
 static int32 is_near(fix16 value)
@@ -46,10 +48,12 @@ static int32 is_near(fix16 value)
 
 static enum glide_result judge(const struct iteration *of, const struct vertex *v, int32 count)
 {
+    const int32 divided = of->divided;
+
     for (; count > 0; count--, v++) {
         if (!is_near(v->s) || !is_near(v->t))
             return GLIDE_BAD_COORDINATE;
-        if (of->divided && (!v->w || v->w > W_MAX || v->w < -W_MAX))
+        if (divided && (!v->w || v->w > W_MAX || v->w < -W_MAX))
             return GLIDE_BAD_W;
     }
     return GLIDE_DONE;

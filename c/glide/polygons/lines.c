@@ -36,16 +36,16 @@ void glide_lines_add(struct glide_lines *lines, glide_pass *pass, const void *in
 static void set_points(struct glide_points *to, const struct planes *planes, int32 first, int32 y)
 {
     const struct plane *of = &planes->of[first];
+    const uint32 right = (uint32)(-EDGE_BIAS - planes->i), down = (uint32)(y - planes->j);
+    int32 *start = &to->start.s;
 
-    glide_planes_at(planes, first, -EDGE_BIAS, y, &to->start);
-    to->across.s = (int32)of[GLIDE_S].dx;
-    to->across.t = (int32)of[GLIDE_T].dx;
-    to->across.w = (int32)of[GLIDE_W].dx;
-    to->down.s = (int32)of[GLIDE_S].dy;
-    to->down.t = (int32)of[GLIDE_T].dy;
-    to->down.w = (int32)of[GLIDE_W].dy;
-    to->at.w = to->start.w;
-    to->deep = to->across.w | to->down.w;
+    to->deep = (int32)(of[GLIDE_W].dx | of[GLIDE_W].dy);
+    to->at.w = (int32)of[GLIDE_W].at;
+    for (int32 n = to->deep ? 3 : 2; n; n--, start++, of++) {
+        start[0] = (int32)(of->at + right * of->dx + down * of->dy);
+        start[GLIDE_ACROSS] = (int32)of->dx;
+        start[GLIDE_DOWN] = (int32)of->dy;
+    }
 }
 
 /* Whether all lines of the unit have the same passes, all of them in assembly. */
@@ -174,21 +174,23 @@ static void add_store(struct glide_lines *lines, uint32 *colours)
     }
 }
 
-/* Sets what the passes depend on if every unit has one band; a sum of generations grows with each
-   of them. */
-static void set_key(uint32 *key, const struct glide_pipe *pipe, const struct glide_iterations *at,
-                    const struct setup *s)
+/* A number that grows with each change of a unit's state. */
+static uint32 state_of(const struct glide *unit)
 {
-    const struct glide_chain *chain = &pipe->chain;
+    return unit->mode_generation + unit->memory_generation + unit->table_generation;
+}
 
-    *key++ = (uint32)s->frame->pixel_bytes << 16 | chain->own << 8 | (uint32)at->divided[0] << 1
-        | (uint32)at->divided[1] << 2 | 1;
-    *key++ = (uint32)s->scratch;
-    for (uint32 n = 0; n < chain->count; n++) {
-        const struct glide *unit = chain->units[n];
-
-        *key++ = unit->mode_generation + unit->memory_generation + unit->table_generation;
-    }
+/* Notes what the passes depend on if every unit has one band. */
+static void keep(struct glide_lines *lines, const struct glide_pipe *pipe,
+                 const struct glide_iterations *at, const struct setup *s)
+{
+    lines->is_kept = 1;
+    lines->own = pipe->chain.own;
+    lines->scratch = s->scratch;
+    for (uint32 n = 0; n < GLIDE_UNITS; n++)
+        lines->divided[n] = at->divided[n];
+    for (uint32 n = 0; n < pipe->chain.count; n++)
+        lines->states[n] = state_of(pipe->chain.units[n]);
 }
 
 /* Whether the passes are those of each polygon with this key. */
@@ -212,12 +214,14 @@ static int32 is_every_polygons(const struct glide_pipe *pipe, const struct glide
 int32 glide_lines_kept(const struct glide_pipe *pipe, const struct glide_iterations *at,
                        const struct setup *s)
 {
-    const uint32 *kept = pipe->lines.key;
-    uint32 key[GLIDE_LINES_KEY];
+    const struct glide_lines *lines = &pipe->lines;
+    const struct glide_chain *chain = &pipe->chain;
 
-    set_key(key, pipe, at, s);
-    return key[0] == kept[0] && key[1] == kept[1] && key[2] == kept[2]
-        && (pipe->chain.count == 1 || key[3] == kept[3]);
+    return lines->is_kept && lines->scratch == s->scratch && lines->bits == s->frame->pixel_bytes >> 1
+        && lines->divided[0] == at->divided[0] && lines->states[0] == state_of(chain->units[0])
+        && (chain->count == 1
+            || (lines->states[1] == state_of(chain->units[1]) && lines->own == chain->own
+                && lines->divided[1] == at->divided[1]));
 }
 
 int32 glide_lines_find(struct glide_pipe *pipe, struct glide_plan *plan, const struct setup *s)
@@ -229,7 +233,7 @@ int32 glide_lines_find(struct glide_pipe *pipe, struct glide_plan *plan, const s
     lines->last_points = lines->last_stage = 0;
     lines->longs = 0;
     lines->is_full = lines->steps_used = 0;
-    lines->key[0] = 0;
+    lines->is_kept = 0;
     for (struct glide_part *part = plan->parts; part; part = part->upstream) {
         const uint16 number = part->first == GLIDE_OWN;
 
@@ -247,7 +251,7 @@ int32 glide_lines_find(struct glide_pipe *pipe, struct glide_plan *plan, const s
         return 0;
     lines->joins = 0;
     if (is_every_polygons(pipe, at)) {
-        set_key(lines->key, pipe, at, s);
+        keep(lines, pipe, at, s);
         lines->joins = lines->steps_used == 1 && lines->last_stage
             && lines->stages[0].constants == &lines->steps[0];
     }
@@ -260,19 +264,20 @@ void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, co
     const struct frame *frame = s->frame;
     const int32 width = s->box.right - s->box.left;
 
-    for (int32 n = 0; n <= lines->last_points; n++)
+    for (int32 n = lines->last_points; n >= 0; n--)
         set_points(&lines->points[n], planes, n ? GLIDE_OWN : GLIDE_S, s->box.top);
-    for (int32 n = 0; n < lines->steps_used; n++) {
+    for (int32 n = lines->steps_used - 1; n >= 0; n--) {
         const struct plane *of = &planes->of[lines->firsts[n]];
+        struct glide_steps *to = &lines->steps[n];
 
-        lines->steps[n].s = (int32)of[GLIDE_S].dx;
-        lines->steps[n].t = (int32)of[GLIDE_T].dx;
-        lines->steps[n].w = (int32)of[GLIDE_W].dx;
+        to->s = (int32)of[GLIDE_S].dx;
+        to->t = (int32)of[GLIDE_T].dx;
+        to->w = (int32)of[GLIDE_W].dx;
     }
     lines->lines = s->edges.lines;
     lines->count = s->box.bottom - s->box.top;
     lines->pitch = frame->pitch;
-    lines->bits = frame->pixel_bytes == 4 ? 2 : 1;
+    lines->bits = frame->pixel_bytes >> 1;
     lines->pixels = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
     if (lines->joins && width <= GLIDE_TOGETHER && width * lines->count <= FRAME_SIDE_MAX)
         glide_lines_together(lines, work->unseen);

@@ -9,7 +9,7 @@
 enum {
     GLIDE_STAGES = 24,          /* passes of a line; two units have 19 at most */
     GLIDE_STAGE_LONGS = 160,    /* of what they read besides */
-    GLIDE_LINES_KEY = 2 + GLIDE_UNITS,
+    GLIDE_ACROSS = 3, GLIDE_DOWN = 6,   /* longs from an iterator's start to its steps */
     GLIDE_TOGETHER = 16,        /* pixels of the longest lines that are drawn together */
     GLIDE_PIXEL_PLACES = 4      /* addresses below this are bytes from the line's first pixel on */
 };
@@ -48,7 +48,11 @@ struct glide_lines {
     int32 firsts[GLIDE_UNITS];  /* their planes */
     int32 steps_used;
     int32 joins;                /* passes behind the first one may draw all lines at once */
-    uint32 key[GLIDE_LINES_KEY];  /* what passes were found from; key[0] is 0 if they are one polygon's */
+    int32 is_kept;              /* passes are those of every polygon with the same `bits` and these: */
+    uint32 own;
+    const struct scratch *scratch;
+    int32 divided[GLIDE_UNITS];
+    uint32 states[GLIDE_UNITS];
 };
 
 #endif

@@ -134,8 +134,10 @@ static int32 find_showing(const struct setup *s, uint32 bits, int32 margin, stru
 /* Returns non-zero if the polygon needs only point samples of one unit's only level, unclamped. */
 static int32 is_plain(const struct setup *s, const struct glide_pipe *pipe, struct showing *to)
 {
-    return pipe->chain.count == 1 && glide_only_lod(to->glide, &to->lod)
-        && to->lod.filter == GLIDE_POINT && find_showing(s, to->lod.level, PAGE_MARGIN, to);
+    const struct glide_modes *modes = &to->glide->modes;
+
+    return pipe->chain.count == 1 && (modes->magnify == GLIDE_POINT || modes->minify == GLIDE_POINT)
+        && glide_only_lod(to->glide, &to->lod) && to->lod.filter == GLIDE_POINT && find_showing(s, to->lod.level, PAGE_MARGIN, to);
 }
 
 /* Returns the vertices with s and t in texels of a level. */
