@@ -239,9 +239,9 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
     struct glide_pipe *pipe = material->pipe;
     const int32 has_own = glide_has_own(&pipe->chain);
     const struct vertex *second = polygon->second;
-    struct polygon paged;
     struct iteration of[GLIDE_UNITS];
     enum glide_result check;
+    const struct vertex *paged;
     struct material plain;
     struct setup s;
 
@@ -262,8 +262,7 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
              && (!has_own || is_planar(renderer, polygon, &of[1]))))
         return polygon_fan(glide_polygon_draw, renderer, polygon, material);
     setup_begin(&s, renderer, polygon, material);
-    polygon_set(&paged, polygon->vertices, polygon->count, PLANAR_ALL);
-    if (glide_lower_to_plain(&s, pipe, &plain, &paged.vertices))
-        return count_rules(&s, polygon_draw(renderer, &paged, &plain));
+    if (glide_lower_to_plain(&s, pipe, &plain, &paged))
+        return count_rules(&s, page_draw(&s, paged, &plain));
     return count_rules(&s, draw_planes(&s, pipe, of));
 }

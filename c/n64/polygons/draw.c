@@ -227,7 +227,7 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
                                         const uint32 *colours)
 {
     struct n64_unit *unit = s->material->unit;
-    struct polygon paged;
+    const struct vertex *paged;
     struct n64_needs needs;
     struct material plain;
 
@@ -236,9 +236,8 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
         RULE_APPLIES(s, N64_FLAT);
         return draw_flat(s, polygon, constant_colour(&unit->n64, &needs.shade));
     }
-    polygon_set(&paged, polygon->vertices, polygon->count, PLANAR_ALL);
-    if (n64_lower_to_plain(&needs, s, unit, &plain, &paged.vertices))
-        return polygon_draw(s->renderer, &paged, &plain);
+    if (n64_lower_to_plain(&needs, s, unit, &plain, &paged))
+        return page_draw(s, paged, &plain);
     return draw_planes(s, unit, &needs, colours);
 }
 
