@@ -60,7 +60,7 @@ static inline enum polygon_result outline_flat(struct setup *s)
 {
     enum polygon_result result;
 
-    s->vertices = planes_vertices(s->scratch, s->given, s->count);
+    s->vertices = s->given;
     result = outline_find(s, OUTLINE_ALONE);
     if (result != POLYGON_DRAWN)
         return result;

@@ -1,5 +1,8 @@
 #include "drawing/page.h"
 
+#include "drawing/draw.h"
+#include "drawing/plan.h"
+#include "drawing/ways.h"
 #include "polygon/key.h"
 #include "system/memory.h"
 
@@ -152,6 +155,22 @@ void page_material(struct material *plain, const struct material *from, const st
     plain->whole = 1;
     plain->perspective = PERSPECTIVE_NONE;
     plain->map = &page->map;
+}
+
+enum polygon_result page_draw(struct setup *s, const struct vertex *vertices,
+                              const struct material *plain)
+{
+    enum polygon_result result;
+    struct polygon polygon;
+
+    polygon_set(&polygon, vertices, s->count, PLANAR_ALL);
+    if (begins_outside(s->renderer, &polygon) || plain->edges == EDGES_SNAPPED)
+        return polygon_draw(s->renderer, &polygon, plain);
+    s->form = s->renderer->form;
+    s->given = vertices;
+    s->material = plain;
+    result = plan_set_up(s);
+    return result == POLYGON_DRAWN ? setup_draw(s) : result;
 }
 
 int32 page_room(void *address, uint32 *has, uint32 count, uint32 size)

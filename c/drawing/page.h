@@ -73,6 +73,11 @@ const struct vertex *page_vertices(const struct setup *s, const struct page_wind
 /* Sets *plain to the material that draws from the page: s and t are planes to the last bit. */
 void page_material(struct material *plain, const struct material *from, const struct page *page);
 
+/* Draws the polygon of a unit's setup with these vertices and material, as polygon_draw, but without a setup of
+   its own. */
+enum polygon_result page_draw(struct setup *s, const struct vertex *vertices,
+                              const struct material *plain);
+
 /* Provides memory for `count` elements of `size` bytes of cached data, of which *has elements are
    there: *address is the pointer to them. Memory is kept for the next time. Returns 0 if it is
    short. */

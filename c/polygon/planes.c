@@ -2,26 +2,31 @@
 
 #include "math/math.h"
 
-struct vertex *planes_vertices(struct scratch *scratch, const struct vertex *vertices,
-                               int32 count)
+void planes_open(struct planes_corners *corners, const struct setup *s)
 {
-    struct vertex *corners = scratch->corners;
+    struct sides *sides = &corners->sides;
 
-    for (int32 i = 0; i < count; i++) {
-        corners[i].x = vertices[i].x;
-        corners[i].y = vertices[i].y;
-        corners[i].s = corners[i].t = 0;
+    sides->top = &corners->of[0];
+    sides->bottom = &corners->of[1];
+    sides->middle = &corners->of[2];
+    sides->area.hi = s->sides.area.hi;
+    sides->area.lo = s->sides.area.lo;
+    sides->middle_right = s->sides.middle_right;
+    for (int32 n = 0; n < PLANES_CORNERS; n++) {
+        const struct vertex *corner = planes_corner(s, s->given, n);
+
+        corners->of[n].x = corner->x;
+        corners->of[n].y = corner->y;
     }
-    return corners;
 }
 
-static void find_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits,
-                      struct texturing *t)
+static void find_pair(struct planes *planes, const struct setup *s, const struct sides *sides,
+                      int32 first, int32 bits, enum chain chain, struct texturing *t)
 {
     struct plane *a = &planes->of[first], *b = a + 1;
 
     t->u_cut = t->v_cut = 0;
-    texturing_plane(t, &s->sides, &s->box, CHAIN_NONE);
+    texturing_plane(t, sides, &s->box, chain);
     planes->i = t->i;
     planes->j = t->j;
     a->at = t->u << bits;
@@ -32,11 +37,12 @@ static void find_pair(struct planes *planes, const struct setup *s, int32 first,
     b->dy = (uint32)t->dvdy << bits;
 }
 
-void planes_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits)
+void planes_pair(struct planes *planes, const struct setup *s, const struct planes_corners *corners,
+                 int32 first)
 {
     struct texturing t;
 
-    find_pair(planes, s, first, bits, &t);
+    find_pair(planes, s, &corners->sides, first, 0, CHAIN_NONE, &t);
 }
 
 /* Returns the whole pixels between a corner's coordinate and a pixel's, rounded down. */
@@ -81,63 +87,15 @@ static void find_depths(struct depths *depths, const struct vertex *corners, int
     depths->least = (fix16)least;
 }
 
-/* Raises the plane of S or T of divided corners. value: the first corner's s or t. The raise is the
-   largest value times the units by which W may be too high, with 3 more for W's rounding at the
-   corners, and 3 units for S's rounding. */
-static void raise_divided(struct plane *plane, const fix16 *value, int32 count,
-                          const struct planes_scale *scale, int32 too_high)
+/* Returns non-zero if no coordinate is more than half the reach from 0, which is a power of two: then
+   all are less than that apart. */
+static int32 is_small(const struct vertex *v, int32 count, fix16 reach)
 {
-    fix16 least;
-    const uint32 range = vertex_range(value, count, &least);
-    const uint32 low = fix_magnitude(least), high = fix_magnitude((fix16)((uint32)least + range));
-    const uint32 largest = (low > high ? low : high) << scale->bits;
+    fix16 any = 0;
 
-    plane->at += (uint32)mul_div(largest > 0x7fffffff ? 0x7fffffff : (int32)largest, too_high + 3,
-                                 scale->one) + 3;
-}
-
-static void find_divided(struct planes *planes, const struct setup *s, int32 first,
-                         const struct vertex *corners, const struct planes_scale *scale,
-                         const struct depths *depths)
-{
-    const int32 one = depths->is_positive ? scale->one : scale->one >> 1;
-    struct vertex *places = s->scratch->corners;
-    const struct vertex *v = corners;
-    fix16 w[POLYGON_VERTICES_MAX];
-    struct texturing t;
-    int32 too_high;
-
-    for (int32 i = 0; i < s->count; i++, v++) {
-        w[i] = mul_div(one, depths->least, (fix16)fix_magnitude(v->w));
-        if (v->w < 0)
-            w[i] = -w[i];
-        places[i].s = mul_div((fix16)((uint32)v->s << scale->bits), w[i], scale->one);
-        places[i].t = mul_div((fix16)((uint32)v->t << scale->bits), w[i], scale->one);
-    }
-    planes_pair(planes, s, first, 0);
-    for (int32 i = 0; i < s->count; i++) {
-        places[i].s = w[i];
-        places[i].t = 0;
-    }
-    find_pair(planes, s, first + 2, 0, &t);
-    too_high = above(s, &t);
-    raise_divided(&planes->of[first], &corners->s, s->count, scale, too_high);
-    raise_divided(&planes->of[first + 1], &corners->t, s->count, scale, too_high);
-}
-
-static void find_plain(struct planes *planes, const struct setup *s, int32 first,
-                       const struct vertex *corners, const struct planes_scale *scale)
-{
-    struct vertex *places = s->scratch->corners;
-    struct plane *w = &planes->of[first + 2];
-
-    for (int32 i = 0; i < s->count; i++, corners++) {
-        places[i].s = corners->s;
-        places[i].t = corners->t;
-    }
-    planes_pair(planes, s, first, scale->bits);
-    w->at = (uint32)scale->one;
-    w->dx = w->dy = 0;
+    for (; count > 0; count--, v++)
+        any |= (v->s ^ v->s >> 31) | (v->t ^ v->t >> 31);
+    return any < reach >> 1;
 }
 
 static int32 is_narrow(const fix16 *value, int32 count, fix16 reach)
@@ -147,21 +105,89 @@ static int32 is_narrow(const fix16 *value, int32 count, fix16 reach)
     return vertex_range(value, count, &least) < reach;
 }
 
+/* Raises the plane of S or T of divided corners. value: the first one's s or t. The raise is the
+   largest value times the units by which W may be too high, with 3 more for W's rounding at the
+   corners, and 3 units for S's rounding. */
+static void raise_divided(struct plane *plane, const fix16 *value, int32 count,
+                          const struct planes_scale *scale, int32 too_high)
+{
+    fix16 least;
+    const uint32 range = (uint32)vertex_range(value, count, &least);
+    const uint32 low = fix_magnitude(least), high = fix_magnitude((fix16)((uint32)least + range));
+    const uint32 largest = (low > high ? low : high) << scale->bits;
+
+    plane->at += (uint32)mul_div(largest > 0x7fffffff ? 0x7fffffff : (int32)largest, too_high + 3,
+                                 scale->one) + 3;
+}
+
+static void find_divided(struct planes *planes, const struct setup *s, int32 first,
+                         const struct vertex *vertices, const struct planes_scale *scale,
+                         const struct depths *depths)
+{
+    const int32 one = depths->is_positive ? scale->one : scale->one >> 1;
+    struct planes_corners corners;
+    fix16 w[PLANES_CORNERS];
+    struct texturing t;
+    int32 too_high;
+
+    planes_open(&corners, s);
+    for (int32 n = 0; n < PLANES_CORNERS; n++) {
+        const struct vertex *v = planes_corner(s, vertices, n);
+
+        w[n] = mul_div(one, depths->least, (fix16)fix_magnitude(v->w));
+        if (v->w < 0)
+            w[n] = -w[n];
+        corners.of[n].s = mul_div((fix16)((uint32)v->s << scale->bits), w[n], scale->one);
+        corners.of[n].t = mul_div((fix16)((uint32)v->t << scale->bits), w[n], scale->one);
+    }
+    planes_pair(planes, s, &corners, first);
+    for (int32 n = 0; n < PLANES_CORNERS; n++)
+        corners.of[n].s = w[n];
+    find_pair(planes, s, &corners.sides, first + 2, 0, CHAIN_SHADES, &t);
+    too_high = above(s, &t);
+    raise_divided(&planes->of[first], &vertices->s, s->count, scale, too_high);
+    raise_divided(&planes->of[first + 1], &vertices->t, s->count, scale, too_high);
+}
+
+static void find_plain(struct planes *planes, const struct setup *s, int32 first,
+                       const struct vertex *vertices, const struct planes_scale *scale)
+{
+    struct plane *w = &planes->of[first + 2];
+    const struct sides *sides = &s->sides;
+    struct planes_corners corners;
+    struct texturing t;
+
+    if (vertices != s->given) {
+        planes_open(&corners, s);
+        for (int32 n = 0; n < PLANES_CORNERS; n++) {
+            const struct vertex *v = planes_corner(s, vertices, n);
+
+            corners.of[n].s = v->s;
+            corners.of[n].t = v->t;
+        }
+        sides = &corners.sides;
+    }
+    find_pair(planes, s, sides, first, scale->bits, CHAIN_NONE, &t);
+    w->at = (uint32)scale->one;
+    w->dx = w->dy = 0;
+}
+
 int32 planes_coordinates(struct planes *planes, const struct setup *s, int32 first,
-                         const struct vertex *corners, const struct planes_scale *scale,
+                         const struct vertex *vertices, const struct planes_scale *scale,
                          int32 perspective)
 {
     struct depths depths;
 
-    if (!is_narrow(&corners->s, s->count, scale->reach)
-        || !is_narrow(&corners->t, s->count, scale->reach))
+    if (!is_small(vertices, s->count, scale->reach)
+        && !(is_narrow(&vertices->s, s->count, scale->reach)
+             && is_narrow(&vertices->t, s->count, scale->reach)))
         return 0;
     if (perspective)
-        find_depths(&depths, corners, s->count);
+        find_depths(&depths, vertices, s->count);
     if (perspective && !(depths.is_constant && depths.is_positive))
-        find_divided(planes, s, first, corners, scale, &depths);
+        find_divided(planes, s, first, vertices, scale, &depths);
     else
-        find_plain(planes, s, first, corners, scale);
+        find_plain(planes, s, first, vertices, scale);
     return 1;
 }
 

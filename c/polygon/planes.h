@@ -4,7 +4,7 @@
 
 #include "polygon/setup.h"
 
-enum { PLANES_MAX = 8 };
+enum { PLANES_MAX = 8, PLANES_CORNERS = 3 };
 
 /* The value at pixel (i, j) of struct planes, and its steps a pixel and a line; modulo 2^32. */
 struct plane {
@@ -21,20 +21,36 @@ struct planes {
 struct planes_scale {
     int32 bits;                 /* S of an undivided s is s times 2^bits */
     int32 one;                  /* W of the nearest corner, 1.0; even, above 0 */
-    fix16 reach;                /* s and t of two corners are less than this apart */
+    fix16 reach;                /* s and t of two vertices are less than this apart; a power of two */
 };
 
-/* Copies x and y of a polygon's vertices, up to POLYGON_VERTICES_MAX, to the scratch memory's
-   corners and returns these. The caller sets their s and t, which planes_pair reads. */
-struct vertex *planes_vertices(struct scratch *scratch, const struct vertex *vertices,
-                               int32 count);
+/* The corners that planes go through: the top, the bottom and the middle one of a polygon's sides, with
+   values of their own as s and t. */
+struct planes_corners {
+    struct vertex of[PLANES_CORNERS];
+    struct sides sides;         /* as far as texturing_plane reads it */
+};
 
-/* Finds planes `first` and `first` + 1 from the corners' s and t, times 2^bits. The setup has the
-   corners' sides and box. The s of two corners are less than 2^31 apart, and so are the t. */
-void planes_pair(struct planes *planes, const struct setup *s, int32 first, int32 bits);
+/* Sets x and y of the corners of a polygon whose outline is found; the caller sets their s and t. */
+void planes_open(struct planes_corners *corners, const struct setup *s);
 
-/* Finds planes `first` to `first` + 2: S, T and W, from the corners' s, t and w (any unit; not 0).
-   Overwrites the next plane. Returns 0 if the coordinates of two corners are too far apart.
+/* Finds planes `first` and `first` + 1 from the corners' s and t. The s of two corners are less than
+   2^31 apart, and so are the t. */
+void planes_pair(struct planes *planes, const struct setup *s, const struct planes_corners *corners,
+                 int32 first);
+
+/* Returns corner n of a polygon among vertices that correspond to those given. */
+static inline const struct vertex *planes_corner(const struct setup *s, const struct vertex *vertices,
+                                                 int32 n)
+{
+    const struct sides *sides = &s->sides;
+    const struct vertex *corner = !n ? sides->top : n == 1 ? sides->bottom : sides->middle;
+
+    return (const struct vertex *)((const uint8 *)vertices + ((const uint8 *)corner - (const uint8 *)s->given));
+}
+
+/* Finds planes `first` to `first` + 2: S, T and W, from the vertices' s, t and w (any unit; not 0).
+   Overwrites the next plane. Returns 0 if the coordinates of two vertices are too far apart.
 
    If w is constant and above 0, or perspective is 0: s and t are planes in 16.16, times 2^bits; W
    is `one`. Otherwise W of a corner is `one` |w|least / w, half of that if the w of any is below 0,
@@ -42,7 +58,7 @@ void planes_pair(struct planes *planes, const struct setup *s, int32 first, int3
    from those numbers; S and T are raised so that S / W and T / W are nowhere below the exact ones
    where W is above 0. */
 int32 planes_coordinates(struct planes *planes, const struct setup *s, int32 first,
-                         const struct vertex *corners, const struct planes_scale *scale,
+                         const struct vertex *vertices, const struct planes_scale *scale,
                          int32 perspective);
 
 /* Returns a plane's value at pixel (x, y). */

@@ -214,16 +214,17 @@ static int32 begin(struct look *look, const struct vertex *corners, int32 count)
 uint32 polygon_planar(struct scratch *scratch, const struct vertex *places,
                       const struct vertex *values, int32 count, uint32 asked)
 {
+    struct vertex *const corners = scratch->corners;
     struct look look;
-    struct vertex *corners;
     uint32 found = asked & PLANAR_ROUGH;
 
     if (is_quick(places, values, count, asked))
         return asked;
     if (asked == PLANAR_TEXELS && places == values)
         return !begin(&look, places, count) || lie_on_planes(&look, 0, 0) ? asked : 0;
-    corners = planes_vertices(scratch, places, count);
     for (int32 i = 0; i < count; i++) {
+        corners[i].x = places[i].x;
+        corners[i].y = places[i].y;
         corners[i].s = values[i].s;
         corners[i].t = values[i].t;
     }

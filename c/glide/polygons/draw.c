@@ -32,11 +32,13 @@ static void find_iteration(const struct glide_pipe *pipe, uint32 unit, const str
     const struct glide_chain *chain = &pipe->chain;
 
     of->first = unit ? GLIDE_OWN : GLIDE_S;
-    of->divided = 0;
+    of->corners = v;
+    of->divided = chain->units[unit]->modes.perspective;
+    if (chain->count == 1)
+        return;
     for (uint32 n = 0; n < chain->count; n++)
         if ((chain->own >> n & 1 ? n : 0) == unit)
             of->divided |= chain->units[n]->modes.perspective;
-    of->corners = v;
 }
 
 static int32 is_near(fix16 value)
@@ -46,10 +48,12 @@ static int32 is_near(fix16 value)
 
 static enum glide_result judge(const struct iteration *of, const struct vertex *v, int32 count)
 {
+    const int32 divided = of->divided;
+
     for (; count > 0; count--, v++) {
         if (!is_near(v->s) || !is_near(v->t))
             return GLIDE_BAD_COORDINATE;
-        if (of->divided && (!v->w || v->w > W_MAX || v->w < -W_MAX))
+        if (divided && (!v->w || v->w > W_MAX || v->w < -W_MAX))
             return GLIDE_BAD_W;
     }
     return GLIDE_DONE;
@@ -79,8 +83,8 @@ static void find_range(struct glide_range *range, const struct glide_iterations 
     const uint32 most = (1u << 30) - 2 * FRAME_SIDE_MAX;
     const uint32 across = fix_magnitude(dx), down = fix_magnitude(dy);
 
-    range->least = range->most = 0;
-    if (across >= most / columns || down >= most / rows || across * columns + down * rows >= most)
+    range->least = range->most = is_constant(w) ? (int32)w->at : 0;
+    if (range->least || across >= most / columns || down >= most / rows || across * columns + down * rows >= most)
         return;
     range->least = (int32)w->at + outline_least(dx * left, dx * right) + outline_least(dy * top, dy * bottom);
     range->most = (int32)w->at - outline_least(-dx * left, -dx * right)
@@ -92,14 +96,21 @@ static void find_range(struct glide_range *range, const struct glide_iterations 
 static int32 find_planes(struct glide_iterations *at, const struct setup *s,
                          const struct iteration *of, uint32 unit)
 {
-    const struct plane *w = &at->planes.of[of->first + GLIDE_W];
-
     if (!planes_coordinates(&at->planes, s, of->first, of->corners, &scale, of->divided))
         return 0;
-    at->points[unit].lod = lod_base(&at->planes.of[of->first]);
-    find_range(&at->ranges[unit], at, s, w);
-    at->divided[unit] = of->divided && !is_constant(w);
+    at->divided[unit] = of->divided && !is_constant(&at->planes.of[of->first + GLIDE_W]);
     return 1;
+}
+
+/* Finds what levels of detail depend on. */
+static void find_levels(struct glide_iterations *at, const struct setup *s, int32 has_own)
+{
+    for (int32 unit = 0; unit <= has_own; unit++) {
+        const struct plane *of = &at->planes.of[unit ? GLIDE_OWN : GLIDE_S];
+
+        at->points[unit].lod = lod_base(of);
+        find_range(&at->ranges[unit], at, s, &of[GLIDE_W]);
+    }
 }
 
 /* Draws lines by passes, or, where there are none (plan is 0, or memory is short), pixel by pixel
@@ -128,7 +139,6 @@ struct room {
     struct glide_iterations at;
     struct glide_tiling tiling;
     struct glide_plan plan;
-    struct glide_lines lines;
     struct frame unseen;
     struct glide_line_scratch line;
 };
@@ -156,40 +166,62 @@ static void count(const struct setup *s, enum span_kind kind, uint32 missed)
     s->counts->pixels[SPAN_GLIDE_PIXELS] += missed;
 }
 
-static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
-                                       const struct iteration *of)
+/* Draws a polygon by a plan of its own; returns the kind of spans. */
+static enum span_kind draw_planned(struct setup *s, struct room *room, struct glide_pipe *pipe,
+                                   int32 asks_tiles, uint32 *missed)
 {
-    struct room *room = (struct room *)s->scratch->room;
-    enum polygon_result result;
-    int32 passes, tiles;
-    uint32 missed;
+    int32 passes;
 
-    result = outline_flat(s);
-    if (result != POLYGON_DRAWN)
-        return result;
-    if (!find_planes(&room->at, s, &of[0], 0)
-        || (glide_has_own(&pipe->chain) && !find_planes(&room->at, s, &of[1], 1)))
-        return refuse(pipe, GLIDE_BAD_COORDINATE);
+    find_levels(&room->at, s, glide_has_own(&pipe->chain));
     room->plan.scratch = &room->line;
     passes = RULE_IS_ON(s, GLIDE_PASSES)
         && glide_plan_find(&room->plan, pipe, &room->at, s->frame->pixel_bytes);
     if (passes)
         RULE_APPLIES(s, GLIDE_PASSES);
-    tiles = passes && !pipe->adds && RULE_IS_ON(s, GLIDE_TILES)
-        && glide_tiles_pay(&room->tiling, pipe, &room->plan, &room->at, s);
-    if (tiles)
+    if (passes && asks_tiles && glide_tiles_pay(&room->tiling, pipe, &room->plan, &room->at, s)) {
         RULE_APPLIES(s, GLIDE_TILES);
+        if (s->renderer->only_counts)
+            hide_lines(s, room);
+        *missed = glide_tiles_draw(&room->tiling, s);
+        return SPAN_GLIDE_TILES;
+    }
     if (s->renderer->only_counts)
         hide_lines(s, room);
-    missed = 0;
-    if (tiles)
-        missed = glide_tiles_draw(&room->tiling, s);
-    else if (passes && !pipe->adds && glide_lines_find(&room->lines, &room->plan, s))
-        glide_lines(&room->lines);
+    if (passes && !pipe->adds && glide_lines_find(pipe, &room->plan, s))
+        glide_lines_draw(&pipe->lines, &room->at.planes, s, &room->line);
     else
-        missed = draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);
+        *missed = draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);
+    return SPAN_GLIDE_PASSES;
+}
+
+static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
+                                       const struct iteration *of)
+{
+    struct room *room = (struct room *)s->scratch->room;
+    enum span_kind kind = SPAN_GLIDE_PASSES;
+    enum polygon_result result;
+    uint32 missed = 0;
+    int32 asks_tiles;
+
+    result = outline_flat(s);
+    if (result != POLYGON_DRAWN)
+        return result;
+    room->at.divided[1] = 0;
+    if (!find_planes(&room->at, s, &of[0], 0)
+        || (glide_has_own(&pipe->chain) && !find_planes(&room->at, s, &of[1], 1)))
+        return refuse(pipe, GLIDE_BAD_COORDINATE);
+    asks_tiles = !pipe->adds && RULE_IS_ON(s, GLIDE_TILES) && glide_tiles_may_pay(pipe, &room->at, s);
+    if (!asks_tiles && !pipe->adds && RULE_IS_ON(s, GLIDE_PASSES)
+        && glide_lines_kept(pipe, &room->at, s)) {
+        RULE_APPLIES(s, GLIDE_PASSES);
+        if (s->renderer->only_counts)
+            hide_lines(s, room);
+        glide_lines_draw(&pipe->lines, &room->at.planes, s, &room->line);
+    } else {
+        kind = draw_planned(s, room, pipe, asks_tiles, &missed);
+    }
     if (s->counts)
-        count(s, tiles ? SPAN_GLIDE_TILES : SPAN_GLIDE_PASSES, missed);
+        count(s, kind, missed);
     return POLYGON_DRAWN;
 }
 
@@ -207,9 +239,9 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
     struct glide_pipe *pipe = material->pipe;
     const int32 has_own = glide_has_own(&pipe->chain);
     const struct vertex *second = polygon->second;
-    struct polygon paged;
     struct iteration of[GLIDE_UNITS];
     enum glide_result check;
+    const struct vertex *paged;
     struct material plain;
     struct setup s;
 
@@ -230,8 +262,7 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
              && (!has_own || is_planar(renderer, polygon, &of[1]))))
         return polygon_fan(glide_polygon_draw, renderer, polygon, material);
     setup_begin(&s, renderer, polygon, material);
-    polygon_set(&paged, polygon->vertices, polygon->count, PLANAR_ALL);
-    if (glide_lower_to_plain(&s, pipe, &plain, &paged.vertices))
-        return count_rules(&s, polygon_draw(renderer, &paged, &plain));
+    if (glide_lower_to_plain(&s, pipe, &plain, &paged))
+        return count_rules(&s, page_draw(&s, paged, &plain));
     return count_rules(&s, draw_planes(&s, pipe, of));
 }

@@ -33,17 +33,19 @@ void glide_lines_add(struct glide_lines *lines, glide_pass *pass, const void *in
     lines->longs += bytes / 4;
 }
 
-static void set_points(struct glide_points *to, const struct glide_part *part, int32 y)
+static void set_points(struct glide_points *to, const struct planes *planes, int32 first, int32 y)
 {
-    const struct plane *of = &part->iterations->planes.of[part->first];
+    const struct plane *of = &planes->of[first];
+    const uint32 right = (uint32)(-EDGE_BIAS - planes->i), down = (uint32)(y - planes->j);
+    int32 *start = &to->start.s;
 
-    glide_part_at(part, -EDGE_BIAS, y, &to->start);
-    to->across.s = (int32)of[GLIDE_S].dx;
-    to->across.t = (int32)of[GLIDE_T].dx;
-    to->across.w = (int32)of[GLIDE_W].dx;
-    to->down.s = (int32)of[GLIDE_S].dy;
-    to->down.t = (int32)of[GLIDE_T].dy;
-    to->down.w = (int32)of[GLIDE_W].dy;
+    to->deep = (int32)(of[GLIDE_W].dx | of[GLIDE_W].dy);
+    to->at.w = (int32)of[GLIDE_W].at;
+    for (int32 n = to->deep ? 3 : 2; n; n--, start++, of++) {
+        start[0] = (int32)(of->at + right * of->dx + down * of->dy);
+        start[GLIDE_ACROSS] = (int32)of->dx;
+        start[GLIDE_DOWN] = (int32)of->dy;
+    }
 }
 
 /* Whether all lines of the unit have the same passes, all of them in assembly. */
@@ -116,14 +118,27 @@ static void add_factors(struct glide_lines *lines, const struct glide_part *part
     }
 }
 
+/* Adds the pass to a unit's coordinates. */
+static void add_coordinates(struct glide_lines *lines, const struct glide_part *part,
+                            const struct glide_steps *from)
+{
+    const uint32 number = (uint32)lines->steps_used++;
+    uint32 *to = (uint32 *)&lines->steps[number];
+    const uint32 *longs = (const uint32 *)from;
+
+    for (uint32 n = sizeof *from / 4; n; n--)
+        *to++ = *longs++;
+    lines->firsts[number] = part->first;
+    glide_lines_stage(lines, part->coordinates, &lines->points[part->first == GLIDE_OWN].at,
+                      part->scratch->coordinates, &lines->steps[number]);
+}
+
 /* Adds the passes of a unit and of those upstream. to: null if it is the frame. */
 static void add_part(struct glide_lines *lines, struct glide_part *part, uint32 *to)
 {
     const struct glide_band *band = &part->bands->of[part->band];
     struct glide_part *before = band->bits & GLIDE_NEEDS_OTHER ? part->upstream : 0;
     struct glide_sampling *from = &part->samplings[part->band];
-    struct glide_points *points = &lines->points[part->first == GLIDE_OWN];
-    const struct plane *of = &part->iterations->planes.of[part->first];
     struct glide_line_scratch *work = part->scratch;
     struct glide_factors factors;
 
@@ -134,11 +149,8 @@ static void add_part(struct glide_lines *lines, struct glide_part *part, uint32 
     if (before)
         add_part(lines, before, work->other);
     if (band->bits & GLIDE_NEEDS_OWN) {
-        from->steps.s = (int32)of[GLIDE_S].dx;
-        from->steps.t = (int32)of[GLIDE_T].dx;
-        from->steps.w = (int32)of[GLIDE_W].dx;
         if (!has_coordinates(part, before))
-            glide_lines_stage(lines, part->coordinates, &points->at, work->coordinates, &from->steps);
+            add_coordinates(lines, part, &from->steps);
         glide_lines_stage(lines, from->sample, work->coordinates,
                           band->bits & GLIDE_IS_OWN ? to : work->texels, from->level);
     }
@@ -162,14 +174,66 @@ static void add_store(struct glide_lines *lines, uint32 *colours)
     }
 }
 
-int32 glide_lines_find(struct glide_lines *lines, struct glide_plan *plan, const struct setup *s)
+/* A number that grows with each change of a unit's state. */
+static uint32 state_of(const struct glide *unit)
 {
-    const int32 pixel_bytes = s->frame->pixel_bytes;
+    return unit->mode_generation + unit->memory_generation + unit->table_generation;
+}
+
+/* Notes what the passes depend on if every unit has one band. */
+static void keep(struct glide_lines *lines, const struct glide_pipe *pipe,
+                 const struct glide_iterations *at, const struct setup *s)
+{
+    lines->is_kept = 1;
+    lines->own = pipe->chain.own;
+    lines->scratch = s->scratch;
+    for (uint32 n = 0; n < GLIDE_UNITS; n++)
+        lines->divided[n] = at->divided[n];
+    for (uint32 n = 0; n < pipe->chain.count; n++)
+        lines->states[n] = state_of(pipe->chain.units[n]);
+}
+
+/* Whether the passes are those of each polygon with this key. */
+static int32 is_every_polygons(const struct glide_pipe *pipe, const struct glide_iterations *at)
+{
+    const struct glide_chain *chain = &pipe->chain;
+    uint32 bits = GLIDE_NEEDS_OTHER;
+
+    for (uint32 n = 0; n < chain->count && bits & GLIDE_NEEDS_OTHER; n++) {
+        const struct glide_modes *modes = &chain->units[n]->modes;
+        const int32 divided = at->divided[glide_has_own(chain) ? n : 0];
+
+        bits = pipe->bands[n].of[0].bits;
+        if (pipe->bands[n].count > 1 || bits & (GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER)
+            || (modes->clamp_negative_w && divided && !modes->perspective))
+            return 0;
+    }
+    return 1;
+}
+
+int32 glide_lines_kept(const struct glide_pipe *pipe, const struct glide_iterations *at,
+                       const struct setup *s)
+{
+    const struct glide_lines *lines = &pipe->lines;
+    const struct glide_chain *chain = &pipe->chain;
+
+    return lines->is_kept && lines->scratch == s->scratch && lines->bits == s->frame->pixel_bytes >> 1
+        && lines->divided[0] == at->divided[0] && lines->states[0] == state_of(chain->units[0])
+        && (chain->count == 1
+            || (lines->states[1] == state_of(chain->units[1]) && lines->own == chain->own
+                && lines->divided[1] == at->divided[1]));
+}
+
+int32 glide_lines_find(struct glide_pipe *pipe, struct glide_plan *plan, const struct setup *s)
+{
+    struct glide_lines *lines = &pipe->lines;
+    const struct glide_iterations *at = plan->parts->iterations;
     uint32 *const colours = plan->scratch->colours;
 
     lines->last_points = lines->last_stage = 0;
     lines->longs = 0;
-    lines->is_full = 0;
+    lines->is_full = lines->steps_used = 0;
+    lines->is_kept = 0;
     for (struct glide_part *part = plan->parts; part; part = part->upstream) {
         const uint16 number = part->first == GLIDE_OWN;
 
@@ -177,16 +241,46 @@ int32 glide_lines_find(struct glide_lines *lines, struct glide_plan *plan, const
             return 0;
         if (number > lines->last_points)
             lines->last_points = number;
-        set_points(&lines->points[number], part, s->box.top);
+        set_points(&lines->points[number], &at->planes, part->first, s->box.top);
     }
-    add_part(lines, plan->parts, pixel_bytes == 4 ? 0 : colours);
-    if (pixel_bytes == 2)
+    add_part(lines, plan->parts, s->frame->pixel_bytes == 4 ? 0 : colours);
+    if (s->frame->pixel_bytes == 2)
         add_store(lines, colours);
     lines->last_stage--;
+    if (lines->is_full)
+        return 0;
+    lines->joins = 0;
+    if (is_every_polygons(pipe, at)) {
+        keep(lines, pipe, at, s);
+        lines->joins = lines->steps_used == 1 && lines->last_stage
+            && lines->stages[0].constants == &lines->steps[0];
+    }
+    return 1;
+}
+
+void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s,
+                      struct glide_line_scratch *work)
+{
+    const struct frame *frame = s->frame;
+    const int32 width = s->box.right - s->box.left;
+
+    for (int32 n = lines->last_points; n >= 0; n--)
+        set_points(&lines->points[n], planes, n ? GLIDE_OWN : GLIDE_S, s->box.top);
+    for (int32 n = lines->steps_used - 1; n >= 0; n--) {
+        const struct plane *of = &planes->of[lines->firsts[n]];
+        struct glide_steps *to = &lines->steps[n];
+
+        to->s = (int32)of[GLIDE_S].dx;
+        to->t = (int32)of[GLIDE_T].dx;
+        to->w = (int32)of[GLIDE_W].dx;
+    }
     lines->lines = s->edges.lines;
     lines->count = s->box.bottom - s->box.top;
-    lines->pitch = s->frame->pitch;
-    lines->bits = pixel_bytes == 4 ? 2 : 1;
-    lines->pixels = s->frame->pixels + s->box.top * s->frame->pitch - EDGE_BIAS * pixel_bytes;
-    return !lines->is_full && lines->count > 0;
+    lines->pitch = frame->pitch;
+    lines->bits = frame->pixel_bytes >> 1;
+    lines->pixels = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
+    if (lines->joins && width <= GLIDE_TOGETHER && width * lines->count <= FRAME_SIDE_MAX)
+        glide_lines_together(lines, work->unseen);
+    else
+        glide_lines(lines);
 }

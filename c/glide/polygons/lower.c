@@ -31,22 +31,21 @@ static int32 is_inside(const struct setup *s, const fix16 *value, const struct p
 struct showing {
     const struct glide *glide;
     struct page *page;
-    struct glide_lod lod;
-    struct glide_level level;
+    const struct glide_only *only;
     struct page_window columns, rows;
     uint32 bits;                /* a texel is 2^bits pixels wide */
 };
 
 static uint32 pixel_of(const struct showing *m, uint32 i, uint32 j, int32 pixel_bytes)
 {
-    return glide_frame_pixel(glide_combine_pixel(m->glide, &m->lod, glide_texel(m->glide, &m->level, i, j), 0),
+    return glide_frame_pixel(glide_combine_pixel(m->glide, &m->only->lod, glide_texel(m->glide, &m->only->level, i, j), 0),
                              pixel_bytes);
 }
 
 /* Both axes repeat within the page. */
 static void make_row_16(uint16 *row, const struct showing *m, uint32 v)
 {
-    const uint32 wide = 1u << m->bits, period = m->level.columns << m->bits;
+    const uint32 wide = 1u << m->bits, period = m->only->level.columns << m->bits;
 
     for (uint32 u = 0; u < SIDE; u += wide) {
         const uint16 pixel = u < period ? (uint16)pixel_of(m, u >> m->bits, v, 2) : row[u - period];
@@ -58,7 +57,7 @@ static void make_row_16(uint16 *row, const struct showing *m, uint32 v)
 
 static void make_row_32(uint32 *row, const struct showing *m, uint32 v)
 {
-    const uint32 wide = 1u << m->bits, period = m->level.columns << m->bits;
+    const uint32 wide = 1u << m->bits, period = m->only->level.columns << m->bits;
 
     for (uint32 u = 0; u < SIDE; u += wide) {
         const uint32 pixel = u < period ? pixel_of(m, u >> m->bits, v, 4) : row[u - period];
@@ -71,7 +70,7 @@ static void make_row_32(uint32 *row, const struct showing *m, uint32 v)
 /* Returns a row that equals row v and is made, or end. */
 static int32 find_same(const struct showing *m, int32 v, int32 from, int32 end)
 {
-    const int32 period = (int32)m->level.rows << m->bits;
+    const int32 period = (int32)m->only->level.rows << m->bits;
     const int32 beside = v < from ? v + 1 : v - 1, far = v < from ? v + period : v - period;
 
     if (from == end)
@@ -84,7 +83,7 @@ static void make_row(void *context, int32 v, int32 from, int32 end)
 {
     const struct showing *m = context;
     const int32 bytes = m->page->map.texel_bytes, same = find_same(m, v, from, end);
-    const uint32 j = (uint32)v >> m->bits & (m->level.rows - 1);
+    const uint32 j = (uint32)v >> m->bits & (m->only->level.rows - 1);
     uint32 *row = (uint32 *)page_row(m->page, v);
 
     if (same != end) {
@@ -118,24 +117,40 @@ static int32 find_page(struct glide_pipe *pipe, struct showing *shown, int32 pix
     return 1;
 }
 
+/* Finds the unit's only LOD, if it has one, and its level; these are kept until its modes change. */
+static void find_only(struct glide_pipe *pipe, struct showing *to)
+{
+    struct glide_only *only = &pipe->only;
+    const struct glide *glide = pipe->chain.units[0];
+
+    to->glide = glide;
+    to->only = only;
+    if (only->modes == glide->mode_generation + 1)
+        return;
+    only->modes = glide->mode_generation + 1;
+    only->is_one = glide_only_lod(glide, &only->lod);
+    glide_find_level(&glide->modes, only->lod.level, &only->level);
+}
+
 /* Finds how a page shows the unit's level; returns 0 if texels would be clamped. */
 static int32 find_showing(const struct setup *s, uint32 bits, int32 margin, struct showing *to)
 {
     const struct glide_modes *modes = &to->glide->modes;
 
     to->bits = bits;
-    glide_find_level(modes, to->lod.level, &to->level);
-    find_window(to->level.columns, bits, &to->columns);
-    find_window(to->level.rows, bits, &to->rows);
+    find_window(to->only->level.columns, bits, &to->columns);
+    find_window(to->only->level.rows, bits, &to->rows);
     return (!modes->clamp_s || is_inside(s, &s->given->s, &to->columns, margin))
         && (!modes->clamp_t || is_inside(s, &s->given->t, &to->rows, margin));
 }
 
 /* Returns non-zero if the polygon needs only point samples of one unit's only level, unclamped. */
-static int32 is_plain(const struct setup *s, const struct glide_pipe *pipe, struct showing *to)
+static int32 is_plain(const struct setup *s, struct glide_pipe *pipe, struct showing *to)
 {
-    return pipe->chain.count == 1 && glide_only_lod(to->glide, &to->lod)
-        && to->lod.filter == GLIDE_POINT && find_showing(s, to->lod.level, PAGE_MARGIN, to);
+    if (pipe->chain.count > 1)
+        return 0;
+    find_only(pipe, to);
+    return to->only->is_one && to->only->lod.filter == GLIDE_POINT && find_showing(s, to->only->lod.level, PAGE_MARGIN, to);
 }
 
 /* Returns the vertices with s and t in texels of a level. */
@@ -179,12 +194,12 @@ static int32 lower_to_dithered(struct setup *s, struct glide_pipe *pipe, struct 
     struct page_rows rows;
     int32 draws;
 
-    shown.glide = glide;
-    if (pipe->chain.count > 1 || !glide_only_lod(glide, &shown.lod)
-        || shown.lod.filter != GLIDE_BILINEAR
+    find_only(pipe, &shown);
+    if (pipe->chain.count > 1 || !shown.only->is_one
+        || shown.only->lod.filter != GLIDE_BILINEAR
         || (glide->modes.perspective && !(given->w > 0 && lower_w_is_constant(s))))
         return 0;
-    s->given = scale_vertices(s, shown.lod.level);
+    s->given = scale_vertices(s, shown.only->lod.level);
     draws = find_showing(s, 0, GLIDE_DITHERED_MARGIN, &shown);
     if (draws) {
         *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
@@ -212,7 +227,6 @@ int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct mate
             return 0;
         RULE_APPLIES(s, CONSTANT_W);
     }
-    shown.glide = pipe->chain.units[0];
     if (!RULE_IS_ON(s, GLIDE_PLAIN) || !is_plain(s, pipe, &shown))
         return 0;
     RULE_APPLIES(s, GLIDE_PLAIN);

@@ -97,17 +97,22 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
 /* Finds the passes to a band's texels; returns null if there is no memory. */
 struct glide_sampling *glide_sampling_find(struct glide_part *part, uint32 band);
 
-/* Finds a unit's iterators at a pixel. */
-static inline void glide_part_at(const struct glide_part *part, int32 x, int32 y,
-                                 struct glide_iterators *at)
+/* Finds a unit's iterators at a pixel. first: its planes. */
+static inline void glide_planes_at(const struct planes *planes, int32 first, int32 x, int32 y,
+                                   struct glide_iterators *at)
 {
-    const struct planes *planes = &part->iterations->planes;
-    const struct plane *of = &planes->of[part->first];
+    const struct plane *of = &planes->of[first];
     const uint32 right = (uint32)(x - planes->i), down = (uint32)(y - planes->j);
 
     at->s = (int32)(of[GLIDE_S].at + right * of[GLIDE_S].dx + down * of[GLIDE_S].dy);
     at->t = (int32)(of[GLIDE_T].at + right * of[GLIDE_T].dx + down * of[GLIDE_T].dy);
     at->w = (int32)(of[GLIDE_W].at + right * of[GLIDE_W].dx + down * of[GLIDE_W].dy);
+}
+
+static inline void glide_part_at(const struct glide_part *part, int32 x, int32 y,
+                                 struct glide_iterators *at)
+{
+    glide_planes_at(&part->iterations->planes, part->first, x, y, at);
 }
 
 /* runs.c. Returns the band of pixels with |w| = size and dither / 16 added to their LODs. */
@@ -165,45 +170,9 @@ void glide_combine_line(const struct glide_combining *combining, const struct gl
                         const struct glide_factors *factors, const uint32 *local,
                         const uint32 *other, uint32 *to, int32 count);
 
-/* Polygons whose lines all have the same passes (lines.c). */
-enum {
-    GLIDE_STAGES = 24,          /* passes of a line; two units have 19 at most */
-    GLIDE_STAGE_LONGS = 160,    /* of what they read besides */
-    GLIDE_PIXEL_PLACES = 4      /* addresses below this are bytes from the line's first pixel on */
-};
-
-/* What a unit iterates. */
-struct glide_points {
-    struct glide_iterators start;   /* the line's, at pixel -EDGE_BIAS */
-    struct glide_iterators across, down;
-    struct glide_iterators at;      /* the line's first pixel's */
-};
-
-/* One pass: a routine of src68k/glide, none in C. */
-struct glide_stage {
-    const void *in;
-    void *out;
-    const void *constants;
-    glide_pass *pass;
-};
-
-struct glide_lines {
-    const struct scanline *lines;
-    int32 count;                /* of lines, 1 or more */
-    uint8 *pixels;              /* the first line's pixel -EDGE_BIAS */
-    int32 pitch, bits;          /* bytes from line to line; a pixel has 2^bits */
-    uint16 last_points, last_stage;     /* numbers of the last ones that are used */
-    struct glide_points points[2];      /* at GLIDE_S, at GLIDE_OWN */
-    struct glide_stage stages[GLIDE_STAGES];
-    uint32 constants[GLIDE_STAGE_LONGS];
-    uint32 longs;               /* of them that are used */
-    int32 is_full;              /* there was no room for a pass */
-    uint16 lods[2];   /* of all pixels; so are the details */
-    uint16 details[2];    /* a byte is used */
-};
-
-/* src68k/glide/lines.s: draws the lines. */
+/* src68k/glide: draw the lines; the second one those that have `joins`, if all pixels have room. */
 void glide_lines(struct glide_lines *lines);
+void glide_lines_together(struct glide_lines *lines, uint32 *room);
 
 /* lines.c. Adds a pass whose data is `bytes` long. */
 void glide_lines_add(struct glide_lines *lines, glide_pass *pass, const void *in, void *out,
@@ -218,8 +187,16 @@ void glide_combine_add(struct glide_lines *lines, const struct glide_combining *
                        const struct glide_modes *modes, const struct glide_factors *factors,
                        const uint32 *local, const uint32 *other, uint32 *to);
 
-/* lines.c. Finds the passes of all lines; returns 0 if lines do not have the same ones. */
-int32 glide_lines_find(struct glide_lines *lines, struct glide_plan *plan, const struct setup *s);
+/* lines.c. Finds the passes of all lines, pipe->lines; returns 0 if lines do not have the same ones.
+   glide_lines_kept returns non-zero if these are there already: units whose pixels all have one LOD's
+   passes keep them until their state changes. */
+int32 glide_lines_find(struct glide_pipe *pipe, struct glide_plan *plan, const struct setup *s);
+int32 glide_lines_kept(const struct glide_pipe *pipe, const struct glide_iterations *at,
+                       const struct setup *s);
+
+/* lines.c. Draws a polygon's lines, 1 or more, by passes that are found. */
+void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s,
+                      struct glide_line_scratch *work);
 
 /* pixels.c. Returns the bits of a unit's pieces of 2^bits pixels (glide_subdivision), or 0 if it
    divides each pixel or none. */

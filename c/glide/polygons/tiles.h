@@ -15,6 +15,7 @@
 
 enum glide_tiles_constants {
     GLIDE_TILES_MAX = 64,
+    GLIDE_TILES_LEAST = 128,    /* pixels of a polygon's box that asks for tiles */
     GLIDE_TILE_BITS = 8,        /* a side has 256 pixels */
     GLIDE_TILE_SET_KEY = 2 + GLIDE_UNITS * (4 + sizeof(struct glide_modes) / 4)
 };
@@ -83,6 +84,14 @@ struct glide_tiling {
     struct glide_iterations made; /* s and t of a tile's row */
     int32 makes;                /* making and made are ready */
 };
+
+/* Whether tiles are asked for: what they spare grows with a polygon's pixels, asking costs the same. */
+static inline int32 glide_tiles_may_pay(const struct glide_pipe *pipe,
+                                        const struct glide_iterations *at, const struct setup *s)
+{
+    return pipe->prefilter && !at->divided[0]
+        && (s->box.right - s->box.left) * (s->box.bottom - s->box.top) >= GLIDE_TILES_LEAST;
+}
 
 /* Whether a polygon, its lines found, is drawn from tiles: pixels of the same chain that were drawn
    without them, and its own, are as many as it needs made first, or no tile is missing. What is made then costs no more

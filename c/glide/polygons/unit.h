@@ -5,6 +5,7 @@
 #include "drawing/page.h"
 #include "glide/polygons/bands.h"
 #include "glide/polygons/decode.h"
+#include "glide/polygons/lines.h"
 
 enum glide_limits {
     GLIDE_REACH = 8192,         /* s and t: below, and above -GLIDE_REACH */
@@ -14,6 +15,14 @@ enum glide_limits {
 
 struct glide_tile_store;
 
+/* The first unit's LOD and level, if all its pixels have the same. */
+struct glide_only {
+    uint32 modes;               /* mode_generation + 1; 0: not found yet */
+    int32 is_one;
+    struct glide_lod lod;
+    struct glide_level level;
+};
+
 struct glide_pipe {
     struct glide_chain chain;
     enum glide_result result;   /* why the last polygon was refused */
@@ -21,9 +30,11 @@ struct glide_pipe {
     uint32 prefilter;           /* see glide_pipe_prefilter */
     int32 adds;                 /* see glide_pipe_adds */
     struct glide_tile_store *tiles;
+    struct glide_only only;
     struct page page;           /* a level as the plain mappers read it */
     struct glide_kept levels[GLIDE_UNITS][GLIDE_LEVEL_LAST + 1];  /* decoded for the passes */
     struct glide_bands bands[GLIDE_UNITS];
+    struct glide_lines lines;
 };
 
 /* No tile is made yet. */

@@ -23,24 +23,43 @@ static uint32 pixel_of(uint32 colour, int32 pixel_bytes)
 
 static const struct planes_scale scale = {5, N64_W_ONE, 1024 << 16};
 
-static void find_shades(struct n64_planes *planes, const struct setup *s, const uint32 *colours)
+static void find_greys(struct n64_planes *planes, const struct setup *s, struct planes_corners *corners)
 {
-    struct vertex *corners = planes_vertices(s->scratch, s->given, s->count);
+    const struct plane *grey = &planes->all.of[N64_RED + 2];
 
-    for (int32 pair = 0; pair < 2; pair++) {
-        for (int32 i = 0; i < s->count; i++) {
-            uint32 channels = colours ? colours[i] >> (16 - 16 * pair) : 0;
-            fix16 shade = s->given[i].shade;
-
-            corners[i].s = colours ? (fix16)(channels << 8 & 0xff0000) : shade;
-            corners[i].t = colours ? (fix16)(channels << 16 & 0xff0000)
-                         : pair ? 255 << 16 : shade;
-        }
-        planes_pair(&planes->all, s, N64_RED + 2 * pair, 0);
+    for (int32 n = 0; n < PLANES_CORNERS; n++) {
+        corners->of[n].s = planes_corner(s, s->given, n)->shade;
+        corners->of[n].t = 255 << 16;
+    }
+    planes_pair(&planes->all, s, corners, N64_RED + 2);
+    for (int32 i = N64_RED; i < N64_RED + 2; i++) {
+        planes->all.of[i].at = grey->at;
+        planes->all.of[i].dx = grey->dx;
+        planes->all.of[i].dy = grey->dy;
     }
 }
 
-/* Finds the planes of a polygon whose outline is found, from planes_vertices. s->given has s and t
+static void find_shades(struct n64_planes *planes, const struct setup *s, const uint32 *colours)
+{
+    struct planes_corners corners;
+
+    planes_open(&corners, s);
+    if (!colours) {
+        find_greys(planes, s, &corners);
+        return;
+    }
+    for (int32 pair = 0; pair < 2; pair++) {
+        for (int32 n = 0; n < PLANES_CORNERS; n++) {
+            const uint32 channels = colours[planes_corner(s, s->given, n) - s->given] >> (16 - 16 * pair);
+
+            corners.of[n].s = (fix16)(channels << 8 & 0xff0000);
+            corners.of[n].t = (fix16)(channels << 16 & 0xff0000);
+        }
+        planes_pair(&planes->all, s, &corners, N64_RED + 2 * pair);
+    }
+}
+
+/* Finds the planes of a polygon whose outline is found. s->given has s and t
    in texels, w and shade, 16.16. planes_coordinates converts them; S is s times 32. If
    perspective is 0, W is 0x7fff0000, and division by it changes nothing.
 
@@ -208,7 +227,7 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
                                         const uint32 *colours)
 {
     struct n64_unit *unit = s->material->unit;
-    struct polygon paged;
+    const struct vertex *paged;
     struct n64_needs needs;
     struct material plain;
 
@@ -217,9 +236,8 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
         RULE_APPLIES(s, N64_FLAT);
         return draw_flat(s, polygon, constant_colour(&unit->n64, &needs.shade));
     }
-    polygon_set(&paged, polygon->vertices, polygon->count, PLANAR_ALL);
-    if (n64_lower_to_plain(&needs, s, unit, &plain, &paged.vertices))
-        return polygon_draw(s->renderer, &paged, &plain);
+    if (n64_lower_to_plain(&needs, s, unit, &plain, &paged))
+        return page_draw(s, paged, &plain);
     return draw_planes(s, unit, &needs, colours);
 }
 
