@@ -23,7 +23,7 @@ struct glide_steps {
     uint16 behind;              /* 1: s and t are 0 where w is negative */
     uint16 bits;                /* of glide_pieces: a piece has 2^bits pixels; */
     uint16 skip, spare;         /* pixels of the first piece before the run, */
-    int32 left;                 /* the line's pixels from that piece on */
+    int32 left;                 /* the line's pixels from that piece on; 0: as many as the run's */
 };
 
 /* Two channels of a 2x2 quad, the first one in the upper word: the sum corner + fs * s + ft * t +

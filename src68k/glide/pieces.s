@@ -39,7 +39,10 @@ locals  equ     68
         lea     -locals(sp),sp
         move.l  d0,count(sp)
         move.l  a2,steps(sp)
-        move.l  glide_steps_left(a2),left(sp)
+        move.l  glide_steps_left(a2),d1
+        bne.s   .known
+        move.l  d0,d1
+.known  move.l  d1,left(sp)
         moveq   #0,d0
         move.w  glide_steps_skip(a2),d0
         move.l  d0,skip(sp)

@@ -54,7 +54,7 @@ static int32 is_steady(struct glide_part *part)
     const struct glide_sampling *from = &part->samplings[part->band];
     const uint32 bits = part->bands->of[part->band].bits;
 
-    if (!part->is_one || part->piece_bits
+    if (!part->is_one
         || (part->glide->modes.dither && bits & (GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER)))
         return 0;
     if (!(bits & GLIDE_NEEDS_OWN))
@@ -68,7 +68,8 @@ static int32 has_coordinates(const struct glide_part *part, const struct glide_p
     const struct glide_steps *a, *b;
 
     if (!before || !(before->bands->of[before->band].bits & GLIDE_NEEDS_OWN)
-        || before->first != part->first || before->coordinates != part->coordinates)
+        || before->first != part->first || before->coordinates != part->coordinates
+        || before->piece_bits != part->piece_bits)
         return 0;
     a = &part->samplings[part->band].steps;
     b = &before->samplings[before->band].steps;
@@ -128,8 +129,10 @@ static void add_coordinates(struct glide_lines *lines, const struct glide_part *
 
     for (uint32 n = sizeof *from / 4; n; n--)
         *to++ = *longs++;
+    lines->steps[number].skip = 0;
+    lines->steps[number].left = 0;
     lines->firsts[number] = part->first;
-    glide_lines_stage(lines, part->coordinates, &lines->points[part->first == GLIDE_OWN].at,
+    glide_lines_stage(lines, part->piece_bits ? glide_pieces : part->coordinates, &lines->points[part->first == GLIDE_OWN].at,
                       part->scratch->coordinates, &lines->steps[number]);
 }
 

@@ -88,8 +88,9 @@ def pieces(rng, count: int) -> Example:
     ground.behind, ground.bits = int(rng.integers(2)), int(rng.integers(3, 5))
     if rng.random() < 0.6:
         ground.skip = int(rng.integers(1 << ground.bits))
-    ground.left = ground.skip + count + int(rng.choice((0, 0, 1, rng.integers(40))))
-    return found(*iterators(rng, ground.left), count, ground)
+    line = ground.skip + count + int(rng.choice((0, 0, 1, rng.integers(40))))
+    ground.left = 0 if line == count and rng.random() < 0.5 else line
+    return found(*iterators(rng, line), count, ground)
 
 
 def priced(_, count: int, bits: int = 0, last: int = WRAPPED, shift: int = 14) -> Example:
