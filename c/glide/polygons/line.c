@@ -127,11 +127,16 @@ static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int3
     const struct glide_band *band = &part->bands->of[runs->band];
     const struct glide_sampling *from;
     struct glide_factors factors;
+    struct glide_times times;
 
     if (band->bits & GLIDE_NEEDS_OWN) {
         from = find_sampling(runs);
         if (!from)
             return 0;
+        if (glide_part_times(part, runs->band, other, &times)) {
+            glide_bilinear_times(work->coordinates, to, &times, runs->count);
+            return 1;
+        }
         from->sample(work->coordinates, band->bits & GLIDE_IS_OWN ? to : work->texels, from->level,
                      runs->count);
     }

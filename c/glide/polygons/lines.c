@@ -126,6 +126,7 @@ static void add_part(struct glide_lines *lines, struct glide_part *part, uint32 
     const struct plane *of = &part->iterations->planes.of[part->first];
     struct glide_line_scratch *work = part->scratch;
     struct glide_factors factors;
+    struct glide_times times;
 
     if (band->bits & GLIDE_IS_OTHER) {
         add_part(lines, part->upstream, to);
@@ -139,6 +140,10 @@ static void add_part(struct glide_lines *lines, struct glide_part *part, uint32 
         from->steps.w = (int32)of[GLIDE_W].dx;
         if (!has_coordinates(part, before))
             glide_lines_stage(lines, part->coordinates, &points->at, work->coordinates, &from->steps);
+        if (glide_part_times(part, part->band, work->other, &times)) {
+            glide_lines_add(lines, glide_bilinear_times, work->coordinates, to, &times, sizeof times);
+            return;
+        }
         glide_lines_stage(lines, from->sample, work->coordinates,
                           band->bits & GLIDE_IS_OWN ? to : work->texels, from->level);
     }
@@ -154,8 +159,8 @@ static void add_store(struct glide_lines *lines, uint32 *colours)
 {
     struct glide_stage *last = &lines->stages[lines->last_stage - 1];
 
-    if (last->pass == glide_bilinear && last->out == colours) {
-        last->pass = glide_bilinear_565;
+    if (last->out == colours && (last->pass == glide_bilinear || last->pass == glide_bilinear_times)) {
+        last->pass = last->pass == glide_bilinear ? glide_bilinear_565 : glide_bilinear_times_565;
         last->out = 0;
     } else {
         glide_lines_stage(lines, glide_store_565, colours, 0, 0);
