@@ -89,7 +89,7 @@ MAKERS: dict[str, Callable[..., Example]] = {f"n64_{name}": make for name, make 
     "tile_plain": partial(sample.tiled, is_plain=True),
     "lerp": lerp, "modulate": modulate, "map": mapped, "widen": widen, "combiner": combine,
     "narrow": narrow, "shade": shade, "copy_row": copy_row, "chroma": yuv.halved,
-    "convert": yuv.convert, "convert_wide": yuv.convert_wide,
+    "threepoint_yuv": yuv.threepoint, "convert": yuv.convert, "convert_wide": yuv.convert_wide,
     "threepoint_levels": sample.threepoint_levels, "widen_yuv": yuv.widen, "matrix": yuv.matrix,
     "lod": depth.lod, "lod_apart": partial(depth.lod, apart=1), "quads": sample.quads,
     "reciprocals": depth.reciprocal_table, "levels": depth.levels}.items()}
