@@ -93,16 +93,11 @@ struct n64_wide {
     int16 channels[4];
 };
 
-/* The addends of U or V to Y: green in 1/65536, because those of U and V are added before
-   rounding; blue or red, rounded. */
-struct n64_addend {
-    int32 green;
-    int16 spare, other;
-};
-
-/* Indexed by U + 128 and V + 128; made from K0 to K3. */
+/* The addends of U and of V to Y, indexed by U + 128 and V + 128; made from K0 to K3. Green's is
+   9.8 in the upper 17 bits, because those of U and V are added before rounding, blue's or red's is
+   rounded, in the lower 9: all modulo 512, and a sum of two longs is that of each. */
 struct n64_matrix {
-    struct n64_addend u[256], v[256];
+    uint32 u[256], v[256];
 };
 
 /* From YUV to R G B A = Y. */

@@ -20,11 +20,12 @@ locals  equ     16
 
         xref    n64_weights_ga_table
 
-; Goes on at \1 with d3 = G-A- of the quad a2 + 2 d2, weighed by the fractions \2 = fs << 5 | ft.
+; Makes d3 = G-A- of the quad a2 and goes on at \1. In: d1 of the table, for the fractions. Uses d0-d1.
 weigh   macro
-        adda.w  2(a5,\2.w*4),a2
-        move.w  (a5,\2.w*4),d1
         lea     \1(pc),a3
+        adda.w  d1,a2
+        swap    d1
+        jmp     (a5,d1.w)
         endm
 
         pass    n64_threepoint_yuv
@@ -59,25 +60,27 @@ weigh   macro
         or.w    d1,d7                   ; chroma's fractions
         and.w   #31<<5,d0
         or.w    d1,d0
-        weigh   .luma,d0
-        jmp     (a5,d1.w)
+        move.l  (a5,d0.w*4),d1
+        weigh   .luma
 .luma   lea     (a6,d2.l*2),a2
-        weigh   .chroma,d7
+        move.l  (a5,d7.w*4),d1
         move.w  d3,d7                   ; Y-
-        jmp     (a5,d1.w)
+        weigh   .chroma
 .chroma movem.l (sp),a2-a3
         move.w  d3,d1
         swap    d3
         lsr.w   #8,d1                   ; U
         lsr.w   #8,d3                   ; V
-        move.l  n64_addend_green(a2,d1.w*8),d2
-        add.l   n64_addend_green(a3,d3.w*8),d2
-        move.w  n64_addend_other(a2,d1.w*8),d1
-        move.w  n64_addend_other(a3,d3.w*8),d3
-        movea.l colours(sp),a2
-        move.w  #511,d0
+        move.l  (a2,d1.w*4),d2
         lsr.w   #8,d7                   ; Y
+        move.w  d2,d1
+        add.l   (a3,d3.w*4),d2
+        movea.l colours(sp),a2
+        move.w  d2,d3
         swap    d2
+        sub.w   d1,d3
+        move.w  #511,d0
+        lsr.w   #7,d2
         add.w   d7,d3                   ; R
         add.w   d7,d2                   ; G
         add.w   d7,d1                   ; B

@@ -88,7 +88,7 @@ static void decode_row(const struct making *m, int32 row, uint32 *to)
     decode_columns(m, row, to);
     if (m->quads == N64_QUADS_CHROMA)
         for (int32 k = m->width; k > 0; k--, to++)
-            *to = with_chroma(*to);
+            ((uint8 *)to)[3] = ((uint8 *)to)[0];
 }
 
 static uint32 decode_one(const struct making *m, int32 s, int32 row)

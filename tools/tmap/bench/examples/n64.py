@@ -86,7 +86,8 @@ MAKERS: dict[str, Callable[..., Example]] = {f"n64_{name}": make for name, make 
     "walk": sample.walk, "threepoint": sample.threepoint, "threepoint_16": sample.threepoint_16,
     "average": partial(sample.threepoint, averages=True), "point": sample.point,
     "store_16": sample.store_16, "divide": depth.divide, "tile": sample.tiled,
-    "tile_plain": partial(sample.tiled, is_plain=True),
+    "tile_plain": partial(sample.tiled, kind="plain"),
+    "tile_clamp": partial(sample.tiled, kind="clamp"),
     "lerp": lerp, "modulate": modulate, "map": mapped, "widen": widen, "combiner": combine,
     "narrow": narrow, "shade": shade, "copy_row": copy_row, "chroma": yuv.halved,
     "threepoint_yuv": yuv.threepoint, "convert": yuv.convert, "convert_wide": yuv.convert_wide,
@@ -96,4 +97,4 @@ MAKERS: dict[str, Callable[..., Example]] = {f"n64_{name}": make for name, make 
 #: Tables, made by C alone.
 IN_C_ALONE = ("n64_reciprocals", "n64_levels", "n64_matrix")
 #: Another form, or other input, of a pass, and the pass.
-FORMS = {"n64_tile_plain": "n64_tile", "n64_lod_apart": "n64_lod"}
+FORMS = {"n64_tile_plain": "n64_tile", "n64_tile_clamp": "n64_tile", "n64_lod_apart": "n64_lod"}

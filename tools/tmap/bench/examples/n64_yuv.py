@@ -34,9 +34,9 @@ def matrix_bytes(k: list[int]) -> bytes:
     """struct n64_matrix of K0 to K3."""
     chroma = np.arange(256) - NEUTRAL
     k0, k1, k2, k3 = (2 * n + 1 for n in k)
-    u = 256 * (k1 * chroma + 128), k3 * chroma + 128 >> 8
-    v = 256 * k2 * chroma, k0 * chroma + 128 >> 8
-    return b"".join(longs(np.stack([green, other & 0xFFFF], 1)) for green, other in (u, v))
+    u = k1 * chroma + 128, k3 * chroma + 128 >> 8
+    v = k2 * chroma, k0 * chroma + 128 >> 8
+    return b"".join(longs((green & 0x1FFFF) << 15 | other & 511) for green, other in (u, v))
 
 
 def matrix(rng, count: int) -> Example:
