@@ -52,10 +52,7 @@ static void find_factors(struct glide_factors *factors, const struct glide_runs 
     const int32 count = alike ? 1 : runs->count;
     struct glide_nearness nearness;
 
-    factors->details = &band->detail;
-    factors->fractions = &band->fraction;
-    factors->detail_step = factors->fraction_step = 0;
-    factors->flip = band->flip;
+    glide_factors_open(factors, band);
     if (!(band->bits & (GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER)))
         return;
     find_lods(runs, row, x, count);

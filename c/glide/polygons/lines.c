@@ -89,10 +89,7 @@ static void add_factors(struct glide_lines *lines, const struct glide_part *part
     struct glide_nearness nearness;
     struct glide_lods lods;
 
-    factors->details = &band->detail;
-    factors->fractions = &band->fraction;
-    factors->detail_step = factors->fraction_step = 0;
-    factors->flip = band->flip;
+    glide_factors_open(factors, band);
     if (!(band->bits & (GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER)))
         return;
     glide_lods_open(part, &lods);

@@ -160,6 +160,15 @@ struct glide_factors {
     uint16 flip, spare;
 };
 
+/* Sets a band's factors as if they were the same for all pixels. */
+static inline void glide_factors_open(struct glide_factors *factors, const struct glide_band *band)
+{
+    factors->details = &band->detail;
+    factors->fractions = &band->fraction;
+    factors->detail_step = factors->fraction_step = 0;
+    factors->flip = band->flip;
+}
+
 /* combine_line.c. Combines a line of local and other texels, R G B A; other: null if nothing is
    upstream. `to` must differ from both. */
 void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,

@@ -63,12 +63,7 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
     *next = *index + row.step;
 }
 
-/* Returns YUV's texel, of whose quads chroma is needed: with U for A too. */
-static uint32 with_chroma(uint32 texel)
-{
-    return (texel & 0xffffff00) | texel >> 24;
-}
-
+/* Decodes a row of TMEM in the order of the columns. */
 static void decode_columns(const struct making *m, int32 row, uint32 *to)
 {
     const struct n64_column *column = m->scratch->columns;
@@ -82,7 +77,7 @@ static void decode_columns(const struct making *m, int32 row, uint32 *to)
         *to++ = m->scratch->line[column->index];
 }
 
-/* Decodes a row of TMEM in the order of the columns. */
+/* The same; chroma's texels have U for A too. */
 static void decode_row(const struct making *m, int32 row, uint32 *to)
 {
     decode_columns(m, row, to);
@@ -95,7 +90,7 @@ static uint32 decode_one(const struct making *m, int32 s, int32 row)
 {
     const uint32 texel = n64_rows_texel(&m->rows, s, row);
 
-    return m->quads == N64_QUADS_CHROMA ? with_chroma(texel) : texel;
+    return m->quads == N64_QUADS_CHROMA ? (texel & 0xffffff00) | texel >> 24 : texel;
 }
 
 /* Decodes each row of TMEM once; other rows that show it are copies. */
