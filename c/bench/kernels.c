@@ -27,7 +27,8 @@ static const struct kernel c_kernels[] = {
     {"column_layout_make", (void (*)(void))make_columns},
     {"nothing", nothing},
     PASS(n64_reciprocals_c), PASS(n64_levels_c), PASS(n64_matrix_c),
-    PASS(glide_quads_c), PASS(glide_quads_8_c), PASS(glide_logarithms_c), PASS(glide_combine_line_c),
+    PASS(glide_quads_c), PASS(glide_quads_8_c), PASS(glide_logarithms_c), PASS(glide_products_c),
+    PASS(glide_combine_line_c),
     PASS(c2p_8_c), PASS(c2p_8_2x1_c), PASS(c2p_ham8_16_c), PASS(c2p_ham8_5551_c),
     PASS(c2p_ham8_32_c), PASS(ham8_control),
     {0, 0}

@@ -120,6 +120,19 @@ struct glide_mix {
     uint32 one;                 /* 1: factor 255 counts as 1.0; 0: 256 would be 1.0 */
 };
 
+/* A table of products: GLIDE_PRODUCTS + n, n an int16, has the product of m, the upper byte of n,
+   and the lower one x: x * (m + 1) >> 8. */
+enum { GLIDE_PRODUCTS = 0x8000, GLIDE_PRODUCTS_BYTES = 0x10000 };
+
+/* A level as glide_decoded has it, whose filtered texels are m, and the other texels, x. */
+struct glide_times {
+    const void *quads;
+    uint16 mask_s, mask_t;
+    uint16 columns_bits, spare;
+    const uint32 *other;
+    const uint8 *products;      /* the table's middle: + GLIDE_PRODUCTS */
+};
+
 /* Inputs of one channel of the combine unit: each points to the channel's byte, to alpha's, or to a
    zero. Steps as in glide_mix. */
 struct glide_inputs {
@@ -148,10 +161,14 @@ void glide_quads_make(struct glide_quad *quad, const uint32 *upper, const uint32
 void glide_quads_8_make(struct glide_quad_8 *quad, const uint32 *upper, const uint32 *lower,
                         uint32 columns);
 
+/* Makes a table of products. */
+void glide_products_make(uint8 *table);
+
 typedef void glide_pass(const void *in, void *out, const void *constants, int32 count);
 
 glide_pass glide_walk, glide_walk_clamp, glide_divide, glide_pieces;    /* to coordinates */
 glide_pass glide_point, glide_bilinear, glide_bilinear_565, glide_bilinear_8;
+glide_pass glide_bilinear_times, glide_bilinear_times_565;
 glide_pass glide_point_mips, glide_bilinear_mips, glide_flips;
 glide_pass glide_tile_16, glide_tile_32, glide_lod, glide_details, glide_interleave;
 glide_pass glide_lerp, glide_scale, glide_modulate, glide_modulate_rgb, glide_add, glide_alpha;

@@ -14,15 +14,18 @@ void n64_convert_texel(const struct n64 *n64, const struct n64_colour *yuv, stru
     out->a = (int16)n64_signed_9(y);
 }
 
+/* Of green's addend and the other one, both in 1/256. */
+static uint32 addend(int32 green, int32 other)
+{
+    return (uint32)green << 15 | ((uint32)other >> 8 & 0x1ff);
+}
+
 void n64_matrix_make(struct n64_matrix *matrix, const int16 *k)
 {
     for (int32 i = 0; i < 256; i++) {
         const int32 chroma = i - 128;
 
-        matrix->u[i].green = 256 * ((2 * k[1] + 1) * chroma + 128);
-        matrix->u[i].other = (int16)(((2 * k[3] + 1) * chroma + 128) >> 8);
-        matrix->v[i].green = 256 * ((2 * k[2] + 1) * chroma);
-        matrix->v[i].other = (int16)(((2 * k[0] + 1) * chroma + 128) >> 8);
-        matrix->u[i].spare = matrix->v[i].spare = 0;
+        matrix->u[i] = addend((2 * k[1] + 1) * chroma + 128, (2 * k[3] + 1) * chroma + 128);
+        matrix->v[i] = addend((2 * k[2] + 1) * chroma, (2 * k[0] + 1) * chroma + 128);
     }
 }

@@ -93,16 +93,11 @@ struct n64_wide {
     int16 channels[4];
 };
 
-/* The addends of U or V to Y: green in 1/65536, because those of U and V are added before
-   rounding; blue or red, rounded. */
-struct n64_addend {
-    int32 green;
-    int16 spare, other;
-};
-
-/* Indexed by U + 128 and V + 128; made from K0 to K3. */
+/* The addends of U and of V to Y, indexed by U + 128 and V + 128; made from K0 to K3. Green's is
+   9.8 in the upper 17 bits, because those of U and V are added before rounding, blue's or red's is
+   rounded, in the lower 9: all modulo 512, and a sum of two longs is that of each. */
 struct n64_matrix {
-    struct n64_addend u[256], v[256];
+    uint32 u[256], v[256];
 };
 
 /* From YUV to R G B A = Y. */
@@ -110,6 +105,16 @@ struct n64_yuv_conversion {
     const uint32 *chroma;       /* texels: U + 128, V + 128, any, any */
     const struct n64_matrix *matrix;
     const uint32 *colours;      /* for n64_convert: 512 R G B A, by a channel's low 9 bits */
+};
+
+/* A YUV tile as n64_decoded has it, of whose texels the filter makes colours. Chroma's quads have V
+   in G and U in A. */
+struct n64_yuv_filter {
+    const struct n64_quad *luma, *chroma;
+    uint16 mask_s, mask_t;
+    uint16 columns_bits, spare;
+    const struct n64_matrix *matrix;
+    const uint32 *colours;      /* as in n64_yuv_conversion */
 };
 
 /* The inputs of one channel of a combiner cycle and bytes from pixel to pixel, 0 for a
@@ -187,7 +192,7 @@ typedef void n64_pass(const void *in, void *out, const void *constants, int32 co
 n64_pass n64_walk, n64_divide, n64_lod, n64_tile, n64_chroma;   /* iterators, coordinates */
 n64_pass n64_point, n64_threepoint, n64_threepoint_levels, n64_threepoint_16, n64_average, n64_quads;
 n64_pass n64_lerp, n64_shade, n64_modulate, n64_map, n64_convert, n64_store_16;
-n64_pass n64_widen, n64_widen_yuv, n64_combiner, n64_convert_wide, n64_narrow;
+n64_pass n64_threepoint_yuv, n64_widen, n64_widen_yuv, n64_combiner, n64_convert_wide, n64_narrow;
 n64_pass n64_in_c;               /* calls what a struct n64_in_c names */
 
 #endif

@@ -31,6 +31,11 @@ void glide_logarithms_c(const struct pass_call *call)
     glide_logarithms_make(call->out, call->in);
 }
 
+void glide_products_c(const struct pass_call *call)
+{
+    glide_products_make(call->out);
+}
+
 void glide_quads_c(const struct pass_call *call)
 {
     const uint32 *in = call->in;

@@ -23,6 +23,9 @@ void glide_combine_line_c(const struct pass_call *call);
 /* glide_logarithms_make; in: the limits. */
 void glide_logarithms_c(const struct pass_call *call);
 
+/* glide_products_make. */
+void glide_products_c(const struct pass_call *call);
+
 /* glide_quads_make and glide_quads_8_make; in: two rows, one after the other. */
 void glide_quads_c(const struct pass_call *call);
 void glide_quads_8_c(const struct pass_call *call);

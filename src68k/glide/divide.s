@@ -127,13 +127,14 @@ locals  equ     52
         bvs     .each
         add.l   d0,d4
         bvs     .each
+        movea.l d4,a6
         magnitude d4
         lsr.l   #1,d4
         cmp.l   w_end(sp),d4
         bhs     .each
+        unclamp
         tst.l   w_most(sp)
         beq     .sound
-
         ; By differences.
         move.l  d2,d4
         movea.l d0,a6

@@ -3,25 +3,18 @@
         include "n64.i"
         include "span.i"
 
-; Filters the texels of the d0 coordinates at a0 to a1, by the parts of glide_weights. \1: the macro
-; that writes a texel, \2: its value of d7.
-glide_filter macro
+; Sets what glide_weigh reads of the level in the struct \1 at a2.
+glide_level macro
         xref    glide_weights_table
-        save_all
-        lea     (a0,d0.l*4),a6
-        move.l  glide_decoded_mask_s(a2),d6     ; and mask_t
-        move.w  glide_decoded_columns_bits(a2),d5
-        movea.l glide_decoded_quads(a2),a4
-        move.l  #\2,d7
+        move.l  \1_mask_s(a2),d6        ; and mask_t
+        move.w  \1_columns_bits(a2),d5
+        movea.l \1_quads(a2),a4
         move.l  #$000f000f,d4
         lea     glide_weights_table,a5
-        lea     .weighed(pc),a3
-        bra.s   .coordinates
-.weighed
-        \1
-        cmpa.l  a6,a0
-        beq.s   .done
-.coordinates
+        endm
+
+; Goes to the part of glide_weights for the next s:t at a0, which goes on at a3. Uses a2.
+glide_weigh macro
         move.l  (a0)+,d0                ; s:t
         moveq   #0,d2
         move.l  d0,d1
@@ -35,7 +28,52 @@ glide_filter macro
         move.w  (a5,d1.w*2),d1
         lea     (a4,d2.l*2),a2
         jmp     (a5,d1.w)
+        endm
+
+; Filters the texels of the d0 coordinates at a0 to a1, by the parts of glide_weights. \1: the macro
+; that writes a texel, \2: its value of d7.
+glide_filter macro
+        save_all
+        lea     (a0,d0.l*4),a6
+        move.l  #\2,d7
+        lea     .weighed(pc),a3
+        glide_level glide_decoded
+        bra.s   .coordinates
+.weighed
+        \1
+        cmpa.l  a6,a0
+        beq.s   .done
+.coordinates
+        glide_weigh
 .done   return_all
+        endm
+
+; The same, each texel's channels times those of the texels at a6, by the table of products a2. \1:
+; the macro that multiplies and writes. In: a2 const glide_times*.
+glide_filter_times macro
+        save_all
+        lea     (a0,d0.l*4),a3
+        move.l  a3,d7                   ; end
+        movea.l glide_times_other(a2),a6
+        move.l  glide_times_products(a2),-(sp)
+        lea     .weighed(pc),a3
+        glide_level glide_times
+        bra.s   .coordinates
+.weighed
+        movea.l (sp),a2
+        \1
+        cmpa.l  d7,a0
+        beq.s   .done
+.coordinates
+        glide_weigh
+.done   addq.l  #4,sp
+        return_all
+        endm
+
+; \2's byte = the product of the channel in the upper byte of \1's lower word and the one at a6.
+glide_product macro
+        move.b  (a6)+,\1
+        move.b  (a2,\1.w),\2
         endm
 
 ; \2 = the last coordinate, the field \1 of the steps a2; 2^32 - 1 for a wrapped axis. Uses \3.

@@ -152,12 +152,14 @@ n64_converted macro
         move.w  d1,d0
         lsr.w   #8,d0                   ; U
         and.w   d6,d1                   ; V
-        move.l  n64_addend_green(a4,d0.w*8),d2
-        move.w  n64_addend_other(a4,d0.w*8),d3
-        add.l   n64_addend_green(a5,d1.w*8),d2
-        move.w  n64_addend_other(a5,d1.w*8),d1
+        move.l  (a4,d0.w*4),d2
+        move.w  d2,d3
+        add.l   (a5,d1.w*4),d2
         move.l  (a0)+,d0
+        move.w  d2,d1
         swap    d2
+        sub.w   d3,d1
+        lsr.w   #7,d2
         and.w   d6,d0                   ; Y
         add.w   d0,d1
         add.w   d0,d2

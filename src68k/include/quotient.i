@@ -22,6 +22,45 @@ quotient macro
 .up\@   sub.l   a4,d5
         endm
 
+; a5 = 2^32 - 1, no clamp, if both ends of the line are inside the clamped axis: then all pixels are,
+; as a quotient of linear numbers only rises or only falls while w is above 0. In: d0 = s and d2 = w of
+; the first pixel, a6 and w_end(sp) those of the last, d7 = 30 - shift, a4 = half, d5 = |s|. Uses d4, d6.
+
+unclamp macro
+        cmpa.w  #-1,a5
+        beq.s   .free\@
+        cmpi.l  #FEW-1,left(sp)
+        blt.s   .free\@                 ; it would not pay
+        move.l  d2,d5
+        move.l  d0,d4
+        inside  .sides\@
+        move.l  w_end(sp),d5
+        move.l  a6,d4
+        inside  .sides\@
+        movea.w #-1,a5
+.sides\@
+        move.l  d0,d5
+        magnitude d5
+.free\@
+        endm
+
+; Goes to \1 unless s = d4 and w = d5 are surely inside. With W = w >> (30 - shift), u - half is 0 or
+; more if s >= half (W + 1), and last or less if s < (last + 1 + half) W. Destroys d5-d6.
+inside  macro
+        lsr.l   d7,d5
+        move.l  a5,d6
+        add.l   a4,d6
+        addq.l  #1,d6
+        mulu.l  d5,d6
+        cmp.l   d6,d4
+        bge.s   \1
+        move.l  a4,d6
+        addq.l  #1,d5
+        mulu.l  d5,d6
+        cmp.l   d6,d4
+        blt.s   \1
+        endm
+
 ; d4:d5 = the first pixel's 2^(30 - shift) (s + 2 w), d1:d6 = its step, a6 = 2^(31 - shift) + half.
 ; In: d0 = s, d1 = its step, d2 = w, d3 = its step, a4 = half. Uses d0, d7.
 dividends macro

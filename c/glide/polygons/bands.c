@@ -13,6 +13,16 @@ static int32 asks_for(const struct glide_modes *modes, uint32 factor)
         || (multiplies(&modes->alpha) && modes->alpha.mselect == factor);
 }
 
+/* Returns non-zero if pixels are the colours from upstream times the filtered texels. */
+static int32 is_times(const struct glide_modes *modes, const struct glide_band *band)
+{
+    const struct glide_combining *combining = &band->combining;
+
+    return combining->rgb == GLIDE_TERM_PRODUCT && combining->alpha_way <= GLIDE_ALPHA_ALIKE
+        && !combining->inverted && band->flip == (modes->rgb.reverse ? 0 : 255)
+        && band->lod.filter == GLIDE_BILINEAR && modes->fraction_bits == 4;
+}
+
 static uint32 bits_of(const struct glide_combining *combining)
 {
     return (uint32)combining->reads * GLIDE_NEEDS_OWN
@@ -38,14 +48,14 @@ static void set_band(struct glide_band *band, const struct glide_modes *modes, i
     if (asks_for(modes, GLIDE_FACTOR_LOD_FRACTION))
         known.fraction = from == to ? from & 255 : GLIDE_UNKNOWN;
     glide_combining_find(&band->combining, modes, &known, has_other, has_alpha);
-    band->bits = (uint8)bits_of(&band->combining);
+    band->flip = (uint8)known.flip;
+    band->bits = (uint8)(bits_of(&band->combining) | (is_times(modes, band) ? GLIDE_IS_TIMES : 0));
     if (known.detail == GLIDE_UNKNOWN)
         band->bits |= GLIDE_DETAILS_DIFFER;
     if (known.fraction == GLIDE_UNKNOWN)
         band->bits |= GLIDE_FRACTIONS_DIFFER;
     band->detail = (uint8)(known.detail == GLIDE_UNKNOWN ? 0 : known.detail);
     band->fraction = (uint8)(known.fraction == GLIDE_UNKNOWN ? 0 : known.fraction);
-    band->flip = (uint8)known.flip;
 }
 
 /* Returns other if it is above lod and below found, else found. */

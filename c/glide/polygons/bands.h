@@ -17,7 +17,8 @@ enum glide_band_bits {
     GLIDE_NEEDS_OTHER = 8,      /* the colours from upstream */
     GLIDE_NEEDS_OTHER_ALPHA = 16,
     GLIDE_IS_OWN = 32,          /* pixels are the own texels, unchanged, */
-    GLIDE_IS_OTHER = 64         /* or the colours from upstream */
+    GLIDE_IS_OTHER = 64,        /* or the colours from upstream */
+    GLIDE_IS_TIMES = 128        /* or both, multiplied: see glide_times */
 };
 
 struct glide_band {

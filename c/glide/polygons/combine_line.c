@@ -153,42 +153,11 @@ static void finish(const struct line *line, const uint32 *texels)
     apply(line, glide_alpha, texels, line->to, &alphas, sizeof alphas);
 }
 
-static void combine(struct line *line)
+static void combine(struct glide_lines *lines, const struct glide_combining *combining,
+                    const struct glide_modes *modes, const struct glide_factors *factors,
+                    const uint32 *local, const uint32 *other, uint32 *to, int32 count)
 {
-    const enum glide_term term = line->combining->rgb;
-    const uint32 *texels = line->to;
-
-    if (term == GLIDE_TERM_ANY)
-        for (int32 number = 0; number < ALPHA; number++)
-            combine_channel(line, &line->modes->rgb, number);
-    else
-        texels = combine_texels(line);
-    finish(line, texels);
-    if (line->combining->alpha_way == GLIDE_ALPHA_COMBINED)
-        combine_channel(line, &line->modes->alpha, ALPHA);
-}
-
-void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,
-                        const struct glide_factors *factors, const uint32 *local,
-                        const uint32 *other, uint32 *to, int32 count)
-{
-    struct line line;
-
-    line.lines = 0;
-    line.combining = combining;
-    line.modes = modes;
-    line.factors = factors;
-    line.local = local;
-    line.other = other;
-    line.to = to;
-    line.count = count;
-    combine(&line);
-}
-
-void glide_combine_add(struct glide_lines *lines, const struct glide_combining *combining,
-                       const struct glide_modes *modes, const struct glide_factors *factors,
-                       const uint32 *local, const uint32 *other, uint32 *to)
-{
+    const uint32 *texels = to;
     struct line line;
 
     line.lines = lines;
@@ -198,6 +167,27 @@ void glide_combine_add(struct glide_lines *lines, const struct glide_combining *
     line.local = local;
     line.other = other;
     line.to = to;
-    line.count = 0;
-    combine(&line);
+    line.count = count;
+    if (combining->rgb == GLIDE_TERM_ANY)
+        for (int32 number = 0; number < ALPHA; number++)
+            combine_channel(&line, &modes->rgb, number);
+    else
+        texels = combine_texels(&line);
+    finish(&line, texels);
+    if (combining->alpha_way == GLIDE_ALPHA_COMBINED)
+        combine_channel(&line, &modes->alpha, ALPHA);
+}
+
+void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,
+                        const struct glide_factors *factors, const uint32 *local,
+                        const uint32 *other, uint32 *to, int32 count)
+{
+    combine(0, combining, modes, factors, local, other, to, count);
+}
+
+void glide_combine_add(struct glide_lines *lines, const struct glide_combining *combining,
+                       const struct glide_modes *modes, const struct glide_factors *factors,
+                       const uint32 *local, const uint32 *other, uint32 *to)
+{
+    combine(lines, combining, modes, factors, local, other, to, 0);
 }

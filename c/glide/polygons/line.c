@@ -52,10 +52,7 @@ static void find_factors(struct glide_factors *factors, const struct glide_runs 
     const int32 count = alike ? 1 : runs->count;
     struct glide_nearness nearness;
 
-    factors->details = &band->detail;
-    factors->fractions = &band->fraction;
-    factors->detail_step = factors->fraction_step = 0;
-    factors->flip = band->flip;
+    glide_factors_open(factors, band);
     if (!(band->bits & (GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER)))
         return;
     find_lods(runs, row, x, count);
@@ -127,11 +124,16 @@ static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int3
     const struct glide_band *band = &part->bands->of[runs->band];
     const struct glide_sampling *from;
     struct glide_factors factors;
+    struct glide_times times;
 
     if (band->bits & GLIDE_NEEDS_OWN) {
         from = find_sampling(runs);
         if (!from)
             return 0;
+        if (glide_part_times(part, runs->band, other, &times)) {
+            glide_bilinear_times(work->coordinates, to, &times, runs->count);
+            return 1;
+        }
         from->sample(work->coordinates, band->bits & GLIDE_IS_OWN ? to : work->texels, from->level,
                      runs->count);
     }

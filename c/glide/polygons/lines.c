@@ -92,10 +92,7 @@ static void add_factors(struct glide_lines *lines, const struct glide_part *part
     struct glide_nearness nearness;
     struct glide_lods lods;
 
-    factors->details = &band->detail;
-    factors->fractions = &band->fraction;
-    factors->detail_step = factors->fraction_step = 0;
-    factors->flip = band->flip;
+    glide_factors_open(factors, band);
     if (!(band->bits & (GLIDE_DETAILS_DIFFER | GLIDE_FRACTIONS_DIFFER)))
         return;
     glide_lods_open(part, &lods);
@@ -132,8 +129,9 @@ static void add_coordinates(struct glide_lines *lines, const struct glide_part *
     lines->steps[number].skip = 0;
     lines->steps[number].left = 0;
     lines->firsts[number] = part->first;
-    glide_lines_stage(lines, part->piece_bits ? glide_pieces : part->coordinates, &lines->points[part->first == GLIDE_OWN].at,
-                      part->scratch->coordinates, &lines->steps[number]);
+    glide_lines_stage(lines, part->piece_bits ? glide_pieces : part->coordinates,
+                      &lines->points[part->first == GLIDE_OWN].at, part->scratch->coordinates,
+                      &lines->steps[number]);
 }
 
 /* Adds the passes of a unit and of those upstream. to: null if it is the frame. */
@@ -144,6 +142,7 @@ static void add_part(struct glide_lines *lines, struct glide_part *part, uint32 
     struct glide_sampling *from = &part->samplings[part->band];
     struct glide_line_scratch *work = part->scratch;
     struct glide_factors factors;
+    struct glide_times times;
 
     if (band->bits & GLIDE_IS_OTHER) {
         add_part(lines, part->upstream, to);
@@ -154,6 +153,10 @@ static void add_part(struct glide_lines *lines, struct glide_part *part, uint32 
     if (band->bits & GLIDE_NEEDS_OWN) {
         if (!has_coordinates(part, before))
             add_coordinates(lines, part, &from->steps);
+        if (glide_part_times(part, part->band, work->other, &times)) {
+            glide_lines_add(lines, glide_bilinear_times, work->coordinates, to, &times, sizeof times);
+            return;
+        }
         glide_lines_stage(lines, from->sample, work->coordinates,
                           band->bits & GLIDE_IS_OWN ? to : work->texels, from->level);
     }
@@ -169,8 +172,8 @@ static void add_store(struct glide_lines *lines, uint32 *colours)
 {
     struct glide_stage *last = &lines->stages[lines->last_stage - 1];
 
-    if (last->pass == glide_bilinear && last->out == colours) {
-        last->pass = glide_bilinear_565;
+    if (last->out == colours && (last->pass == glide_bilinear || last->pass == glide_bilinear_times)) {
+        last->pass = last->pass == glide_bilinear ? glide_bilinear_565 : glide_bilinear_times_565;
         last->out = 0;
     } else {
         glide_lines_stage(lines, glide_store_565, colours, 0, 0);

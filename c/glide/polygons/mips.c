@@ -133,10 +133,7 @@ static void combine(const struct glide_part *part, const uint32 *other, uint32 *
     struct glide_line_scratch *work = part->scratch;
     struct glide_factors factors;
 
-    factors.details = &band->detail;
-    factors.fractions = &band->fraction;
-    factors.detail_step = factors.fraction_step = 0;
-    factors.flip = band->flip;
+    glide_factors_open(&factors, band);
     if (part->mixes) {
         factors.flip = 0;
         factors.fractions = (const uint8 *)work->lods + 1;

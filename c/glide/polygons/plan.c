@@ -82,6 +82,18 @@ static int32 set_logarithms(struct glide_plan *plan, struct glide_tile_store *st
     return store->logarithms != 0;
 }
 
+/* Gives a unit the table of products, made when one first multiplies what it filters. */
+static void set_products(struct glide_part *part, struct glide_tile_store *store)
+{
+    part->products = 0;
+    if (!(part->bits & GLIDE_IS_TIMES))
+        return;
+    if (!store->products && mem_take(&store->products, GLIDE_PRODUCTS_BYTES, MEMORY_ANY))
+        glide_products_make(store->products);
+    if (store->products)
+        part->products = store->products + GLIDE_PRODUCTS;
+}
+
 /* 0: the unit's pixels have no passes. */
 static int32 find_part(struct glide_part *part, struct glide_pipe *pipe, uint32 unit,
                        const struct glide_iterations *iterations, int32 has_alpha)
@@ -130,6 +142,7 @@ int32 glide_plan_find(struct glide_plan *plan, struct glide_pipe *pipe,
         part->scratch = plan->scratch;
         bits = part->bits;
         has_alpha = (bits & GLIDE_NEEDS_OTHER_ALPHA) != 0;
+        set_products(part, pipe->tiles);
         if (!place && part->every & GLIDE_IS_OTHER)
             continue;                   /* nothing of this unit is seen */
         if (place)

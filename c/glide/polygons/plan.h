@@ -36,6 +36,7 @@ struct glide_part {
     struct glide_part *upstream;  /* 0: nothing that counts */
     struct glide_line_scratch *scratch;
     const struct glide_logarithm *logarithms;   /* where LODs are needed */
+    const uint8 *products;      /* the middle of their table; null: not needed, or no memory */
     const struct glide *glide;
     struct glide_kept *levels;
     const struct glide_bands *bands;
@@ -164,6 +165,15 @@ struct glide_factors {
     uint16 flip, spare;
 };
 
+/* Sets a band's factors as if they were the same for all pixels. */
+static inline void glide_factors_open(struct glide_factors *factors, const struct glide_band *band)
+{
+    factors->details = &band->detail;
+    factors->fractions = &band->fraction;
+    factors->detail_step = factors->fraction_step = 0;
+    factors->flip = band->flip;
+}
+
 /* combine_line.c. Combines a line of local and other texels, R G B A; other: null if nothing is
    upstream. `to` must differ from both. */
 void glide_combine_line(const struct glide_combining *combining, const struct glide_modes *modes,
@@ -181,6 +191,24 @@ void glide_lines_add(struct glide_lines *lines, glide_pass *pass, const void *in
 /* Adds a pass whose data stays where it is. */
 void glide_lines_stage(struct glide_lines *lines, glide_pass *pass, const void *in, void *out,
                        const void *constants);
+
+/* Returns non-zero if a band's texels are multiplied as they are filtered: by *times, then. */
+static inline int32 glide_part_times(const struct glide_part *part, uint32 band, const uint32 *other,
+                                     struct glide_times *times)
+{
+    const struct glide_sampling *from = &part->samplings[band];
+
+    if (!(part->bands->of[band].bits & GLIDE_IS_TIMES && part->products && from->sample == glide_bilinear))
+        return 0;
+    times->quads = from->level->quads;
+    times->mask_s = from->level->mask_s;
+    times->mask_t = from->level->mask_t;
+    times->columns_bits = from->level->columns_bits;
+    times->spare = 0;
+    times->other = other;
+    times->products = part->products;
+    return 1;
+}
 
 /* combine_line.c. Adds the passes of glide_combine_line. to: null if it is the frame. */
 void glide_combine_add(struct glide_lines *lines, const struct glide_combining *combining,

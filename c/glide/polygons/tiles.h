@@ -41,9 +41,10 @@ struct glide_tile_set {
 
 enum { GLIDE_TILE_SETS = 8 };
 
-/* What all pipes of a scene share: tiles and the table of logarithms. */
+/* What all pipes of a scene share: tiles and tables. */
 struct glide_tile_store {
     struct glide_logarithm *logarithms;  /* null until a unit needs LODs */
+    uint8 *products;            /* null until a unit multiplies what it filters */
     struct glide_tile tiles[GLIDE_TILES_MAX];
     struct glide_tile_set sets[GLIDE_TILE_SETS], *last;         /* last: of the polygon before */
     int32 count;                /* tiles with memory */

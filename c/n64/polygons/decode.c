@@ -9,6 +9,7 @@ struct making {
     struct n64_rows rows;
     const struct n64_axis *t;
     int32 width, height;
+    enum n64_quads quads;
     int32 reach;                /* columns to the neighbour in quads */
     int32 texels;               /* of a row, up to the last that columns show */
     int32 in_order;             /* column k shows texel k */
@@ -63,7 +64,7 @@ static void place_row(const struct making *m, int32 j, int32 *index, int32 *next
 }
 
 /* Decodes a row of TMEM in the order of the columns. */
-static void decode_row(const struct making *m, int32 row, uint32 *to)
+static void decode_columns(const struct making *m, int32 row, uint32 *to)
 {
     const struct n64_column *column = m->scratch->columns;
 
@@ -74,6 +75,22 @@ static void decode_row(const struct making *m, int32 row, uint32 *to)
     n64_rows_decode(&m->rows, row, m->scratch->line, m->texels);
     for (int32 k = m->width; k > 0; k--, column++)
         *to++ = m->scratch->line[column->index];
+}
+
+/* The same; chroma's texels have U for A too. */
+static void decode_row(const struct making *m, int32 row, uint32 *to)
+{
+    decode_columns(m, row, to);
+    if (m->quads == N64_QUADS_CHROMA)
+        for (int32 k = m->width; k > 0; k--, to++)
+            ((uint8 *)to)[3] = ((uint8 *)to)[0];
+}
+
+static uint32 decode_one(const struct making *m, int32 s, int32 row)
+{
+    const uint32 texel = n64_rows_texel(&m->rows, s, row);
+
+    return m->quads == N64_QUADS_CHROMA ? (texel & 0xffffff00) | texel >> 24 : texel;
 }
 
 /* Decodes each row of TMEM once; other rows that show it are copies. */
@@ -133,8 +150,8 @@ static void decode_quads(const struct making *m, int32 j, struct n64_quad *quads
             continue;
         above[0] = here[k];
         under[0] = below[k];
-        above[1] = at < 0 ? n64_rows_texel(&m->rows, beside, row) : here[at];
-        under[1] = at < 0 ? n64_rows_texel(&m->rows, beside, next) : below[at];
+        above[1] = at < 0 ? decode_one(m, beside, row) : here[at];
+        under[1] = at < 0 ? decode_one(m, beside, next) : below[at];
         by.below = under;
         n64_quads(above, quads + k, &by, 1);
     }
@@ -186,6 +203,7 @@ enum n64_result n64_decode(struct n64_decoding *decoding, const struct n64 *n64,
     making.t = &tile->t;
     making.width = 1 << columns_bits;
     making.height = 1 << rows_bits;
+    making.quads = quads;
     making.reach = quads == N64_QUADS_CHROMA ? 2 : 1;
     making.to = kept->texels;
     list_columns(&making, &tile->s);

@@ -11,7 +11,7 @@ enum n64_decode_constants {
 };
 
 /* The neighbours in a decoded tile's quads: no quads; the next texels; or in s the ones after the
-   next, for YUV's chroma, which two texels share. */
+   next, for YUV's chroma, which two texels share, and whose texels have U + 128 for A too. */
 enum n64_quads { N64_QUADS_NONE, N64_QUADS_NEXT, N64_QUADS_CHROMA };
 
 enum { N64_TILE_KEY = 3, N64_KEPT_KEY = N64_TILE_KEY + 3 };

@@ -104,6 +104,7 @@ struct n64_plan {
     /* What stages are called with. */
     struct n64_blend blend;
     struct n64_modulation modulation, product;
+    struct n64_yuv_filter yuv_filter;
     struct n64_yuv_conversion conversions[2];   /* of texel 0 and 1; [0] also the form's one */
     struct n64_combiner_plan combiner;
     struct n64_level_tile level_tiles[N64_TILES];

@@ -120,10 +120,20 @@ static void find_levels(struct list *list, uint32 *texels)
     blend(list, texels, &list->work->blendings->fraction, sizeof *list->work->blendings);
 }
 
+/* The tile of the form's one texel if a pass samples and converts it, else null. */
+static const struct n64_sampling *yuv_filtered(const struct n64_plan *plan)
+{
+    const struct n64_sampling *from = &plan->tiles[plan->yuv.tile[plan->form.swapped] ? plan->tile1 : plan->tile0];
+
+    return plan->form.any || plan->levels || !from->chroma || from->sample != n64_threepoint ? 0 : from;
+}
+
 static void find_yuv(struct list *list)
 {
     struct n64_plan *plan = list->plan;
 
+    if (yuv_filtered(plan))
+        return;
     for (int32 i = 0; i < 2; i++) {
         const struct n64_sampling *from = &plan->tiles[i ? plan->tile1 : plan->tile0];
         struct n64_yuv_line *to = &list->work->yuv[i];
@@ -140,14 +150,28 @@ static void find_yuv(struct list *list)
     }
 }
 
-/* Adds the conversion of the form's one texel to colours. */
+/* Adds the conversion of the form's one texel to colours, from its samples or together with them. */
 static void convert(struct list *list, uint32 *colours)
 {
     struct n64_plan *plan = list->plan;
-    const uint32 *luma = n64_yuv_conversion_set(&plan->conversions[0], plan, list->work->yuv,
-                                                plan->form.swapped);
+    const struct n64_sampling *from = yuv_filtered(plan);
+    struct n64_yuv_conversion *by = &plan->conversions[0];
+    struct n64_yuv_filter *to = &plan->yuv_filter;
 
-    add(list, n64_convert, luma, colours, &plan->conversions[0]);
+    if (!from) {
+        const uint32 *luma = n64_yuv_conversion_set(by, plan, list->work->yuv, plan->form.swapped);
+
+        add(list, n64_convert, luma, colours, by);
+        return;
+    }
+    to->luma = from->tile->quads;
+    to->chroma = from->chroma->quads;
+    to->mask_s = from->tile->mask_s;
+    to->mask_t = from->tile->mask_t;
+    to->columns_bits = from->tile->columns_bits;
+    to->matrix = plan->yuv.conversion.matrix;
+    to->colours = plan->yuv.conversion.colours;
+    add(list, n64_threepoint_yuv, relate(list, from), colours, to);
 }
 
 /* Adds what makes inputs of the combiner. Returns non-zero if there is a texel 1. */

@@ -1,5 +1,5 @@
 /* Passes for YUV tiles. Luma and chroma are sampled separately if a filter is on, because their
-   fractions differ, and are then converted.
+   fractions differ, and are then converted; the three-point filter has a pass that does all of this.
 
    A pair of texels shares its chroma. Chroma's fraction is therefore half of luma's, plus a half
    in odd columns, and its neighbours in s are those of the next pair. This is true of all columns,

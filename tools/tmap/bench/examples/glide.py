@@ -17,7 +17,8 @@ MAKERS: dict[str, Callable[..., Example]] = {f"glide_{name}": make for name, mak
     "walk_clamp": sample.walk_clamp, "walk_inside": sample.walk_inside, "point": sample.point,
     "bilinear": sample.bilinear, "bilinear_8": partial(sample.bilinear, bits=8),
     "quads_8": partial(sample.quads, to_bytes=sample.quad_8_bytes),
-    "bilinear_565": sample.bilinear_565, "store_565": sample.store_565,
+    "bilinear_times": combine.times, "bilinear_times_565": combine.times_565,
+    "products": combine.products, "bilinear_565": sample.bilinear_565, "store_565": sample.store_565,
     "widen_565": sample.widen_565, "divide": depth.divide, "divide_clamp": depth.divide_clamp,
     "divide_each": depth.divide_each, "pieces": depth.pieces,
     "pieces_16": partial(depth.priced, bits=4),
@@ -29,7 +30,7 @@ MAKERS: dict[str, Callable[..., Example]] = {f"glide_{name}": make for name, mak
     "combine_line": combine.combine_line,
     "quads": partial(sample.quads, to_bytes=sample.quad_bytes)}.items()} | tiles.MAKERS
 #: Tables, and what chooses passes: C alone.
-IN_C_ALONE = ("glide_quads", "glide_quads_8", "glide_logarithms", "glide_combine_line")
+IN_C_ALONE = ("glide_quads", "glide_quads_8", "glide_logarithms", "glide_products", "glide_combine_line")
 #: Other input of a pass, and the pass.
 FORMS = {"glide_walk_small": "glide_walk", "glide_walk_inside": "glide_walk_clamp",
          "glide_divide_clamp": "glide_divide", "glide_divide_each": "glide_divide",

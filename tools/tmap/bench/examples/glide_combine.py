@@ -5,7 +5,8 @@ from dataclasses import astuple, replace
 
 import numpy as np
 
-from tmap.bench.examples.example import BENCH, Example, any_texels, pixels, some_step
+from tmap.bench.examples.example import BENCH, Example, any_texels, pairs, pixels, some_step
+from tmap.bench.examples.glide_sample import DECODED, filter_pixels, filtered, packed, quad_bytes
 from tmap.build import layout
 from tmap.glide.combine import combined, detail_factor
 from tmap.glide.functions import FACTORS, FUNCTIONS, combination
@@ -38,6 +39,35 @@ MIXES = {name: mixed(by) for name, by in {
     "modulate_rgb": lambda texels, other, _, flip: np.concatenate(
         [texels[:, :3] * ((other[:, :3] ^ flip) + 1) >> 8, texels[:, 3:]], -1),
     "add": lambda texels, other, _, __: np.minimum(texels + other, 255)}.items()}
+
+
+def product(m, x):
+    """A channel x times another, m."""
+    return x * (m + 1) >> 8
+
+
+def products(_, __: int) -> Example:
+    """The whole table, of each m and x: of int16 indices, m is the upper byte."""
+    m, x = np.divmod(np.arange(1 << 16) ^ 0x8000, 256)
+    return Example(b"", product(m, x).astype(np.uint8).tobytes(), 1)
+
+
+def times(rng, count: int) -> Example:
+    """Filtered texels are m, the others x."""
+    st, ground = filter_pixels(rng, count)
+    _, values, blocks = ground.decoded(*DECODED, quad_bytes)
+    values = {name: values[name] for name in ("mask_s", "mask_t", "columns_bits")}
+    others, table = any_texels(rng, count), products(rng, count)
+    return Example(pairs(st), pixels(product(filtered(st, ground, 4), others)), count, "glide_times",
+                   values | {"spare": 0}, {"quads": blocks["quads"], "other": pixels(others),
+                                           "products": table.expected},
+                   within={"products": len(table.expected) // 2})
+
+
+def times_565(rng, count: int) -> Example:
+    made = times(rng, count)
+    made.expected = packed(made.expected)
+    return made
 
 
 def alpha(rng, count: int) -> Example:

@@ -129,10 +129,16 @@ def filtered(st: np.ndarray, ground: Map, bits: int) -> np.ndarray:
     return (weights[:, :, None] * corners).sum(1) >> 2 * bits
 
 
-def bilinear(rng, count: int, bits: int = 4) -> Example:
+def filter_pixels(rng, count: int, bits: int = 4) -> tuple[np.ndarray, Map]:
+    """The same for a filter; the bench's have each pair of fractions once, in no order."""
     st, ground = any_pixels(rng, count)
-    if count == BENCH and bits == 4:  # each pair of fractions once, in no order
+    if count == BENCH and bits == 4:
         st = (st & ~15) + rng.permuted(np.stack(np.divmod(np.arange(256), 16), 1), axis=0)
+    return st, ground
+
+
+def bilinear(rng, count: int, bits: int = 4) -> Example:
+    st, ground = filter_pixels(rng, count, bits)
     return Example(pairs(st), pixels(filtered(st, ground, bits)), count,
                    *ground.decoded(*DECODED, quad_bytes if bits == 4 else quad_8_bytes))
 

@@ -86,14 +86,15 @@ MAKERS: dict[str, Callable[..., Example]] = {f"n64_{name}": make for name, make 
     "walk": sample.walk, "threepoint": sample.threepoint, "threepoint_16": sample.threepoint_16,
     "average": partial(sample.threepoint, averages=True), "point": sample.point,
     "store_16": sample.store_16, "divide": depth.divide, "tile": sample.tiled,
-    "tile_plain": partial(sample.tiled, is_plain=True),
+    "tile_plain": partial(sample.tiled, kind="plain"),
+    "tile_clamp": partial(sample.tiled, kind="clamp"),
     "lerp": lerp, "modulate": modulate, "map": mapped, "widen": widen, "combiner": combine,
     "narrow": narrow, "shade": shade, "copy_row": copy_row, "chroma": yuv.halved,
-    "convert": yuv.convert, "convert_wide": yuv.convert_wide,
+    "threepoint_yuv": yuv.threepoint, "convert": yuv.convert, "convert_wide": yuv.convert_wide,
     "threepoint_levels": sample.threepoint_levels, "widen_yuv": yuv.widen, "matrix": yuv.matrix,
     "lod": depth.lod, "lod_apart": partial(depth.lod, apart=1), "quads": sample.quads,
     "reciprocals": depth.reciprocal_table, "levels": depth.levels}.items()}
 #: Tables, made by C alone.
 IN_C_ALONE = ("n64_reciprocals", "n64_levels", "n64_matrix")
 #: Another form, or other input, of a pass, and the pass.
-FORMS = {"n64_tile_plain": "n64_tile", "n64_lod_apart": "n64_lod"}
+FORMS = {"n64_tile_plain": "n64_tile", "n64_tile_clamp": "n64_tile", "n64_lod_apart": "n64_lod"}

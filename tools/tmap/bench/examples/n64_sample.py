@@ -111,10 +111,16 @@ def store_16(rng, count: int) -> Example:
     return Example(pixels(texels), packed(texels), count)
 
 
-def axis(rng, is_plain: bool) -> tuple[int, int, int, int]:
-    """Clamp, shift as the tile has it, low, high."""
-    if is_plain:
+def axis(rng, kind: str) -> tuple[int, int, int, int]:
+    """Clamp, shift as the tile has it, low, high; ``kind``: "any", "plain", or "clamp" without a
+    shift."""
+    if kind == "plain":
         return 0, 0, int(rng.integers(4096)), 4095
+    if kind == "clamp":
+        low, high = sorted(4 * int(n) for n in rng.integers(0, 1024, 2))
+        if rng.random() < 0.2:  # either may be the larger one, and have a fraction
+            low, high = (int(n) for n in rng.integers(0, 4096, 2))
+        return int(rng.random() < 0.8), 0, low, high
     low, high = (int(n) for n in rng.integers(0, 4096, 2))
     if rng.random() < 0.7:
         low, high = min(low, high) & ~3, max(low, high) & ~3
@@ -131,12 +137,14 @@ def related(c: int, clamp: int, shift: int, low: int, high: int) -> int:
     return 0 if clamp and c < 0 else c & 0xFFFF
 
 
-def tiled(rng, count: int, is_plain: bool = False) -> Example:
+def tiled(rng, count: int, kind: str = "any") -> Example:
     st, shape = coordinates(rng, count), layout.load().struct("n64_axis_range")
-    axes = [axis(rng, is_plain) for _ in "st"]
+    axes = [axis(rng, kind) for _ in "st"]
     for k, (*_, low, high) in enumerate(axes):  # what stands on the borders
         border = 8 * rng.choice((low, high), count) + rng.integers(-2, 3, count)
         st[:, k] = np.where(rng.random(count) < 0.3, border & 0xFFFF, st[:, k])
+    if kind == "clamp" and count == BENCH:  # inside a picture of 64x64 texels
+        axes, st = [(1, 0, 0, 63 * 4)] * 2, rng.integers(0, 63 * 32, (count, 2))
     found = [[related(int(c), *a) for c, a in zip(row, axes)] for row in signed(st, 16)]
     ranges = [list(shape.pack(shift=shift if shift <= 10 else shift - 16, clamp=clamp, low=8 * low,
                               high=8 * high, last=32 * ((high >> 2) - (low >> 2) & 0x3FF)))
