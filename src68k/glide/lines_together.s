@@ -2,7 +2,7 @@
 
         xref    _glide_walk,_glide_divide
 
-; glide_lines_together - a polygon's lines of a few pixels: its first pass line by line, the others once
+; glide_lines_together - a small polygon's lines: its first pass line by line, the others once
 ;
 ; in:      a0  struct glide_lines*  as glide_lines; passes behind the first read neither iterators nor the
 ;                      frame

@@ -10,7 +10,7 @@ enum {
     GLIDE_STAGES = 24,          /* passes of a line; two units have 19 at most */
     GLIDE_STAGE_LONGS = 160,    /* of what they read besides */
     GLIDE_ACROSS = 3, GLIDE_DOWN = 6,   /* longs from an iterator's start to its steps */
-    GLIDE_TOGETHER = 16,        /* pixels of the longest lines that are drawn together */
+    GLIDE_TOGETHER = 32,        /* pixels of the longest lines that are drawn together */
     GLIDE_PIXEL_PLACES = 4      /* addresses below this are bytes from the line's first pixel on */
 };
 
