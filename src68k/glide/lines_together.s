@@ -11,8 +11,8 @@
 ; writes:  pixels, the passes' output, the room; the points
 ; formats: as glide_lines. glide_walk is done here, pixel by pixel, and glide_divide where it clamps neither
 ;          quotients nor coordinates: without their set-up
-; cost:    about 150 cycles a line and 45 a pixel to coordinates, 250 if they are divided, 40 a line and 20 a pixel to the frame; the
-;          passes' own
+; cost:    about 150 cycles a line and 45 a pixel to coordinates, 250 if they are divided; 40 a line and 20
+;          a pixel to the frame; the passes' own
 
 ; A pass changes d0-d1/a0-a1 alone.
 
