@@ -1,17 +1,18 @@
         include "routine.i"
 
-        xref    _glide_walk
+        xref    _glide_walk,_glide_divide
 
-; glide_lines_together - a polygon's lines of a few pixels: its first pass line by line, the others once
+; glide_lines_together - a small polygon's lines: its first pass line by line, the others once
 ;
 ; in:      a0  struct glide_lines*  as glide_lines; passes behind the first read neither iterators nor the
 ;                      frame
 ;          a1  uint32*  room for all pixels
 ; reads:   the lines, the passes' input and data
 ; writes:  pixels, the passes' output, the room; the points
-; formats: as glide_lines. glide_walk is done here, pixel by pixel: without its set-up
-; cost:    about 150 cycles a line and 45 a pixel to coordinates, 40 a line and 20 a pixel to the frame; the
-;          passes' own
+; formats: as glide_lines. glide_walk is done here, pixel by pixel, and glide_divide where it clamps neither
+;          quotients nor coordinates: without their set-up
+; cost:    about 150 cycles a line and 45 a pixel to coordinates, 250 if they are divided; 40 a line and 20
+;          a pixel to the frame; the passes' own
 
 ; A pass changes d0-d1/a0-a1 alone.
 
@@ -31,14 +32,68 @@ line    macro
         move.w  scanline_last(a6),d6
         ext.l   d6
         sub.l   d0,d6
-        bmi.s   \1
+        bmi     \1
         endm
 
 ; Goes on with the next line, if there is one, at \1; (sp): the end of the lines.
 next_line macro
         lea     scanline_sizeof(a6),a6
         cmpa.l  (sp),a6
-        bne.s   \1
+        bne     \1
+        endm
+
+; \1, \2, d0 = the iterators s, t and w of the points a3 at the line's first pixel, d0 from the bias.
+iterators macro
+        move.l  across+s(a3),\1
+        move.l  across+t(a3),\2
+        muls.l  d0,\1
+        muls.l  d0,\2
+        muls.l  across+w(a3),d0
+        add.l   start+s(a3),\1
+        add.l   start+t(a3),\2
+        add.l   start+w(a3),d0
+        endm
+
+; The line's start of the points a3 becomes that of the next line. Uses d0-d2.
+down_line macro
+        movem.l down(a3),d0-d2
+        add.l   d0,start+s(a3)
+        add.l   d1,start+t(a3)
+        add.l   d2,start+w(a3)
+        endm
+
+; Coordinates of the line's d6 + 1 pixels from the iterators d5, d7 and d0 by the pass a5, to a4. Uses d6.
+by_pass macro
+        lea     at+glide_iterators_sizeof(a3),a0
+        move.l  d0,-(a0)
+        move.l  d7,-(a0)
+        move.l  d5,-(a0)
+        addq.l  #1,d6
+        move.l  d6,d0
+        movea.l a4,a1
+        lea     (a4,d6.l*4),a4
+        jsr     PASS_SAVED(a5)
+        endm
+
+; Writes \1 * 2^d3 / d0, rounded down, less a0 to a4; d4 = 32 - d3. Goes to .odd where glide_divide clamps
+; quotients. Uses d1-d2.
+divide  macro
+        move.l  \1,d1
+        tst.l   d1
+        minus   <neg.l d1>
+        lsr.l   #1,d1
+        cmp.l   d0,d1
+        bhs     .odd
+        move.l  \1,d2
+        move.l  \1,d1
+        asr.l   d4,d2
+        lsl.l   d3,d1
+        divs.l  d0,d2:d1
+        add.l   d2,d2                   ; the remainder's sign
+        moveq   #0,d2
+        subx.l  d2,d1
+        sub.w   a0,d1
+        move.w  d1,(a4)+
         endm
 
 ; On the stack:
@@ -89,37 +144,55 @@ room    equ     8
 .next   add.l   down+s(a0),d1
         add.l   down+t(a0),d2
         next_line .line
-        bra.s   .coordinates
+        bra     .coordinates
 
 .any    movea.l a0,a3
         movea.l stages+glide_stage_constants(a5),a2
         movea.l stages+glide_stage_pass(a5),a5
-        movem.l start(a3),d2-d4
+        lea     _glide_divide,a0
+        cmpa.l  a0,a5
+        bne.s   .any_line
+        moveq   #-1,d0
+        cmp.l   glide_steps_last_s(a2),d0       ; and last_t
+        beq     .divide
+
 .any_line
         line    .any_next
-        move.l  across+s(a3),d5
-        move.l  across+t(a3),d7
-        muls.l  d0,d5
-        muls.l  d0,d7
-        muls.l  across+w(a3),d0
-        add.l   d2,d5
-        add.l   d3,d7
-        add.l   d4,d0
-        lea     at+glide_iterators_sizeof(a3),a0
-        move.l  d0,-(a0)
-        move.l  d7,-(a0)
-        move.l  d5,-(a0)
-        addq.l  #1,d6
-        move.l  d6,d0
-        movea.l a4,a1
-        lea     (a4,d6.l*4),a4
-        jsr     PASS_SAVED(a5)
+        iterators d5,d7
+        by_pass
 .any_next
-        add.l   down+s(a3),d2
-        add.l   down+t(a3),d3
-        add.l   down+w(a3),d4
+        down_line
         next_line .any_line
-        movea.l lines(sp),a5
+        bra     .reload
+
+.divide moveq   #30,d3
+        sub.w   glide_steps_shift(a2),d3
+        moveq   #32,d4
+        sub.w   d3,d4
+.divide_line
+        line    .divide_next
+        iterators d5,d7
+        movea.l a4,a1
+        movea.w glide_steps_half(a2),a0
+.divide_pixel
+        tst.l   d0
+        ble     .odd
+        divide  d5
+        divide  d7
+        add.l   across+s(a3),d5
+        add.l   across+t(a3),d7
+        add.l   across+w(a3),d0
+        dbra    d6,.divide_pixel
+.divide_next
+        down_line
+        next_line .divide_line
+        bra     .reload
+.odd    movea.l a1,a4                   ; the whole line again
+        line    .divide_next
+        iterators d5,d7
+        by_pass
+        bra     .divide_next
+.reload movea.l lines(sp),a5
 
 .coordinates
         move.l  a4,d6

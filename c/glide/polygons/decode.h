@@ -4,7 +4,7 @@
 
 #include "glide/passes.h"
 #include "glide/pixel.h"
-#include "glide/polygons/scratch.h"
+#include "glide/polygons/lines.h"
 
 enum { GLIDE_LEVEL_KEY = 5 };
 

@@ -187,7 +187,8 @@ static enum span_kind draw_planned(struct setup *s, struct room *room, struct gl
     }
     if (s->renderer->only_counts)
         hide_lines(s, room);
-    if (passes && !pipe->adds && glide_lines_find(pipe, &room->plan, s))
+    if (passes && !pipe->adds
+        && (glide_lines_kept(pipe, &room->at, s) || glide_lines_find(pipe, &room->plan, s)))
         glide_lines_draw(&pipe->lines, &room->at.planes, s, &room->line);
     else
         *missed = draw_lines(pipe, passes ? &room->plan : 0, &room->at, s);
@@ -262,7 +263,7 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
              && (!has_own || is_planar(renderer, polygon, &of[1]))))
         return polygon_fan(glide_polygon_draw, renderer, polygon, material);
     setup_begin(&s, renderer, polygon, material);
-    if (glide_lower_to_plain(&s, pipe, &plain, &paged))
+    if (glide_may_be_plain(pipe) && glide_lower_to_plain(&s, pipe, &plain, &paged))
         return count_rules(&s, page_draw(&s, paged, &plain));
     return count_rules(&s, draw_planes(&s, pipe, of));
 }

@@ -40,7 +40,8 @@ static void set_points(struct glide_points *to, const struct planes *planes, int
     int32 *start = &to->start.s;
 
     to->deep = (int32)(of[GLIDE_W].dx | of[GLIDE_W].dy);
-    to->at.w = (int32)of[GLIDE_W].at;
+    to->at.w = to->start.w = (int32)of[GLIDE_W].at;
+    to->across.w = to->down.w = 0;
     for (int32 n = to->deep ? 3 : 2; n; n--, start++, of++) {
         start[0] = (int32)(of->at + right * of->dx + down * of->dy);
         start[GLIDE_ACROSS] = (int32)of->dx;

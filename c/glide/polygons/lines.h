@@ -1,16 +1,37 @@
-/* Polygons whose lines all have the same passes (lines.c). */
+/* What lines are drawn by: the renderer's scratch room, and where all of a polygon have the same passes,
+   these (lines.c). */
 #ifndef GLIDE_LINES_H
 #define GLIDE_LINES_H
 
 #include "glide/glide.h"
 #include "glide/passes.h"
+#include "limits.h"
 #include "span/scanline.h"
+
+/* A texel is its bytes' entries, exclusive-ored: no bit of its colour comes from both. */
+struct glide_bytes {
+    uint32 low[256], high[256];
+};
+
+struct glide_line_scratch {
+    /* Between the passes of a line. */
+    uint32 coordinates[FRAME_SIDE_MAX];
+    uint32 texels[FRAME_SIDE_MAX], other[FRAME_SIDE_MAX], colours[FRAME_SIDE_MAX];
+    /* Where pixels' LODs are needed. */
+    uint16 lods[FRAME_SIDE_MAX];
+    uint8 details[FRAME_SIDE_MAX];
+    uint32 quarters[4][FRAME_SIDE_MAX / 4];     /* of a line: each fourth pixel */
+    /* While a level is decoded, in the middle of a line. */
+    struct glide_bytes bytes;
+    /* The pixels of a line that is only counted; of lines that are drawn together, before they are in the frame. */
+    uint32 unseen[FRAME_SIDE_MAX];
+};
 
 enum {
     GLIDE_STAGES = 24,          /* passes of a line; two units have 19 at most */
     GLIDE_STAGE_LONGS = 160,    /* of what they read besides */
     GLIDE_ACROSS = 3, GLIDE_DOWN = 6,   /* longs from an iterator's start to its steps */
-    GLIDE_TOGETHER = 16,        /* pixels of the longest lines that are drawn together */
+    GLIDE_TOGETHER = 32,        /* pixels of the longest lines that are drawn together */
     GLIDE_PIXEL_PLACES = 4      /* addresses below this are bytes from the line's first pixel on */
 };
 

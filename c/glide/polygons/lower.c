@@ -38,8 +38,9 @@ struct showing {
 
 static uint32 pixel_of(const struct showing *m, uint32 i, uint32 j, int32 pixel_bytes)
 {
-    return glide_frame_pixel(glide_combine_pixel(m->glide, &m->only->lod, glide_texel(m->glide, &m->only->level, i, j), 0),
-                             pixel_bytes);
+    const uint32 texel = glide_texel(m->glide, &m->only->level, i, j);
+
+    return glide_frame_pixel(glide_combine_pixel(m->glide, &m->only->lod, texel, 0), pixel_bytes);
 }
 
 /* Both axes repeat within the page. */
@@ -150,7 +151,8 @@ static int32 is_plain(const struct setup *s, struct glide_pipe *pipe, struct sho
     if (pipe->chain.count > 1)
         return 0;
     find_only(pipe, to);
-    return to->only->is_one && to->only->lod.filter == GLIDE_POINT && find_showing(s, to->only->lod.level, PAGE_MARGIN, to);
+    return to->only->is_one && to->only->lod.filter == GLIDE_POINT
+        && find_showing(s, to->only->lod.level, PAGE_MARGIN, to);
 }
 
 /* Returns the vertices with s and t in texels of a level. */

@@ -15,7 +15,7 @@
 
 enum glide_tiles_constants {
     GLIDE_TILES_MAX = 64,
-    GLIDE_TILES_LEAST = 128,    /* pixels of a polygon's box that asks for tiles */
+    GLIDE_TILES_LEAST = 320,    /* pixels of a polygon's box that asks for tiles */
     GLIDE_TILE_BITS = 8,        /* a side has 256 pixels */
     GLIDE_TILE_SET_KEY = 2 + GLIDE_UNITS * (4 + sizeof(struct glide_modes) / 4)
 };

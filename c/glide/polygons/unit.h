@@ -77,6 +77,14 @@ polygon_routine glide_polygon_draw;
 int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct material *plain,
                            const struct vertex **vertices);
 
+/* Returns 0 if glide_lower_to_plain can do nothing: the first unit always filters, and divides nothing. */
+static inline int32 glide_may_be_plain(const struct glide_pipe *pipe)
+{
+    const struct glide_modes *modes = &pipe->chain.units[0]->modes;
+
+    return modes->minify == GLIDE_POINT || modes->magnify == GLIDE_POINT || modes->perspective || modes->dithered;
+}
+
 /* Returns non-zero if the second unit has separate points. */
 static inline int32 glide_has_own(const struct glide_chain *chain)
 {
