@@ -4,8 +4,7 @@
 
 ; glide_lines_together - a small polygon's lines: its first pass line by line, the others once
 ;
-; in:      a0  struct glide_lines*  as glide_lines; passes behind the first read neither iterators nor the
-;                      frame
+; in:      a0  struct glide_lines*  as glide_lines; passes behind the first read no iterators
 ;          a1  uint32*  room for all pixels
 ; reads:   the lines, the passes' input and data
 ; writes:  pixels, the passes' output, the room; the points
@@ -205,7 +204,10 @@ room    equ     8
         move.w  glide_lines_last_stage(a5),d4
         subq.w  #1,d4
 .stage  movem.l (a4)+,a0-a3
-        cmpa.l  d3,a1
+        cmpa.l  d3,a0
+        bhs.s   .in
+        adda.l  d5,a0
+.in     cmpa.l  d3,a1
         bhs.s   .out
         adda.l  d5,a1
 .out    move.l  d6,d0
