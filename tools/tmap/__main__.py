@@ -57,6 +57,8 @@ def add_scenes(commands: Commands) -> None:
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
     add_out(command, "where to (build/scene/SCENE)")
     add_machine(command, "a1200", "where its frames and times are compared (a1200)")
+    command.add_argument("--accept", action="store_true",
+                         help="write its size to tests/baseline/programs.json, from which the page's table is made")
 
     command = commands.add("profile", actions.profile, "Show where a scene's cycles go, routine by routine.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")

@@ -44,7 +44,7 @@ def scene_program(args: argparse.Namespace) -> int:
     """Makes the program of one scene."""
     build_programs()
     from tmap.product import scene_program as tool
-    return tool.command(args.scene, args.out or BUILD / "scene" / args.scene.stem, args.machine)
+    return tool.command(args.scene, args.out or BUILD / "scene" / args.scene.stem, args.machine, args.accept)
 
 
 def profile(args: argparse.Namespace) -> int:
