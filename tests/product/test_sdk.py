@@ -55,7 +55,7 @@ IN_C = {"_cover_rest", "_deep_rest", "_far_lengths", "_far_spans", "_kind_spans"
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
 #: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
 #: linked.
-MOST = {"spans": 1_500, "example": 13_500, "triangles": 29_000}
+MOST = {"spans": 1_500, "example": 13_500, "triangles": 29_000, "cube": 47_000}
 #: Names of sections, by linker: of code, and of tables.
 SECTIONS = {"vlink": {Hunk.HUNK_CODE: "CODE", Hunk.HUNK_DATA: "DATA"},
             "gcc": {Hunk.HUNK_CODE: ".text", Hunk.HUNK_DATA: ".data"}}
@@ -85,7 +85,7 @@ class Piece:
 
 def piece(segment: list[dict]) -> Piece:
     """Converts a segment from amitools' reader."""
-    made = Piece(bytes(segment[0]["data"]), segment[0]["name"], segment[0]["type"], {}, {}, {})
+    made = Piece(bytes(segment[0].get("data", b"")), segment[0]["name"], segment[0]["type"], {}, {}, {})
     for hunk in segment[1:]:
         if hunk["type"] == Hunk.HUNK_ABSRELOC32:
             made.inside = {at: number for number, ats in hunk["reloc"].items() for at in ats}
@@ -264,7 +264,8 @@ def test_lists_of_sources(kit):
     """All listed files exist and every source is in a list; polygon_draw needs no memory."""
     text = (kit / "c" / "sources.mk").read_text().replace("\\\n", " ")
     lists = {name: files.split() for name, files in re.findall(r"^(\w+) := (.*)$", text, re.M)}
-    assert set(lists) == set(sdk.LISTS)
+    assert set(lists) == {*sdk.LISTS, "own_screen"}
+    assert all((kit / "c" / file).is_file() for file in lists.pop("own_screen"))
     listed = {file for files in lists.values() for file in files}
     assert listed == {str(path) for path in sdk.offered(".c")}
     assert all((kit / "c" / file).is_file() for file in listed)
@@ -336,9 +337,9 @@ def test_example_draws_the_models_pictures(kit, tmp_path, tools):
     assert done.returncode == 0, done.stdout + done.stderr
     for name, most in MOST.items():
         assert (folder / tools / name).stat().st_size <= most, f"{tools}: {name}"
-    results = emulator.run_batch(["example", "triangles", "spans"], {}, "a1200", tmp_path,
+    results = emulator.run_batch(["example", "triangles", "spans", "cube"], {}, "a1200", tmp_path,
                                 programs=folder / tools)
-    assert [(result.code, result.output) for result in results] == [(0, "")] * 3
+    assert [(result.code, result.output) for result in results] == [(0, "")] * 4
     volume = results[0].directory
     for name, picture in (("frame", square), ("box", box)):
         for number in range(4):
@@ -346,6 +347,8 @@ def test_example_draws_the_models_pictures(kit, tmp_path, tools):
             expected = picture(number)
             assert (found == expected).all(), (
                 f"{tools}, {name} {number}: {first_wrong(expected, found)}")
+    # It has turned on a screen of its own before: the clock goes on, no key is needed.
+    assert (volume / "cube.chunky").read_bytes() == box(1).tobytes()
     planes = planar.Planes(WIDTH, HEIGHT, WIDTH // 8, WIDTH // 8 * HEIGHT, tuple(range(8)))
     found, expected = planes.decoded(np.fromfile(volume / "planes", np.uint8)), turned()
     assert (found == expected).all(), f"{tools}, planes: {first_wrong(expected, found)}"
@@ -375,7 +378,7 @@ def test_reference_has_every_call(kit) -> None:
     text = (kit / "REFERENCE.md").read_text()
     entries = re.findall(r"^### (\w+)$", text, re.M)
     assert len(entries) == len(set(entries))
-    assert {each.name for each in sdk.public()} <= {*entries}
+    assert {each.name for each in sdk.public()} | {"screen_open", "display_fields", "key_take", "clock_start"} <= {*entries}
     parts = dict(re.findall(r"^### (\w+)$(.*?)(?=^##|\Z)", text, re.M | re.S))
     for each in sdk.public():
         for argument in (*each.inputs, *each.outputs):
@@ -385,3 +388,20 @@ def test_reference_has_every_call(kit) -> None:
     baseline = json.loads(BASELINE.read_text())
     row = next(row for row in baseline["rows"] if bench.key(row) == ("affine_addx", "a1200-fast", 256))
     assert f"| `affine_addx` | 256 | cycles a pixel | {row['cycles_per_pixel']:.1f} |" in parts["span_affine_addx"]
+
+
+def test_library_of_screens_has_what_its_headers_declare(kit):
+    """With the C sources of its list and the other library, and both entries of each routine."""
+    listed = subprocess.run(["m68k-linux-gnu-nm", "--defined-only", "-g", *(
+        kit / "lib" / "elf" / name for name in ("libscreen.a", "libtmap020.a", "screen_start.o"))],
+        capture_output=True, text=True, check=True).stdout
+    there = {line.split()[-1] for line in listed.splitlines() if len(line.split()) == 3}
+    sources = re.search(r"^own_screen := (.*)$", (kit / "c" / "sources.mk").read_text(), re.M)[1].split()
+    written = " ".join((kit / "c" / name).read_text() for name in sources)
+    for header in sdk.SCREEN:
+        for name in sdk.DECLARATION.findall((kit / "include" / header).read_text()):
+            assert f"_{name}" in there or re.search(rf"^\w[\w* ]*\b{name}\(", written, re.M), f"{header}: {name}"
+    for linker, library in (("vlink", "screen.lib"), ("gcc", "libscreen.a")):
+        defined = {name for pieces in units((kit / "lib" / linker / library).read_bytes()).values()
+                   for each in pieces for name in each.defined}
+        assert {"_display_open", "_key_take", "_clock_start", "_mem_alloc"} <= defined, linker

@@ -123,6 +123,17 @@ def add_maps(commands: Commands) -> None:
     command.add_argument("--format", choices=tuple(FORMATS), default="chunky",
                          help="palette indices (chunky), or what a texel's bytes are")
 
+    command = commands.add("light", actions.to_light, "Write the light table of a picture's colours, for lit mappers.")
+    command.add_argument("source", type=Path, metavar="PICTURE")
+    add_out(command, "64 levels of 256 bytes; FILE.json beside it has the palette", "FILE", required=True)
+    command.add_argument("--towards", default="#000000", metavar="#RRGGBB", help="the colour of level 0 (black)")
+
+    command = commands.add("mesh", actions.to_mesh, "Write a model as a C header for programs with the kit.")
+    command.add_argument("source", type=Path, metavar="MODEL.obj")
+    add_out(command, "the header; its name is the mesh's", "FILE.h", required=True)
+    command.add_argument("--size", type=number, default=1.0, metavar="FACTOR", help="what coordinates are times (1)")
+    command.add_argument("--triangles", action="store_true", help="cut all faces into triangles")
+
     command = commands.add("picture", actions.to_picture, "Write a texture map as a PNG.")
     command.add_argument("source", type=Path, metavar="FILE")
     add_out(command, None, "PICTURE.png", required=True)

@@ -158,6 +158,18 @@ def to_map(args: argparse.Namespace) -> int:
     return tool.map_command(args.source, args.out, args.layout, args.format)
 
 
+def to_light(args: argparse.Namespace) -> int:
+    """Makes the light table of a picture."""
+    from tmap.run import convert as tool
+    return tool.light_command(args.source, args.out, args.towards)
+
+
+def to_mesh(args: argparse.Namespace) -> int:
+    """Converts a model to a C header."""
+    from tmap.run import mesh_header as tool
+    return tool.command(args.source, args.out, args.size, args.triangles)
+
+
 def to_picture(args: argparse.Namespace) -> int:
     """Converts a map to a picture."""
     from tmap.run import convert as tool
