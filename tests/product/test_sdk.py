@@ -388,20 +388,3 @@ def test_reference_has_every_call(kit) -> None:
     baseline = json.loads(BASELINE.read_text())
     row = next(row for row in baseline["rows"] if bench.key(row) == ("affine_addx", "a1200-fast", 256))
     assert f"| `affine_addx` | 256 | cycles a pixel | {row['cycles_per_pixel']:.1f} |" in parts["span_affine_addx"]
-
-
-def test_library_of_screens_has_what_its_headers_declare(kit):
-    """With the C sources of its list and the other library, and both entries of each routine."""
-    listed = subprocess.run(["m68k-linux-gnu-nm", "--defined-only", "-g", *(
-        kit / "lib" / "elf" / name for name in ("libscreen.a", "libtmap020.a", "screen_start.o"))],
-        capture_output=True, text=True, check=True).stdout
-    there = {line.split()[-1] for line in listed.splitlines() if len(line.split()) == 3}
-    sources = re.search(r"^own_screen := (.*)$", (kit / "c" / "sources.mk").read_text(), re.M)[1].split()
-    written = " ".join((kit / "c" / name).read_text() for name in sources)
-    for header in sdk.SCREEN:
-        for name in sdk.DECLARATION.findall((kit / "include" / header).read_text()):
-            assert f"_{name}" in there or re.search(rf"^\w[\w* ]*\b{name}\(", written, re.M), f"{header}: {name}"
-    for linker, library in (("vlink", "screen.lib"), ("gcc", "libscreen.a")):
-        defined = {name for pieces in units((kit / "lib" / linker / library).read_bytes()).values()
-                   for each in pieces for name in each.defined}
-        assert {"_display_open", "_key_take", "_clock_start", "_mem_alloc"} <= defined, linker
