@@ -4,7 +4,7 @@
     c/          C sources, and sources.mk: which of them each drawing routine needs
     lib/        the assembly as link libraries: vlink/ and gcc/ hold hunk objects, elf/ ELF ones
                 and a second library: screens, keys, clock, files, memory
-    example/    four programs and their Makefile
+    example/    programs and their Makefile
     REFERENCE.md    every call: arguments, formats, errors, cycles
 
 A routine is public if a C header declares it. The libraries hold the public routines and all that
@@ -26,6 +26,7 @@ from tmap.build import contracts, elf_object, hunk, hunk_object
 from tmap.build.elf_object import Section
 from tmap.guest.provenance import commit_seconds
 from tmap.product import sdk_include, sdk_reference
+from tmap.run import mesh_header
 
 #: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
 #: Displays are left to the programs.
@@ -52,7 +53,9 @@ LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw", "material_is_named"),
          "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "example_parts.c", "triangles.c", "triangles_parts.c", "spans.s", "start.s",
-           "cube.c", "amiga.ld")
+           "cube.c", "cube_parts.c", "stage.h", "viewer.c", "viewer_parts.c", "corridor.c", "corridor_parts.c",
+           "rotator.c", "rotator_parts.c", "amiga.ld")
+MODEL = ROOT / "tests" / "scenes" / "knot.obj"  # the viewer's
 INCLUDE = re.compile(r'#include "([^"]+)"')
 DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
 #: Routines of one type: n64_pass n64_walk, n64_divide;
@@ -261,6 +264,7 @@ def copy_files(out: Path) -> None:
     (out / "example").mkdir()
     for name in EXAMPLE:
         shutil.copyfile(FILES / name, out / "example" / name)
+    mesh_header.write(MODEL, out / "example" / "model.h", 1.0, True)
     shutil.copyfile(Path(hunk.__file__), out / "example" / "elf2hunk.py")
     shutil.copyfile(FILES / "README.txt", out / "README.txt")
     shutil.copyfile(ROOT / "LICENSE", out / "LICENSE")

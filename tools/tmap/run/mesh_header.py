@@ -38,8 +38,8 @@ def text(name: str, made: mesh_build.Tables, source: str) -> str:
             + f"\nstatic const struct scene_mesh {name} = {{{mesh}}};\n\n#endif\n")
 
 
-def command(source: Path, out: Path, size: float, triangles: bool) -> int:
-    """Writes a model as a C header; raises UserError."""
+def write(source: Path, out: Path, size: float, triangles: bool) -> tuple[mesh_build.Tables, bool]:
+    """Writes a model as a C header; returns its tables, and whether it has texture coordinates; raises UserError."""
     name = re.sub(r"\W", "_", out.stem)
     if not re.match(r"[A-Za-z]", name):
         raise UserError(f"{out}: the tables have the file's name, which must begin with a letter")
@@ -50,7 +50,14 @@ def command(source: Path, out: Path, size: float, triangles: bool) -> int:
     wishes = Wishes(size=size, mapping="uv" if has_texels else "none", light=True, triangles=triangles, planes=True)
     made = mesh_build.build(shape, wishes, str(source))
     out.write_text(text(name, made, source.name))
+    return made, has_texels
+
+
+def command(source: Path, out: Path, size: float, triangles: bool) -> int:
+    """Writes a model as a C header, and says what is in it; raises UserError."""
+    made, has_texels = write(source, out, size, triangles)
     for place in made.left_out:
         print(f"{place}: left out, has no area")
-    print(f"{out}: {len(made.points)} points, {len(made.faces)} faces")
+    print(f"{out}: {len(made.points)} points, {len(made.faces)} faces"
+          + ("" if has_texels else "; the model has no texture coordinates: s and t are 0"))
     return 0

@@ -4,6 +4,7 @@
 #include "tmap020.h"
 #include "screen/screen.h"
 #include "system/file.h"
+#include "system/system.h"
 
 enum { WIDTH = 160, HEIGHT = 128, PAGE = 65536, CORNERS = 8, TRIANGLES = 12, TURN = 64 };
 #ifndef TURNS
@@ -11,7 +12,6 @@ enum { WIDTH = 160, HEIGHT = 128, PAGE = 65536, CORNERS = 8, TRIANGLES = 12, TUR
 #endif
 
 static uint8 room[2 * PAGE];            /* a map lies at a multiple of 65,536 */
-static uint32 pixels[WIDTH * HEIGHT / 4];
 static uint8 palette[4 * 256];          /* 0, red, green, blue */
 
 /* 64 * sine of a quarter turn's sixteenths. */
@@ -67,8 +67,11 @@ int main(void)
     static struct screen screen;
     static struct screen_form form;
     uint8 *texels = room + (PAGE - 1 - ((uint32)room - 1) % PAGE);
+    uint32 *pixels;                     /* at a multiple of 8, for the conversion to planes */
     int32 angle = 0;
 
+    if (!mem_alloc(&pixels, WIDTH * HEIGHT, MEMORY_ANY))
+        return 20;
     for (int32 i = 0; i < 256 * 256; i++)
         texels[i] = (uint8)((i >> 8) ^ i);
     for (int32 i = 0; i < 256; i++) {
