@@ -55,7 +55,7 @@ IN_C = {"_cover_rest", "_deep_rest", "_far_lengths", "_far_spans", "_kind_spans"
 MEASURED = {"pixel.s", "step.s", "floor.s", "instructions.s"}
 #: Largest sizes of the example's programs in bytes, as in README.txt: unused routines are not
 #: linked.
-MOST = {"spans": 1_500, "example": 13_500, "triangles": 29_000, "cube": 47_000}
+MOST = {"spans": 1_500, "example": 13_500, "triangles": 29_000}
 #: Names of sections, by linker: of code, and of tables.
 SECTIONS = {"vlink": {Hunk.HUNK_CODE: "CODE", Hunk.HUNK_DATA: "DATA"},
             "gcc": {Hunk.HUNK_CODE: ".text", Hunk.HUNK_DATA: ".data"}}
@@ -337,9 +337,9 @@ def test_example_draws_the_models_pictures(kit, tmp_path, tools):
     assert done.returncode == 0, done.stdout + done.stderr
     for name, most in MOST.items():
         assert (folder / tools / name).stat().st_size <= most, f"{tools}: {name}"
-    results = emulator.run_batch(["example", "triangles", "spans", "cube"], {}, "a1200", tmp_path,
+    results = emulator.run_batch(["example", "triangles", "spans"], {}, "a1200", tmp_path,
                                 programs=folder / tools)
-    assert [(result.code, result.output) for result in results] == [(0, "")] * 4
+    assert [(result.code, result.output) for result in results] == [(0, "")] * 3
     volume = results[0].directory
     for name, picture in (("frame", square), ("box", box)):
         for number in range(4):
@@ -347,8 +347,6 @@ def test_example_draws_the_models_pictures(kit, tmp_path, tools):
             expected = picture(number)
             assert (found == expected).all(), (
                 f"{tools}, {name} {number}: {first_wrong(expected, found)}")
-    # It has turned on a screen of its own before: the clock goes on, no key is needed.
-    assert (volume / "cube.chunky").read_bytes() == box(1).tobytes()
     planes = planar.Planes(WIDTH, HEIGHT, WIDTH // 8, WIDTH // 8 * HEIGHT, tuple(range(8)))
     found, expected = planes.decoded(np.fromfile(volume / "planes", np.uint8)), turned()
     assert (found == expected).all(), f"{tools}, planes: {first_wrong(expected, found)}"
