@@ -231,7 +231,7 @@ class Writer:
         plan = {"list": (here, first), "end": (here, len(self.data.bytes)), "row": (self.pixels, 0),
                 "pitch": self.scene.width, "map": texels, "reciprocals": (table, 0),
                 "colour": material.colour * 0x01010101}
-        # The routines read nothing from `cull` on but that one, so the rest is left out.
+        # Only triangles_spans reads what follows `cull`, so it is left out.
         struct = layout.load().struct("triangle_plan")
         at = self.data.struct("triangle_plan", **plan)
         del self.data.bytes[at + struct.fields["lines"]["offset"]:]
