@@ -1,9 +1,7 @@
 #include "frames/frames.h"
 
+#include "frames/time.h"
 #include "system/system.h"
-
-/* Longest time for one frame, in units of 92 ms: 60 s, a thousand times that of a polygon. */
-#define FRAME_LIMIT 650
 
 enum polygon_result scene_time(struct renderer *renderer, struct scene *scene, int32 number,
                                uint32 *ticks)

@@ -1,12 +1,9 @@
 #include "triangle/polygon.h"
 
-void triangle_tables_make(struct triangle_tables *tables)
+void triangle_reciprocals_make(int32 *table)
 {
-    int32 *const table = tables->reciprocals;
     const uint32 one = 0x80000000;
 
-    tables->draw = triangle_polygon;
-    tables->run = triangle_run;
     table[0] = 0;
     for (uint32 dy = 1; dy < SNAPPED_RECIPROCALS; dy++) {
         uint32 half = dy >> 1;
@@ -16,4 +13,11 @@ void triangle_tables_make(struct triangle_tables *tables)
 
         table[dy] = (int32)(found < one ? found : one - 1);
     }
+}
+
+void triangle_tables_make(struct triangle_tables *tables)
+{
+    tables->draw = triangle_polygon;
+    tables->run = triangle_run;
+    triangle_reciprocals_make(tables->reciprocals);
 }

@@ -132,6 +132,9 @@ struct triangle_tables {
 
 void triangle_tables_make(struct triangle_tables *tables);
 
+/* Their reciprocals alone, for plans that are ready. */
+void triangle_reciprocals_make(int32 *table);
+
 /* src68k/triangle has contracts of these and the following. */
 void triangle_vertices(const struct vertices_plan *plan);
 const struct polygon *triangle_fans(struct fans_plan *plan);

@@ -54,6 +54,7 @@ sm_ArgList              equ     36
 wa_Lock                 equ     0
 
 SIGBREAKF_CTRL_C        equ     $1000
+ERROR_BREAK             equ     304
 
 MEMB_CHIP               equ     1
 MEMB_FAST               equ     2
@@ -94,6 +95,7 @@ _LVOAllocDosObject       equ     -228
 _LVOFreeDosObject        equ     -234
 _LVOSelectOutput        equ     -300
 _LVOFault               equ     -468
+_LVOPrintFault          equ     -474
 _LVORunCommand          equ     -504
 _LVOReadArgs            equ     -798
 _LVOFreeArgs            equ     -858

@@ -4,6 +4,7 @@ import re
 import subprocess
 
 from tmap.base.paths import ROOT
+from tmap.build import elf_object
 from tmap.product import sdk
 
 #: What the program has itself, as README.txt says.
@@ -46,3 +47,17 @@ def test_every_declared_function_is_there_and_links(tmp_path):
                            sdk.FILES / "amiga.ld", "-o", tmp_path / "all.elf", made, *tree.sections],
                           capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[-2000:]
+
+
+def test_library_of_screens_has_what_its_headers_declare():
+    """With the C sources of its list and the other library."""
+    objects, sources = sdk.screen_objects()
+    written = " ".join((ROOT / "c" / path).read_text() for path in sources)
+    there = set(sdk.built().home)
+    for path in objects:
+        there |= {name for section in elf_object.load(path) for name in section.symbols}
+    names = {name for header in sdk.SCREEN for name in sdk.DECLARATION.findall((ROOT / "c" / header).read_text())}
+    assert names >= {"screen_open", "display_fields", "key_take", "clock_start", "mem_alloc", "file_save"}
+    missing = {name for name in names if f"_{name}" not in there
+               and not re.search(rf"^\w[\w* ]*\b{name}\(", written, re.M)}
+    assert not missing

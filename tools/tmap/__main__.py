@@ -57,6 +57,8 @@ def add_scenes(commands: Commands) -> None:
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
     add_out(command, "where to (build/scene/SCENE)")
     add_machine(command, "a1200", "where its frames and times are compared (a1200)")
+    command.add_argument("--accept", action="store_true",
+                         help="write its size to tests/baseline/programs.json, from which the page's table is made")
 
     command = commands.add("profile", actions.profile, "Show where a scene's cycles go, routine by routine.")
     command.add_argument("scene", type=Path, metavar="SCENE.toml")
@@ -120,6 +122,17 @@ def add_maps(commands: Commands) -> None:
     command.add_argument("--layout", choices=LAYOUTS, default=LAYOUTS[0])
     command.add_argument("--format", choices=tuple(FORMATS), default="chunky",
                          help="palette indices (chunky), or what a texel's bytes are")
+
+    command = commands.add("light", actions.to_light, "Write the light table of a picture's colours, for lit mappers.")
+    command.add_argument("source", type=Path, metavar="PICTURE")
+    add_out(command, "64 levels of 256 bytes; FILE.json beside it has the palette", "FILE", required=True)
+    command.add_argument("--towards", default="#000000", metavar="#RRGGBB", help="the colour of level 0 (black)")
+
+    command = commands.add("mesh", actions.to_mesh, "Write a model as a C header for programs with the kit.")
+    command.add_argument("source", type=Path, metavar="MODEL.obj")
+    add_out(command, "the header; its name is the mesh's", "FILE.h", required=True)
+    command.add_argument("--size", type=number, default=1.0, metavar="FACTOR", help="what coordinates are times (1)")
+    command.add_argument("--triangles", action="store_true", help="cut all faces into triangles")
 
     command = commands.add("picture", actions.to_picture, "Write a texture map as a PNG.")
     command.add_argument("source", type=Path, metavar="FILE")

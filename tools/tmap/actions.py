@@ -48,7 +48,7 @@ def scene_program(args: argparse.Namespace) -> int:
     """Makes the program of one scene."""
     build_programs()
     from tmap.product import scene_program as tool
-    return tool.command(args.scene, args.out or BUILD / "scene" / args.scene.stem, args.machine)
+    return tool.command(args.scene, args.out or BUILD / "scene" / args.scene.stem, args.machine, args.accept)
 
 
 def profile(args: argparse.Namespace) -> int:
@@ -161,6 +161,18 @@ def to_map(args: argparse.Namespace) -> int:
     """Converts a picture to a map."""
     from tmap.run import convert as tool
     return tool.map_command(args.source, args.out, args.layout, args.format)
+
+
+def to_light(args: argparse.Namespace) -> int:
+    """Makes the light table of a picture."""
+    from tmap.run import convert as tool
+    return tool.light_command(args.source, args.out, args.towards)
+
+
+def to_mesh(args: argparse.Namespace) -> int:
+    """Converts a model to a C header."""
+    from tmap.run import mesh_header as tool
+    return tool.command(args.source, args.out, args.size, args.triangles)
 
 
 def to_picture(args: argparse.Namespace) -> int:

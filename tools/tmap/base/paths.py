@@ -10,5 +10,6 @@ GUEST = ROOT / "tests" / "guest"  # programs of the tests
 SCENES = ROOT / "tests" / "scenes"
 BASELINE = ROOT / "tests" / "baseline" / "bench.json"
 ACCURACY_BASELINE = ROOT / "tests" / "baseline" / "accuracy.json"  # the medium set
+PROGRAMS_BASELINE = ROOT / "tests" / "baseline" / "programs.json"  # sizes of scenes' programs
 POLYS_BASELINE = ROOT / "tests" / "baseline" / "polys.json"
 FUZZED = ROOT / "tests" / "baseline" / "fuzzed.json"

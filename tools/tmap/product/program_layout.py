@@ -6,6 +6,7 @@ cache. Holes left by omitted code are filled with untimed parts, and with timed 
 separated from other timed code by as much as the processor fetches ahead.
 """
 
+import copy
 import random
 from collections.abc import Iterator
 from pathlib import Path
@@ -14,12 +15,16 @@ import numpy as np
 
 from tmap.base.errors import UserError
 from tmap.build.elf_object import Section
-from tmap.build.hunk import HUNK_BSS, HUNK_CODE, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
+from tmap.build.hunk import HUNK_BSS, HUNK_CODE, HUNK_DATA, HUNK_END, HUNK_HEADER, HUNK_RELOC32, longs
 from tmap.product.program_parts import Part, Program
 
 HUNK_RELOC32SHORT = 0x3FC  # dos 39, as on the A1200: offsets of 16 bits
 CACHE = 256  # bytes
 LAST = ".rodata.scene_data"  # with maps; addresses are only relocated before it
+#: A section that stands for the table by which a program moves its code to its places, and the shortest hole that
+#: the table names, bytes. Other programs' files contain their holes.
+HOLES, HOLE = ".holes", 6
+ISLAND = 1 << 16  # the most words that are moved together
 #: jsr and jmp to an address become bsr and bra of the same length, which need no relocation.
 BRANCHES = {bytes.fromhex("4eb9"): 0x61, bytes.fromhex("4ef9"): 0x60}
 NOP = bytes.fromhex("4e71")
@@ -67,6 +72,22 @@ def branch(jump: bytes, distance: int, timed: int) -> bytes | None:
     return bytes([BRANCHES[jump], 0]) + (distance % (1 << 16)).to_bytes(2, "big") + NOP
 
 
+def pieces(words: int) -> list[tuple[int, int]]:
+    """Returns an island's words in parts that are moved together, each with how many words are left."""
+    return [(words - first - ISLAND if first + ISLAND < words else 0, min(ISLAND, words - first))
+            for first in range(0, words, ISLAND)]
+
+
+def relocated(offsets: list[list[int]]) -> bytes:
+    """Returns the hunk file's lists of addresses, by the hunk that they are in."""
+    rows = [[len(some), hunk, *sorted(some)] for hunk, some in enumerate(offsets) if some]
+    if not rows:
+        return b""
+    short = all(row[-1] < 1 << 16 for row in rows)
+    table = np.array([*sum(rows, []), 0], ">u2" if short else ">u4").tobytes()
+    return longs(HUNK_RELOC32SHORT if short else HUNK_RELOC32) + table + bytes(-len(table) % 4)
+
+
 class Layout:
     """Addresses of a program's parts: code and tables in one hunk, cleared memory in another."""
 
@@ -81,14 +102,30 @@ class Layout:
         room = 4 * sum(p.section.size + CACHE for p in parts) + CACHE
         self.used, self.near = np.zeros(room, bool), np.zeros(room, bool)
         self.full = 0  # there is no hole below this address
-        entry = program.parts[program.symbols["start"][0]]
+        entry = program.parts[program.entry]
         self.put([entry], [0], 0, CACHE)
         rest = [p for p in parts if p is not entry]
         self.put_fixed([p for p in rest if p.section in fixed], fixed, order)
         self.put_others([p for p in rest if p.section not in fixed])
+        self.finish()
+
+    def finish(self) -> None:
+        """Places cleared memory, and sets the size."""
         self.put_cleared()
         self.size = int(np.flatnonzero(self.used)[-1]) + 1
         self.size += -self.size % 4
+
+    def extended(self, program: Program) -> "Layout":
+        """Returns the layout of a program that has this one's parts, each at its place, and more behind them."""
+        more = copy.copy(self)
+        more.program, more.at = program, dict(self.at)
+        new = [p for p in program.parts.values() if p.section not in self.at and not p.section.bss]
+        room = sum(p.section.size + CACHE for p in new)
+        more.used = np.concatenate([self.used[:self.size], np.zeros(room, bool)])
+        more.full = self.size
+        more.put_others(new)
+        more.finish()
+        return more
 
     def put_fixed(self, parts: list[Part], fixed: dict[Section, int], order: int) -> None:
         """Places parts at their addresses in the full renderer modulo CACHE, neighbours
@@ -114,9 +151,11 @@ class Layout:
             self.put([part], [0], 0, step)
 
     def put_cleared(self) -> None:
-        """Places cleared memory in its own hunk."""
+        """Places cleared memory that has no place yet in its own hunk."""
         for part in self.program.parts.values():
-            if part.section.bss:
+            if part.section.name == HOLES:
+                self.at[part.section] = 0
+            elif part.section.bss and part.section not in self.at:
                 self.bss += -self.bss % part.section.align
                 self.at[part.section] = self.bss
                 self.bss += part.section.size
@@ -156,11 +195,11 @@ class Layout:
             return
         raise AssertionError("no room in four times the size")
 
-    def link(self) -> tuple[bytes, list[int], list[int]]:
-        """Returns the code's bytes, and the offsets in it of addresses of code and of cleared
-        memory. A whole program is for tracing: its instructions stay unchanged."""
+    def link(self) -> tuple[bytes, list[int], list[int], list[int]]:
+        """Returns the code's bytes, and the offsets in it of addresses of code, of cleared
+        memory and of the table of holes. A whole program is for tracing: its instructions stay unchanged."""
         out = np.zeros(self.size, np.uint8)
-        code, bss = [], []
+        code, bss, table = [], [], []
         for part in self.program.parts.values():
             if part.section.bss:
                 continue
@@ -180,14 +219,14 @@ class Layout:
                 if relocation.relative:
                     value -= place
                 else:
-                    (bss if target.bss else code).append(place)
+                    (table if target.name == HOLES else bss if target.bss else code).append(place)
                 limit = 1 << 8 * relocation.size
                 if not -limit // 2 <= value < limit // 2:
                     raise UserError(f"{part.section.file}: {part.section.name}: {target.name} is "
                                     f"{value} bytes away, which {relocation.size} bytes cannot say")
                 image[place:place + relocation.size] = (value % limit).to_bytes(
                     relocation.size, "big")
-        return bytes(image), code, bss
+        return bytes(image), code, bss, table
 
     @property
     def fits(self) -> bool:
@@ -198,22 +237,44 @@ class Layout:
             return False
         return True
 
+    def islands(self) -> np.ndarray:
+        """Returns first and last word, excluded, of what is between holes; all is one where no table is asked for."""
+        if not any(section.name == HOLES for section in self.program.parts):
+            return np.array([[0, self.size // 2]])
+        used = np.zeros(self.size, bool)
+        used[:min(self.size, len(self.used))] = self.used[:self.size]
+        words = np.flatnonzero(used.reshape(-1, 2).any(axis=1))
+        ends = np.flatnonzero(np.diff(words) > HOLE // 2)
+        return np.stack([np.r_[words[0], words[ends + 1]], np.r_[words[ends] + 1, self.size // 2]], axis=1)
+
     def hunks(self) -> bytes:
         """Returns the whole program as a hunk file."""
         image, *places = self.link()
-        sizes = [len(image) // 4] + [(self.bss + 3) // 4] * bool(self.bss)
-        out = longs(HUNK_HEADER, 0, len(sizes), 0, len(sizes) - 1, *sizes)
-        out += longs(HUNK_CODE, sizes[0]) + image
-        rows = [[len(offsets), hunk, *sorted(offsets)]
-                for hunk, offsets in enumerate(places) if offsets]
-        short = all(row[-1] < 1 << 16 for row in rows)
-        if rows:
-            table = np.array([*sum(rows, []), 0], ">u2" if short else ">u4").tobytes()
-            out += longs(HUNK_RELOC32SHORT if short else HUNK_RELOC32)
-            out += table + bytes(-len(table) % 4)
-        out += longs(HUNK_END)
+        islands = self.islands()
+        data = b"".join(image[2 * first:2 * last] for first, last in islands)
+        size, data = len(data), data + bytes(-len(data) % 4)
+        lengths = np.diff(islands).ravel()
+        before = islands[:, 0] - np.r_[0, np.cumsum(lengths)[:-1]]  # words of holes before each island
+
+        def packed(offset: int) -> int:
+            island = np.searchsorted(islands[:, 0], offset // 2, "right") - 1
+            return offset - 2 * int(before[island])
+
+        rows = [(len(image) // 4, HUNK_CODE, data, [[packed(at) for at in offsets] for offsets in places])]
         if self.bss:
-            out += longs(HUNK_BSS, sizes[1], HUNK_END)
+            rows.append(((self.bss + 3) // 4, HUNK_BSS, b"", []))
+        if places[2]:
+            steps = [(part, 2 * int(hole if not left else 0))
+                     for length, hole in zip(lengths[::-1], np.diff(np.r_[0, before])[::-1])
+                     for left, part in pieces(int(length))]
+            table = longs(size, len(image)) + np.array(
+                [number for part, hole in steps for number in (part - 1, hole)], ">u2").tobytes()
+            rows.append((-(-len(table) // 4), HUNK_DATA, table + bytes(-len(table) % 4), [[0, 4], [], []]))
+            if not self.bss:
+                rows[0][3][1], rows[0][3][2] = rows[0][3][2], []
+        out = longs(HUNK_HEADER, 0, len(rows), 0, len(rows) - 1, *(row[0] for row in rows))
+        for longwords, kind, data, offsets in rows:
+            out += longs(kind, len(data) // 4 if data else longwords) + data + relocated(offsets) + longs(HUNK_END)
         return out
 
     def code_end(self) -> int:

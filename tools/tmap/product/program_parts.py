@@ -21,7 +21,7 @@ SYSTEM = ("amiga", "system", "programs")
 VBCC_CODE = "CODE"  # the name of vbcc's sections, one a file
 STOP = "left_out"  # target of pointers to routines that are never called
 #: Objects whose routines replace others and call those.
-WRAPPERS = ("trace.o", "profile.o")
+WRAPPERS = ("trace.o", "profile.o", "still_time.o")
 TABLE = "_table"  # ending of symbols in code that are not routines
 
 
@@ -101,9 +101,9 @@ class Program:
     """The parts that a program needs, starting with its entry."""
 
     def __init__(self, sections: list[Section], aliases: dict[str, str],
-                 trace: dict[Section, tuple[list[int], int]] | None):
+                 trace: dict[Section, tuple[list[int], int]] | None, entry: str = "start"):
         """``trace``: executed offsets of each section, and timed as in Part; None: all parts are
-        whole."""
+        whole; ``entry``: the symbol where the program begins."""
         self.aliases, self.trace, self.sections = aliases, trace, sections
         self.symbols: dict[str, tuple[Section, int]] = {}
         for section in sections:
@@ -113,8 +113,8 @@ class Program:
                 self.symbols[name] = section, offset
         self.parts: dict[Section, Part] = {}
         self.stop = Section("", f".text.{STOP}", ILLEGAL, 2, 2, code=True, symbols={STOP: 0})
-        entry = self.symbols["start"][0]
-        self.add(entry)
+        self.entry = self.symbols[entry][0]
+        self.add(self.entry)
         while self.grow():
             pass
 

@@ -14,12 +14,13 @@ import numpy as np
 
 from tmap.base.errors import UserError
 from tmap.base.outputs import check_directory
-from tmap.base.paths import BUILD, PROGRAMS, ROOT
+from tmap.base.paths import BUILD, PROGRAMS, PROGRAMS_BASELINE, ROOT
 from tmap.build import elf_object
 from tmap.compiler.scene import compile_scene
 from tmap.guest import emulator, provenance
 from tmap.guest.emulator import CYCLES_PER_TICK
-from tmap.product.program_layout import Layout
+from tmap.product import still
+from tmap.product.program_layout import HOLES, Layout
 from tmap.product.program_parts import Program
 from tmap.run.run import SCENE_NAME, parse_output
 from tmap.scene_file.scene_file import Scene, write
@@ -28,6 +29,8 @@ from tmap.scene_file.textures import ordered
 #: Calls of the first symbol go to the second: if memory is short, the program ends with a line.
 ALIASES = {"_mem_alloc": "_mem_need", "_mem_take": "_mem_need_take",
            "workbench": "workbench_none"}
+#: Where a program begins: it moves its code to its places, and goes on to its start. Offsets count from there.
+ENTRY = "unpack"
 TRACER = {"_main": "_trace_main", "_clock_wait": "_trace_wait",
           "_clock_start": "_trace_start"}
 FLAGS = "trace.flags"
@@ -59,12 +62,18 @@ def scene_section(scene: Scene) -> elf_object.Section:
                            symbols={"_scene_data": 0})
 
 
-def load_sections(scene: Scene) -> list[elf_object.Section]:
-    """Returns all sections that a program may hold."""
+def load_sections(scene: Scene, ready: bool = False) -> list[elf_object.Section]:
+    """Returns all sections that a program may hold; ``ready``: of a still scene."""
     compiler, *files = (BUILD / "obj" / "objects").read_text().split()
-    files.append(f"build/obj/{compiler}/programs/scene.o")
-    return [section for name in files for section in elf_object.load(ROOT / name)] + [
-        scene_section(scene)]
+    if not ready:
+        files.append(f"build/obj/{compiler}/programs/scene.o")
+    found = [section for name in files for section in elf_object.load(ROOT / name)]
+    found.append(elf_object.Section("", HOLES, b"", 0, 4, bss=True, symbols={"holes": 0}))
+    if not ready:
+        return [*found, scene_section(scene)]
+    main = next(section for section in found if still.MAIN in section.symbols)
+    main.symbols["_main"] = main.symbols[still.MAIN]
+    return [*found, *still.sections(scene)]
 
 
 def run_whole(sections: list[elf_object.Section], wrapper: dict[str, str], name: str, machine: str,
@@ -93,10 +102,11 @@ def renderer_places(sections: list[elf_object.Section]) -> dict[elf_object.Secti
     return {s: places[s.file, s.name] for s in sections if (s.file, s.name) in places}
 
 
-def measure(sections: list[elf_object.Section], folder: Path) -> dict:
+def measure(sections: list[elf_object.Section], folder: Path, timing: dict[str, str] | None = None) -> dict:
     """Runs the whole program once on the emulator; returns the executed offsets of each section,
-    and timed as in Part."""
-    layout, done = run_whole(sections, TRACER, "trace", "a1200-fast", folder, TRACE_PATIENCE, timed=False)
+    and timed as in Part. ``timing``: a wrapper by which its frames are timed."""
+    layout, done = run_whole(sections, TRACER | (timing or {}), "trace", "a1200-fast", folder, TRACE_PATIENCE,
+                             timed=False)
     flags = np.frombuffer((done.directory / FLAGS).read_bytes(), np.uint8)
     if layout.code_end() > 2 * len(flags):
         raise UserError("the scene's program: more code than can be traced")
@@ -141,6 +151,12 @@ def compare(full: Run, own: Run, name: str) -> None:
             raise UserError(f"{name}: {dump} is not what the full renderer draws")
 
 
+def check_dumps(full: Run, program: Path, machine: str, folder: Path) -> None:
+    """Runs a program without a clock; refuses one whose frames differ from the full renderer's."""
+    own, = run_programs([program.name], "", {}, machine, folder, program.parent, len(full.dumps))
+    compare(Run(full.dumps, []), own, program.name)
+
+
 def is_as_fast(own: int, full: int) -> bool:
     """Returns True if a frame's ticks exceed the full renderer's by at most LONGER."""
     return own <= full + LONGER
@@ -159,9 +175,9 @@ def layouts(program: Program, places: dict[elf_object.Section, int]) -> list[Lay
 
 
 def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name: str,
-        machine: str, folder: Path) -> tuple[Layout, Run]:
+        machine: str, folder: Path, timed: Program | None = None) -> tuple[Layout, Run]:
     """Returns the smallest layout whose frames are all as fast as the full renderer's, or the
-    last."""
+    last. ``timed``: the program with the clock that it has not itself, behind its own bytes."""
     tried = layouts(program, places)
     for first in [0, *range(1, len(tried), TOGETHER)]:
         some = tried[first:first + TOGETHER if first else 1]
@@ -169,7 +185,7 @@ def fit(program: Program, places: dict[elf_object.Section, int], full: Run, name
         made.mkdir()
         names = [f"{name}{number}" for number in range(len(some))]
         for own, layout in zip(names, some):
-            layout.write(made / own)
+            (layout.extended(timed) if timed else layout).write(made / own)
         runs = run_programs(names, "", {}, machine, folder / f"run{first}", made, len(full.ticks))
         for layout, own in zip(some, runs):
             compare(full, own, name)
@@ -182,6 +198,8 @@ def sizes(program: bytes, scene: Scene) -> dict[str, int]:
     """Returns bytes of the file: code with its tables, the scene without maps, the maps."""
     maps = sum(len(data) + -len(data) % 4 for data in map(ordered, scene.textures))
     inside = len(write(scene, with_palette=False))
+    if still.is_still(scene):
+        inside = sum(section.size for section in still.sections(scene))
     return {"file": len(program), "code": len(program) - inside, "scene": inside - maps,
             "maps": maps, "without_maps": len(program) - maps}
 
@@ -214,24 +232,42 @@ def print_report(about: dict, out: Path) -> None:
     print("inside: " + ", ".join(names[:ROUTINES]) + more)
 
 
-def command(path: Path, out: Path, machine: str) -> int:
-    """Makes the program of a scene file in the directory ``out``; raises UserError."""
+def accept(about: dict) -> None:
+    """Writes a program's sizes and cycles to the baseline; a table of the page shows them."""
+    rows = json.loads(PROGRAMS_BASELINE.read_text()) if PROGRAMS_BASELINE.exists() else {}
+    cycles = round(float(np.mean(about["ticks"]["own"])) * CYCLES_PER_TICK)
+    rows[about["scene"]] = {key: about["bytes"][key] for key in ("code", "scene", "maps")} | {"cycles": cycles}
+    PROGRAMS_BASELINE.write_text(json.dumps(dict(sorted(rows.items())), indent=1) + "\n")
+
+
+def command(path: Path, out: Path, machine: str, accepted: bool = False) -> int:
+    """Makes the program of a scene file in the directory ``out``; raises UserError. ``accepted``: its sizes become
+    the baseline's."""
     check_directory(out)
     scene = compile_scene(path, None)
     name = path.stem
     if not re.fullmatch(r"[A-Za-z0-9_-]{1,30}", name):
         raise UserError(f"{path}: its name is not from 1 to 30 letters, digits, _ and -, "
                         "as the program's shall be")
-    sections = load_sections(scene)
+    ready = still.is_still(scene)
+    sections = load_sections(scene, ready)
     scene_file = write(scene)
     print(f"{name}: {scene.frames} frames, traced, then drawn by each arrangement that is tried",
           flush=True)
     with emulator.workspace() as folder:
         full, = run_programs(["render"], SCENE_NAME, {SCENE_NAME: scene_file}, machine,
                              folder / "full", PROGRAMS, scene.frames)
-        program = Program(sections, ALIASES, measure(sections, folder / "measured"))
-        layout, own = fit(program, renderer_places(sections), full, name, machine, folder)
+        names = ALIASES | {"start": ENTRY, "program_start": still.START if ready else "start"}
+        if ready:
+            trace = measure(sections, folder / "measured", still.TIMED)
+            program = Program(sections, names, trace, ENTRY)
+            timed = Program(sections, names | still.TIMED, trace, ENTRY)
+        else:
+            program, timed = Program(sections, names, measure(sections, folder / "measured"), ENTRY), None
+        layout, own = fit(program, renderer_places(sections), full, name, machine, folder, timed)
         layout.write(folder / name)
+        if timed:
+            check_dumps(full, folder / name, machine, folder / "last")
         made = {file: (folder / file).read_bytes() for file in (name, f"{name}.map")}
     full_bytes = (PROGRAMS / "render").stat().st_size
     inside = sizes(made[name], scene)
@@ -246,4 +282,6 @@ def command(path: Path, out: Path, machine: str) -> int:
         (out / file).write_bytes(data)
     (out / "program.json").write_text(json.dumps(about, indent=1) + "\n")
     print_report(about, out)
+    if accepted:
+        accept(about)
     return 0

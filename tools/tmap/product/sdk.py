@@ -3,7 +3,8 @@
     include/    C headers as they are in c/, tmap020.h which includes them, tmap020.i for assembly
     c/          C sources, and sources.mk: which of them each drawing routine needs
     lib/        the assembly as link libraries: vlink/ and gcc/ hold hunk objects, elf/ ELF ones
-    example/    three programs and their Makefile
+                and a second library: screens, keys, clock, files, memory
+    example/    programs and their Makefile
     REFERENCE.md    every call: arguments, formats, errors, cycles
 
 A routine is public if a C header declares it. The libraries hold the public routines and all that
@@ -25,6 +26,7 @@ from tmap.build import contracts, elf_object, hunk, hunk_object
 from tmap.build.elf_object import Section
 from tmap.guest.provenance import commit_seconds
 from tmap.product import sdk_include, sdk_reference
+from tmap.run import mesh_header
 
 #: Public folders of c/, with their sources and headers, and of src68k/; and single public files.
 #: Displays are left to the programs.
@@ -35,6 +37,11 @@ C_FILES = (Path("frames/draw_bodies.c"), Path("frames/draw_bodies.h"), Path("fra
            Path("frames/draw_once.c"), Path("frames/draw_depths.c"), Path("frames/draw_touched.c"),
            Path("frames/draw_touched.h"),
            Path("screen/ham8.c"), Path("screen/planar.h"))
+#: Headers of the library of screens, which tmap020.h does not include.
+SCREEN = tuple(Path(name) for name in (
+    "screen/screen.h", "screen/display.h", "screen/layout.h", "screen/copper.h", "screen/blits.h", "system/system.h",
+    "system/memory.h", "system/file.h", "system/text.h", "system/outcome.h"))
+START = "start"  # its program's entry
 #: These define what a program names: one of its C files includes them, and tmap020.h does not.
 PARTS = (Path("drawing/parts/parts.h"), Path("drawing/parts/spans.h"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
@@ -46,7 +53,9 @@ LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw", "material_is_named"),
          "triangles_draw": ("triangles_draw", "triangle_tables_make"), "n64": "n64", "glide": "glide"}
 FILES = Path(__file__).with_name("sdk_files")
 EXAMPLE = ("Makefile", "example.c", "example_parts.c", "triangles.c", "triangles_parts.c", "spans.s", "start.s",
-           "amiga.ld")
+           "cube.c", "cube_parts.c", "stage.h", "viewer.c", "viewer_parts.c", "corridor.c", "corridor_parts.c",
+           "rotator.c", "rotator_parts.c", "amiga.ld")
+MODEL = ROOT / "tests" / "scenes" / "knot.obj"  # the viewer's
 INCLUDE = re.compile(r'#include "([^"]+)"')
 DECLARATION = re.compile(r"^\w[\w* ]*?\b(\w+)\(", re.MULTILINE)
 #: Routines of one type: n64_pass n64_walk, n64_divide;
@@ -107,7 +116,11 @@ def offered(suffix: str) -> list[Path]:
 
 def headers() -> list[Path]:
     """Returns the public headers, and those that public files include, relative to c/."""
-    todo = offered(".c") + offered(".h")
+    return with_included(offered(".c") + offered(".h"))
+
+
+def with_included(todo: list[Path]) -> list[Path]:
+    """Returns those of the files that are headers, and all that they include, sorted."""
     found: set[Path] = set()
     while todo:
         path = todo.pop()
@@ -193,6 +206,41 @@ def write_libraries(out: Path, groups: list[list[Path]]) -> None:
                  *sorted((folders["elf"] / "objects").iterdir()))
 
 
+def screen_objects() -> tuple[list[Path], list[Path]]:
+    """Returns what screens need beside the other library: objects of assembly, the program's entry among them, and C
+    sources."""
+    names = (BUILD / "obj" / "objects").read_text().split()[1:]
+    tree = Tree({ROOT / name: elf_object.load(ROOT / name) for name in names}, {})
+    for path, sections in tree.sections.items():
+        tree.home |= {name: path for section in sections for name in section.symbols}
+    texts = [(ROOT / "c" / path).read_text() for path in SCREEN]
+    wanted = [f"_{name}" for text in texts for name in DECLARATION.findall(text) if f"_{name}" in tree.home]
+    needed = tree.needed([*wanted, START])
+    return ([path for path in needed if path.parent.name == "amiga"],
+            [source(path) for path in needed if not is_assembly(path)])
+
+
+def write_screen(out: Path) -> None:
+    """Writes the library of screens in all three forms, and its entry, which is linked first."""
+    members, libraries = out / "lib" / "elf" / "screen", {"gcc": b"", "vlink": b""}
+    members.mkdir()
+    for path in screen_objects()[0]:
+        merged = members / f"{path.parent.name}_{path.name}"
+        run_tool("m68k-linux-gnu-ld", "-r", "-x", "-T", FILES / "merge.ld", "-o", merged, path)
+        is_entry = path.stem == "startup"
+        if is_entry:
+            merged = merged.rename(out / "lib" / "elf" / "screen_start.o")
+        for kind, unit in hunk_units(merged).items():
+            if is_entry:
+                (out / "lib" / kind / "screen_start.o").write_bytes(unit)
+            else:
+                libraries[kind] += unit
+    (out / "lib" / "gcc" / "libscreen.a").write_bytes(libraries["gcc"])
+    (out / "lib" / "vlink" / "screen.lib").write_bytes(libraries["vlink"])
+    run_tool("m68k-linux-gnu-ar", "rcsD", out / "lib" / "elf" / "libscreen.a", *sorted(members.iterdir()))
+    shutil.rmtree(members)
+
+
 def source_lists(tree: Tree) -> str:
     """Returns sources.mk: for each entry of LISTS a variable with the C sources that it needs."""
     lines = ["# C sources by what they offer, each list with all C that it needs."]
@@ -203,18 +251,20 @@ def source_lists(tree: Tree) -> str:
         paths = [path for path in tree.needed(symbols) if not is_assembly(path)]
         files = [str(source(path)) for path in paths]
         lines += [f"{name} := \\", *(f"  {file} \\" for file in files[:-1]), f"  {files[-1]}"]
+    lines.append(f"own_screen := {' '.join(map(str, screen_objects()[1]))}")
     return "\n".join(lines) + "\n"
 
 
 def copy_files(out: Path) -> None:
     """Copies headers, sources, example, licence and README."""
-    for folder, files in (("include", headers()), ("c", offered(".c"))):
+    for folder, files in (("include", headers() + with_included(list(SCREEN))), ("c", [*offered(".c"), *screen_objects()[1]])):
         for path in files:
             (out / folder / path.parent).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / "c" / path, out / folder / path)
     (out / "example").mkdir()
     for name in EXAMPLE:
         shutil.copyfile(FILES / name, out / "example" / name)
+    mesh_header.write(MODEL, out / "example" / "model.h", 1.0, True)
     shutil.copyfile(Path(hunk.__file__), out / "example" / "elf2hunk.py")
     shutil.copyfile(FILES / "README.txt", out / "README.txt")
     shutil.copyfile(ROOT / "LICENSE", out / "LICENSE")
@@ -231,10 +281,13 @@ def make(out: Path) -> int:
     tree, routines = built(), public()
     paths = tree.needed([each.name for each in routines])
     write_libraries(out, tree.groups([path for path in paths if is_assembly(path)]))
+    write_screen(out)
     (out / "c" / "sources.mk").write_text(source_lists(tree))
     (out / "include" / "tmap020.h").write_text(sdk_include.umbrella([path for path in offered(".h") if path not in PARTS]))
     (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), routines))
-    (out / "REFERENCE.md").write_text(sdk_reference.reference(offered(".h"), routines))
+    (out / "REFERENCE.md").write_text(sdk_reference.reference(
+        offered(".h") + list(SCREEN), routines + [each for each in contracts.all_contracts(ROOT / "src68k")
+                                                  if Path(each.file).parent.name == "amiga" and each.registers is not None]))
     return len(routines)
 
 

@@ -1,11 +1,12 @@
 """The tables of the pages on the Amiga programs and on chunky to planar."""
 
+import json
 import re
 from pathlib import Path
 
 from tmap.base.errors import UserError
 from tmap.base.markdown import MACHINES, table
-from tmap.base.paths import ROOT
+from tmap.base.paths import PROGRAMS_BASELINE, ROOT
 from tmap.bench import bench
 
 PROGRAMS = ROOT / "c" / "programs"
@@ -52,8 +53,16 @@ def planar_table(baseline: dict) -> str:
     return table(["cycles a pixel", *titles, "plain C, off: data in chip"], rows)
 
 
+def scenes_table() -> str:
+    """A Markdown table: bytes of programs built for one scene, and the mean cycles of their frames."""
+    rows = sorted(json.loads(PROGRAMS_BASELINE.read_text()).items(), key=lambda row: row[1]["code"] + row[1]["scene"])
+    return table(["scene", "bytes without maps", "code and tables", "the scene", "maps", "cycles a frame"],
+                 [[name, *(f"{n:,}" for n in (row["code"] + row["scene"], row["code"], row["scene"], row["maps"],
+                                              row["cycles"]))] for name, row in rows])
+
+
 def tables(baseline: dict) -> dict[str, str]:
     """Returns the tables by title."""
     programs = [about(source) for source in sorted(PROGRAMS.glob("*.c"))]
     return {"programs": table(["program", "template", "does"], programs, "l"),
-            "chunky to planar": planar_table(baseline)}
+            "programs of scenes": scenes_table(), "chunky to planar": planar_table(baseline)}

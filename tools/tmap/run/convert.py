@@ -1,4 +1,5 @@
-"""``tmap map`` and ``tmap picture``: convert pictures to texture maps in memory layout, and back.
+"""``tmap map``, ``tmap light`` and ``tmap picture``: convert pictures to texture maps in memory layout, make their
+light tables, and convert maps back.
 
 A map file holds the texels alone, in the order of c/texture/map.h. FILE.json beside it has width,
 height, layout, format and, for chunky maps, the palette. Both ways are exact: a PNG with a palette,
@@ -6,6 +7,7 @@ or of at most 256 colours, returns unchanged; other formats keep every colour th
 """
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +16,7 @@ from PIL import Image
 from tmap.base import maps
 from tmap.base.errors import UserError
 from tmap.base.pixel_formats import FORMATS
-from tmap.images import images
+from tmap.images import images, palette as colours
 from tmap.scene_file.scene_file import size_fault
 
 LAYOUTS = ("linear", "tiled", "columns")
@@ -50,18 +52,37 @@ def unlaid(texels: np.ndarray, layout: str, width: int, height: int) -> np.ndarr
     return {"tiled": maps.from_tiled, "columns": maps.from_columns}[layout](texels, width, height)
 
 
-def map_command(source: Path, out: Path, layout: str, pixel: str) -> int:
-    """Writes a picture as a map: ``out`` and ``out``.json."""
+def read(source: Path, pixel: str) -> tuple[np.ndarray, np.ndarray | None]:
+    """Returns a picture's texels and, for chunky ones, its palette; raises UserError."""
     try:
         if pixel == "chunky":
-            picture, palette = indices(source)
-        else:
-            made = FORMATS[pixel]
-            picture, palette = made.numbers(np.array(images.decode(source, made.channels))), None
+            return indices(source)
+        made = FORMATS[pixel]
+        return made.numbers(np.array(images.decode(source, made.channels))), None
     except FileNotFoundError:
         raise UserError(f"{source}: no such file") from None
     except Exception as error:  # a damaged file can raise any of the decoders' exceptions
         raise UserError(f"{source}: not a usable PNG or JPEG picture: {error}") from None
+
+
+def light_command(source: Path, out: Path, towards: str) -> int:
+    """Writes the light table of a picture's palette: ``out`` and ``out``.json."""
+    if not re.fullmatch("#[0-9a-fA-F]{6}", towards):
+        raise UserError(f"--towards: {towards!r} is not a colour like #204060")
+    _, palette = read(source, "chunky")
+    darkest = tuple(bytes.fromhex(towards[1:]))
+    table = colours.light(palette, darkest)
+    out.write_bytes(table.tobytes())
+    about = {"width": table.shape[1], "height": table.shape[0], "layout": "light", "format": "chunky",
+             "palette": palette.tolist()}
+    out.with_name(out.name + ".json").write_text(json.dumps(about) + "\n")
+    print(f"{out}: {len(table)} levels of {table.shape[1]} bytes")
+    return 0
+
+
+def map_command(source: Path, out: Path, layout: str, pixel: str) -> int:
+    """Writes a picture as a map: ``out`` and ``out``.json."""
+    picture, palette = read(source, pixel)
     height, width = picture.shape
     needs = size_fault(layout, width, height)
     if needs:

@@ -1,0 +1,104 @@
+"""The kit's examples with screens of their own: sizes, and frames beside the model's."""
+
+import re
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from tests.product.test_sdk import box
+from tmap.base.fixed import ONE
+from tmap.base.paths import ROOT
+from tmap.guest import emulator
+from tmap.guest.guest_frames import first_wrong
+from tmap.model import model
+from tmap.product import sdk
+from tmap.scene_file.scene_file import IDENTITY, Material, Object, Scene, Texture
+
+#: Bytes of each program, built with m68k-linux-gnu-gcc 12.2: some more than the current ones.
+MOST = {"cube": 47_000, "viewer": 83_000, "corridor": 75_000, "rotator": 32_000}
+SIZES = {"cube": (160, 128), "viewer": (320, 200), "corridor": (160, 128), "rotator": (320, 256)}
+TURN = 64
+
+
+@pytest.fixture(scope="module")
+def frames(tmp_path_factory) -> dict[str, np.ndarray]:
+    """The last frame of each program, built by the Makefile and run on the machine with the least memory."""
+    folder = tmp_path_factory.mktemp("kit")
+    sdk.make(folder / "sdk")
+    example = folder / "sdk" / "example"
+    done = subprocess.run(
+        ["make", "-C", example, "TOOLS=elf", "DEFINES=-DFIELDS=20 -DTURNS=1", f"PYTHON={sys.executable}",
+         f"VASM={ROOT / 'scripts' / 'vasm'}", *(f"elf/{name}" for name in MOST)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    for name, most in MOST.items():
+        assert (example / "elf" / name).stat().st_size <= most, name
+    results = emulator.run_batch(list(MOST), {}, "a1200", folder / "run", programs=example / "elf")
+    assert [(result.code, result.output) for result in results] == [(0, "")] * len(MOST)
+    return {name: np.fromfile(results[0].directory / f"{name}.chunky", np.uint8).reshape(height, width)
+            for name, (width, height) in SIZES.items()}
+
+
+def drawn(name: str, polygons: list[list[tuple]], **settings) -> np.ndarray:
+    """The model's frame: polygons of x, y, s, t, w in 16.16 with the XOR pattern."""
+    width, height = SIZES[name]
+    v, u = np.indices((256, 256))
+    rows = [[x, y, s, t, 0, w] for corners in polygons for x, y, s, t, w in corners]
+    scene = Scene(width=width, height=height, frames=1, background=0, palette=np.zeros((256, 3), np.uint8),
+                  textures=[Texture((u ^ v).astype(np.uint8), "page")],
+                  materials=[Material(mapper="affine", edges="exact", texture=0, **settings)],
+                  objects=[Object(0, 4 * number, 4, 0, 1, 0) for number in range(len(polygons))],
+                  poses=np.array([IDENTITY]), vertices=np.array(rows))
+    return np.asarray(model.render(scene, 0))
+
+
+def sines() -> list[int]:
+    """The first quarter of stage.h's table."""
+    text = (sdk.FILES / "stage.h").read_text()
+    return [int(n) for n in re.search(r"quarter\[.*?\] = \{(.*?)\}", text, re.S)[1].split(",")]
+
+
+def towards_zero(part: int, whole: int) -> int:
+    """Divides as C does."""
+    return part // whole if part >= 0 else -(-part // whole)
+
+
+def corridor() -> np.ndarray:
+    """Frame LAST of corridor.c."""
+    edges, place = [(-1, -1), (1, -1), (1, 1), (-1, 1)], 48
+
+    def corner(edge: int, depth: int, s: int, t: int) -> tuple:
+        x, y = (towards_zero(part * 100 << 16, depth) for part in edges[edge])
+        return (80 << 16) + x, (64 << 16) + y, s << 16, t << 16, depth << 16
+
+    sides = [[corner(side, 1, 0, place), corner((side + 1) % 4, 1, 128, place),
+              corner((side + 1) % 4, 8, 128, place + 448), corner(side, 8, 0, place + 448)] for side in range(4)]
+    sides.append([corner(k, 8, (k in (1, 2)) * 128, (k > 1) * 128) for k in range(4)])
+    return drawn("corridor", sides, perspective="every16")
+
+
+def rotator() -> np.ndarray:
+    """Frame LAST of rotator.c: an eighth of a turn, 1.5 texels a pixel."""
+    table = sines()
+    size = (table[TURN // 4] >> 8) + 128
+    part = size * (table[TURN // 8] >> 5)  # sine and cosine are equal
+    return drawn("rotator", [[(x << 16, y << 16, part * (x - 160) - part * (y - 128),
+                               part * (x - 160) + part * (y - 128), ONE)
+                              for x, y in ((0, 0), (320, 0), (320, 256), (0, 256))]])
+
+
+@pytest.mark.parametrize("picture", [corridor, rotator])
+def test_last_frames_are_the_models(frames, picture) -> None:
+    found, expected = frames[picture.__name__], picture()
+    assert (found == expected).all(), first_wrong(expected, found)
+
+
+def test_cube_ends_as_the_box_does(frames) -> None:
+    assert (frames["cube"] == box(1)).all()
+
+
+def test_viewer_shows_its_model(frames) -> None:
+    """The knot: a fifth of the frame, in many colours, on the background."""
+    found = frames["viewer"]
+    assert 0.15 < (found != 0).mean() < 0.4 and len(np.unique(found)) > 100
