@@ -23,7 +23,7 @@ ALWAYS = ("tests/guest/test_contracts.py", "tests/guest/test_layout.py", "tests/
           "tests/accuracy/test_fuzz.py::test_a_slice_in_perspective_holds", "tests/accuracy/test_written.py")
 #: Kernels whose trials run if no kernel changed.
 SAMPLE = ("span_affine_addx", "edge_addx_exact", "mesh_transform", "far_span_find", "glide_walk", "n64_walk")
-LONG = 24  # of LONGEST, test files with more than 30 seconds
+LONG = 24  # of LONGEST, test files with more than 20 seconds
 MOST = 24  # most kernels whose trials run: more are a matter of make test
 
 

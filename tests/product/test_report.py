@@ -3,6 +3,7 @@
 import html
 import json
 import re
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import pytest
 from PIL import Image
 
 from tmap.__main__ import main
+from tmap.accuracy import perspective_curves
 from tmap.accuracy.errors import Errors
 from tmap.base.errors import UserError
 from tmap.base.paths import ACCURACY_BASELINE, BASELINE, ROOT
@@ -120,11 +122,20 @@ def test_figures_are_the_runs_and_the_baselines(made) -> None:
     assert f"{figures['affine_addx', 'a1200-fast', 256]:.1f}" in text and baseline["commit"] in text
 
 
+def keep_plots(patch: pytest.MonkeyPatch, folder: Path) -> None:
+    """Makes further reports take the plots of the committed figures from a report's folder of pictures."""
+    patch.setattr(pictures, "plot", lambda rows, machine, path: shutil.copyfile(folder / path.name, path))
+    patch.setattr(perspective_curves, "plot", lambda path: shutil.copyfile(folder / path.name, path))
+    patch.setattr(bench_pictures, "draw",
+                  lambda group, measured, path: shutil.copyfile(folder / path.name, path))
+
+
 def test_nothing_is_measured_twice(made, tmp_path, monkeypatch) -> None:
     """The second report takes everything from the cache and is the same page."""
     def fail(*_):
         raise AssertionError("measured again")
 
+    keep_plots(monkeypatch, made[0] / report.PICTURES)
     monkeypatch.setattr(cache, "CACHE", made[1])
     monkeypatch.setattr(run, "make", fail)
     assert report.command(tmp_path, [SCENE], "a1200-fast", True) == 0
@@ -132,7 +143,7 @@ def test_nothing_is_measured_twice(made, tmp_path, monkeypatch) -> None:
 
 
 @pytest.fixture(scope="module")
-def complete(tmp_path_factory) -> Path:
+def complete(made, tmp_path_factory) -> Path:
     """A written report with all parts, from made-up files; its run has figures of lowering."""
     folder, out = tmp_path_factory.mktemp("parts"), tmp_path_factory.mktemp("complete")
     found = data.Found(*map(data.committed, (
@@ -168,7 +179,9 @@ def complete(tmp_path_factory) -> Path:
     found.fit = Entry(about | {"scene": "long", "conditions": "DMA on", "sentences": ["Chosen: pixels of 2x2."],
                                "lines": 'pixel = "2x2"', "table": "| a | b |\n|---|--:|\n| 1 | 2 |"}, folder)
     found.methods = Entry(about | {"table": "| a | b |\n|---|--:|\n| 1 | 2 |"}, folder)
-    report.write(found, out)
+    with pytest.MonkeyPatch.context() as patch:
+        keep_plots(patch, made[0] / report.PICTURES)
+        report.write(found, out)
     return out
 
 
@@ -254,9 +267,10 @@ def test_bad_machine_is_one_line(capsys) -> None:
     assert error.count("\n") == 1 and "--machine" in error
 
 
-def test_the_bench_has_a_picture_for_each_group(tmp_path) -> None:
+def test_the_bench_has_a_picture_for_each_group(made, tmp_path, monkeypatch) -> None:
     """Each can be read on a screen; a row has the same place in all of them."""
     measured = json.loads(BASELINE.read_text())
+    keep_plots(monkeypatch, made[0] / report.PICTURES)
     names = bench_pictures.write(measured, tmp_path)
     assert names == [bench_pictures.file_of(group) for group in bench_pictures.GROUPS]
     for name in names:

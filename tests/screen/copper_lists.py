@@ -54,7 +54,10 @@ class Walker:
 def regions(words: np.ndarray) -> list[Region]:
     """A list's regions, from line 0 on; the list ends with a wait that is never met."""
     walker, found, moves, line, wrapped = Walker(), [], 0, 0, 0
-    for first, second in words.reshape(-1, 2).tolist():
+    pairs = words.reshape(-1, 2)
+    ends = np.flatnonzero(pairs[:, 0] == 0xFFFF)  # most of the words are the memory behind the list
+    assert len(ends), "the list has no end"
+    for first, second in pairs[:ends[0] + 1].tolist():
         if not first & 1:
             walker.move(first, second)
             moves += 1
@@ -64,10 +67,8 @@ def regions(words: np.ndarray) -> list[Region]:
             wrapped = 256
             continue
         found.append(Region(line, moves, dict(walker.registers), walker.palette.copy()))
-        if first == 0xFFFF:
-            return found
         line, moves = wrapped + (first >> 8), 0
-    raise AssertionError("the list has no end")
+    return found
 
 
 def signed(value: int) -> int:

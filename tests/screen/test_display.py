@@ -3,6 +3,7 @@ alternate, and that the machine is as before, however a program ends."""
 
 import re
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import pytest
@@ -185,7 +186,7 @@ class Dump:
     fields: int
     last_line: int  # of the beam
 
-    @property
+    @cached_property
     def regions(self) -> list[copper_lists.Region]:
         words = np.frombuffer(self.memory, ">u2", offset=self.shown - self.address)
         return copper_lists.regions(words[:len(words) & -2])

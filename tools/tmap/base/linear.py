@@ -33,6 +33,13 @@ def solved(left: np.ndarray, right: np.ndarray) -> np.ndarray:
     return table[:, -1] / np.diag(table)
 
 
+def whole_numbers(rows: list[list[Fraction]]) -> tuple[int, list[list[int]]]:
+    """Returns the least common multiple of the denominators, and all fractions times that: sums of whole numbers take
+    a fifth of the time."""
+    common = math.lcm(*(n.denominator for row in rows for n in row))
+    return common, [[n.numerator * (common // n.denominator) for n in row] for row in rows]
+
+
 def without(column: list[Fraction], axes: list[list[Fraction]]) -> list[Fraction]:
     """Returns the part of a column that is orthogonal to mutually orthogonal axes."""
     for axis in axes:

@@ -4,7 +4,9 @@ Faces keep their corners unless triangles are needed: for a concave or bent face
 gradients "polygon", or for gradients "plane" if s and t or shades are not planar.
 """
 
+import functools
 import math
+import operator
 from dataclasses import dataclass
 
 import numpy as np
@@ -89,7 +91,11 @@ class Face:
 
 def newell(ring: np.ndarray) -> np.ndarray:
     """Returns a polygon's normal, whose length is twice the area."""
-    return np.cross(ring - ring[0], np.roll(ring, -1, axis=0) - ring[0]).sum(axis=0)
+    points = ring.tolist()
+    rays = [[c - c0 for c, c0 in zip(point, points[0])] for point in points]
+    areas = [(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+             for (ax, ay, az), (bx, by, bz) in zip(rays, rays[1:] + rays[:1])]
+    return np.array([functools.reduce(operator.add, along) for along in zip(*areas)])
 
 
 def size_of(ring: np.ndarray) -> float:

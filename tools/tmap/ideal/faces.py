@@ -34,7 +34,7 @@ from functools import cached_property
 
 import numpy as np
 
-from tmap.base.linear import length, product
+from tmap.base.linear import length, product, whole_numbers
 from tmap.compiler.objects import RADIUS
 from tmap.ideal import bounds, bounds_perspective, ideal, mesh as ideal_mesh, perspective
 from tmap.ideal.ideal import UNIT
@@ -128,24 +128,30 @@ class Face:
         if len(outline) < 3 or self.rows is None:
             return found
         ends = [math.ceil(f(y for _, y in outline) / ONE) for f in (min, max)]
+        scale, (whole,) = whole_numbers([[p for point in outline for p in point]])
+        corners = [*zip(whole[::2], whole[1::2])]
         for line in range(max(ends[0], 0), min(ends[1], c.height)):
-            first, end = (min(max(math.ceil(Fraction(n) / d / ONE), 0), c.width)
-                          for n, d in ideal.extent(outline, line))
+            first, end = (min(max(-(-n // (d * scale * ONE)), 0), c.width)
+                          for n, d in ideal.extent(corners, line, scale))
             if first < end:
                 found[line] = first, end
         return found
 
-    def along(self, row: list[Fraction], line: int) -> tuple[Fraction, Fraction]:
-        """Returns a row on a line of the screen: its value at pixel 0 and its growth per pixel."""
+    @cached_property
+    def whole_rows(self) -> tuple[int, list[list[int]]]:
+        """The rows as whole numbers, and by which number they are larger."""
+        return whole_numbers(self.rows)
+
+    def along(self, row: list[int], line: int) -> tuple[int, int]:
+        """Returns a row on a line of the screen, times 2^(guard + 1): its value at pixel 0 and its growth per pixel."""
         c = self.camera
-        aside, down = (Fraction(part, 1 << c.guard) for part in row[:2])
-        return aside * Fraction(-c.width, 2) + down * (line - Fraction(c.height, 2)) + row[2], aside
+        return (row[1] * (2 * line - c.height) - row[0] * c.width + (row[2] << c.guard + 1), 2 * row[0])
 
     def texels(self, line: int, first: int, end: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """u and v of a line's pixels, 1/65536 with EXTRA more bits, object arrays, and 1 / w."""
-        rows = [self.along(row, line) for row in self.rows]
-        common = math.lcm(*(n.denominator for row in rows for n in row))
-        (ua, ub), (va, vb), (qa, qb) = ([int(n * common) for n in row] for row in rows)
+        common, rows = self.whole_rows
+        common <<= self.camera.guard + 1
+        (ua, ub), (va, vb), (qa, qb) = (self.along(row, line) for row in rows)
         near = [qa + qb * i for i in range(first, end)]
         u, v = (np.array([((a + b * i) << 16 + EXTRA) // q for i, q in enumerate(near, first)], object)
                 for a, b in ((ua, ub), (va, vb)))

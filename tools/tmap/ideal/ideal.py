@@ -57,9 +57,10 @@ Number = TypeVar("Number", float, np.ndarray)
 NEVER = 1 << 40  # beyond all columns
 
 
-def extent(vertices, line: int) -> tuple[tuple[int, int], tuple[int, int]]:
-    """Returns the exact left and right x on a line, each as (numerator, denominator > 0), 16.16."""
-    y = line << 16
+def extent(vertices, line: int, scale: int = 1) -> tuple[tuple[int, int], tuple[int, int]]:
+    """Returns the exact left and right x on a line, each as (numerator, denominator > 0), 16.16; of vertices that are
+    ``scale`` times as large ``scale`` times x."""
+    y = (line << 16) * scale
     found = []
     for (x0, y0, *_), (x1, y1, *_) in zip(vertices, [*vertices[1:], vertices[0]]):
         if y0 > y1:

@@ -3,6 +3,7 @@ notes that the project grew from."""
 
 import json
 import re
+from functools import cache
 
 from PIL import Image
 
@@ -31,6 +32,12 @@ def shows(name: str) -> str:
     return sentence.replace("`", "")
 
 
+@cache
+def first_frames() -> dict[str, Scene]:
+    """Returns a scene of one frame for each file of tests/scenes, by name."""
+    return {path.stem: compile_scene(path, 1) for path in sorted(SCENES.glob("*.toml"))}
+
+
 def rates(scene: Scene, machine: str, spent: float) -> str:
     """Returns frames a second without a display, and on the screen if that can show them."""
     converted = conversion.cycles(scene, machine, spent)
@@ -40,12 +47,11 @@ def rates(scene: Scene, machine: str, spent: float) -> str:
 def scenes_table(baseline: dict) -> str:
     """A Markdown table: each scene, its cycles a frame and frames a second if measured."""
     figures, rows = {(row["name"], row["machine"]): bench.cycles(row) for row in baseline["frames"]}, []
-    compiled = {path.stem: compile_scene(path, 1) for path in sorted(SCENES.glob("*.toml"))}
-    for name in compiled:
+    for name, scene in first_frames().items():
         cells = []
         for machine in ("a1200-fast", "a1200"):
             spent = figures.get((f"{scenes.ROW}{name}", machine))
-            cells += [f"{spent / 1000:,.0f}", rates(compiled[name], machine, spent)] if spent else ["", ""]
+            cells += [f"{spent / 1000:,.0f}", rates(scene, machine, spent)] if spent else ["", ""]
         rows.append([name, shows(name), *cells])
     return table(["scene", "shows", "fast RAM, kcycles a frame", "a second; on the screen",
                   "chip RAM only", "a second; on the screen"], rows, "llr")

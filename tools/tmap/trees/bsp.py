@@ -27,6 +27,8 @@ TRIED, TRIED_LEAST = 128, 16  # planes of a node, at most, and of a large one
 FACES_TRIED = 1 << 16  # faces times planes
 WEIGHT = 64  # of a split
 TOGETHER = 8  # faces of a node that nothing divides, at most
+HEIGHTS = 1 << 16  # of corners over planes, computed at a time
+SCALE = 2.0 ** NORMAL
 ORDERED = 1024  # faces of a part that are compared with each other, at most; of a whole tree all are
 
 
@@ -69,21 +71,25 @@ class Heights:
         """Returns the middles of the faces' boxes, by axis."""
         return np.array([sum(self.spans(axis)) / 2 for axis in range(3)])
 
-    def ends(self, plane: Plane) -> tuple[np.ndarray, np.ndarray]:
-        """Returns of each face whether all of it is in front of a plane, and whether all of it is behind it;
-        what is on it is both."""
-        a, b, c = (n / 2.0 ** NORMAL for n in plane[:3])
-        heights = a * self.x + b * self.y + c * self.z - plane[3]
-        return np.minimum.reduceat(heights, self.firsts) >= -ON, np.maximum.reduceat(heights, self.firsts) <= ON
+    def ends(self, planes: list[Plane]) -> tuple[np.ndarray, np.ndarray]:
+        """Returns of each plane, by row, and each face whether all of it is in front of the plane, and whether all of it
+        is behind it; what is on it is both."""
+        front, back = (np.empty((len(planes), len(self.firsts)), bool) for _ in range(2))
+        step = max(HEIGHTS // len(self.x), 1)
+        for first in range(0, len(planes), step):
+            a, b, c, d = np.array(planes[first:first + step], np.float64).T[:, :, None]
+            heights = a / SCALE * self.x + b / SCALE * self.y + c / SCALE * self.z - d
+            front[first:first + step] = np.minimum.reduceat(heights, self.firsts, axis=1) >= -ON
+            back[first:first + step] = np.maximum.reduceat(heights, self.firsts, axis=1) <= ON
+        return front, back
 
 
 def hiding(faces: list[Polygon]) -> np.ndarray:
     """Returns which face, by row, must be drawn after which: it may hide that one from some eye that sees
     both, or is the later one in its plane."""
     count, heights = len(faces), Heights(faces)
-    ends = {plane: heights.ends(plane) for plane in dict.fromkeys(face.plane for face in faces)}
-    in_front = np.array([ends[face.plane][0] for face in faces])
-    behind = np.array([ends[face.plane][1] for face in faces])
+    rows = {plane: row for row, plane in enumerate(dict.fromkeys(face.plane for face in faces))}
+    in_front, behind = (ends[[rows[face.plane] for face in faces]] for ends in heights.ends([*rows]))
     single = np.array([not face.two_sided for face in faces])
     never = single[:, None] & in_front | single & behind.T
     numbers: dict[Plane, list[int]] = {}  # of the single faces, by plane
@@ -198,10 +204,10 @@ def best_plane(faces: list[Polygon], is_across: bool) -> Plane:
     planes = list(dict.fromkeys(face.plane for face in faces))
     most = max(TRIED_LEAST, min(TRIED, FACES_TRIED // len(faces)))
     tried = [planes[k * len(planes) // most] for k in range(most)] if len(planes) > most else planes
-    heights, found = Heights(faces), []
-    for plane in tried:
-        front, back = heights.ends(plane)
-        found.append((int(score(front.sum(), back.sum(), (front & back).sum(), len(faces))), plane))
+    heights = Heights(faces)
+    front, back = heights.ends(tried)
+    scores = score(front.sum(axis=1), back.sum(axis=1), (front & back).sum(axis=1), len(faces))
+    found = [*zip(scores.tolist(), tried)]
     if is_across:
         found += [best for axis in range(3) if (best := best_across(heights, axis))]
     return min(found, key=lambda each: each[0])[1]
