@@ -56,7 +56,7 @@ def test_units_take_nearly_all_of_a_scene(tmp_path, capsys) -> None:
     assert sum(pixels for _, pixels in found.values()) == about["totals"]["pixels"]
     assert 0.95 < sum(each * pixels for each, pixels in found.values()) / about["totals"]["cycles"] < 1
     for routines in text.split("pixels\n")[1:]:
-        assert {"glide/glide_divide", "glide/glide_modulate_rgb"} <= set(routines.split())
+        assert {"glide/glide_divide", "glide/glide_bilinear_times_565"} <= set(routines.split())
 
 
 def test_scenes_without_units_have_no_table_of_them(tmp_path, capsys) -> None:

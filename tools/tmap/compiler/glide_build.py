@@ -18,6 +18,9 @@ from tmap.images import images
 from tmap.scene_file.pipes import COLUMNS, NO_TABLE
 
 
+MEMORY, BYTES = map(COLUMNS["glide_units"].index, ("memory", "bytes"))
+
+
 def picture_of(unit: dict, folder: Path, where: str) -> np.ndarray:
     """Returns a unit's picture, uint8 [height, width, 4], in the unit's size or else the
     picture's."""
@@ -36,10 +39,9 @@ def picture_of(unit: dict, folder: Path, where: str) -> np.ndarray:
 
 
 def memory_of(made: Map, largest: int, smallest: int, unit: dict, aspect: str) -> bytes:
-    """Returns a unit's memory with the levels that it holds."""
+    """Returns the levels that a unit holds."""
     form, kept = unit["format"], unit["levels"]
-    needed = memory_required(kept, largest, smallest, aspect, form)
-    memory = bytearray(max(1 << (needed - 1).bit_length(), ALIGN))
+    memory = bytearray(memory_required(kept, largest, smallest, aspect, form))
     kind = "<u2" if texel_bytes(form) == 2 else "u1"
     for level, at in place(0, kept, largest, smallest, aspect, form).items():
         data = made.levels[level - largest].astype(kind).tobytes()
@@ -85,7 +87,8 @@ def row_of(unit: dict, perspective: bool, folder: Path, memory: BytePool, where:
         fail(f"{where}.levels", f'"{unit["levels"]}": there is level {largest} only')
     texels = encode(made, FORMATS[unit["format"]])
     held = memory_of(texels, largest, smallest, unit, aspect)
-    words = words_of(unit, perspective, len(held), (largest, smallest, aspect))
+    memory_bytes = max(1 << (len(held) - 1).bit_length(), ALIGN)
+    words = words_of(unit, perspective, memory_bytes, (largest, smallest, aspect))
     palette = ncc = NO_TABLE
     if texels.palette is not None:
         r, g, b = texels.palette.T
@@ -93,7 +96,7 @@ def row_of(unit: dict, perspective: bool, folder: Path, memory: BytePool, where:
     if texels.ncc is not None:
         registers = words_of_ncc(texels.ncc)
         ncc = memory.put(np.concatenate([registers, registers]).astype(">u4").tobytes())
-    return [*words.words(), memory.put(held), len(held), palette, ncc, unit["weights"],
+    return [*words.words(), memory.put(held), memory_bytes, palette, ncc, unit["weights"],
             unit["bilinear"] == "dithered", unit["subdivision"]]
 
 
@@ -115,6 +118,9 @@ def build(spec: dict, folder: Path, where: str) -> tuple[dict[str, int], dict]:
                           BLENDS.index(glide["blend"])])
             glide_units += made
         numbers[name], glide["units"] = known[key]
+    # What is behind a unit's levels is never read: the next unit's are there.
+    end = max((unit[MEMORY] + unit[BYTES] for unit in glide_units), default=0)
+    memory.data += bytes(max(end - len(memory.data), 0))
     return numbers, {"glide_units": np.array(glide_units, np.int64).reshape(-1, len(COLUMNS["glide_units"])),
                      "pipes": np.array(pipes, np.int64).reshape(-1, len(COLUMNS["pipes"])),
                      "glide_memory": bytes(memory.data)}

@@ -195,6 +195,15 @@ def in_pixels(corners: np.ndarray, poses: np.ndarray, size: tuple[int, int]) -> 
     return corners, poses / [*matrix, across, down]
 
 
+def place_rows(table: list, rows: np.ndarray, known: dict[bytes, int]) -> int:
+    """Returns where rows are in a table; appends them if they are new. ``known``: where rows are that were placed."""
+    key = rows.tobytes()
+    if key not in known:
+        known[key] = len(table)
+        table += rows.tolist()
+    return known[key]
+
+
 def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
                   space: scene_space.Space, where: str) -> tuple[list, list, list]:
     """Returns objects, vertices and poses of the first ``count`` frames, the latter two in 16.16;
@@ -202,6 +211,7 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
     limits = layout.load().constants
     material_number = {name: i for i, name in enumerate(spec["materials"])}
     objects, vertices, poses = [], [], []
+    known: tuple[dict[bytes, int], ...] = {}, {}
     for obj in spec["objects"]:
         at = obj["at"]
         material = spec["materials"][obj["material"]]
@@ -225,10 +235,9 @@ def place_objects(spec: dict, count: int, ramps: dict[str, tuple[int, int]],
             check_reach(corners, motion, obj["first"], limits["POLYGON_FAR"], at)
             made = each_frame(obj, corners, motion, material, at)
         for corners, motion, first in made:
-            objects.append(Object(material_number[obj["material"]], len(vertices), len(corners),
-                                  len(poses), len(motion), first, planar_of(obj, material, corners)))
-            vertices += corners.tolist()
-            poses += motion.tolist()
+            objects.append(Object(material_number[obj["material"]], place_rows(vertices, corners, known[0]), len(corners),
+                                  place_rows(poses, motion, known[1]), len(motion), first,
+                                  planar_of(obj, material, corners)))
         for noun, rows_ in (("vertices", vertices), ("frames of objects", poses)):
             if len(rows_) > limits["SCENE_COUNT_MAX"]:
                 fail(at, f"more than {limits['SCENE_COUNT_MAX']} {noun} in the scene")
