@@ -9,10 +9,13 @@ from PIL import Image
 
 from tmap.__main__ import main
 from tmap.base.errors import UserError
-from tmap.base.paths import SCENES
+from tmap.base.paths import BASELINE, SCENES
+from tmap.bench.modes import measure, passes
 from tmap.compiler.scene import compile_scene
 from tmap.product import profile
 
+#: Routines that only a first frame takes much of, and those that call the passes.
+OTHERS = {"n64_quads", "n64_divide_table_make", "glide_products_make", "glide_colour", "n64_stages_draw", "glide_lines"}
 SMALL = """\
 frames = 1
 width = 16
@@ -56,7 +59,22 @@ def test_units_take_nearly_all_of_a_scene(tmp_path, capsys) -> None:
     assert sum(pixels for _, pixels in found.values()) == about["totals"]["pixels"]
     assert 0.95 < sum(each * pixels for each, pixels in found.values()) / about["totals"]["cycles"] < 1
     for routines in text.split("pixels\n")[1:]:
-        assert {"glide/glide_divide", "glide/glide_bilinear_times_565"} <= set(routines.split())
+        assert "glide/glide_divide" in routines and "glide/glide_bilinear_times" in routines
+
+
+def test_passes_are_of_modes_and_rows() -> None:
+    rows = {row["name"] for row in json.loads(BASELINE.read_text())["rows"]}
+    assert passes.PASSES.keys() <= measure.EVERY.keys()
+    assert {name for some in passes.PASSES.values() for name in some} <= rows
+
+
+@pytest.mark.parametrize("name", ("modulate_shade", "glide_modulate_perspective"))
+def test_passes_are_those_that_run(name: str) -> None:
+    """The pages' list of a mode's passes has every routine of the unit's assembly that takes 3 % of it, and none that
+    does not run."""
+    found, = profile.profile(measure.scene_of(measure.EVERY[name]), "a1200-fast").units.values()
+    shares = {row.name: row.share for row in found if row.room in ("n64", "glide") and row.name not in OTHERS}
+    assert {each for each, share in shares.items() if share > 0.03} <= set(passes.PASSES[name]) <= shares.keys()
 
 
 def test_scenes_without_units_have_no_table_of_them(tmp_path, capsys) -> None:

@@ -6,6 +6,7 @@ from tmap.accuracy import engines
 from tmap.accuracy.engines import Engine
 from tmap.base.markdown import MACHINES, table
 from tmap.bench import bench
+from tmap.bench.modes import passes
 from tmap.bench.modes.measure import FIRST_ROW, PLAIN_END, PLAIN_MACHINE, ROW
 
 Figures = dict[tuple[str, str], float]
@@ -23,6 +24,13 @@ def figures_of(baseline: dict) -> Figures:
     return {name: bench.cycles(row) for name, row in rows_of(baseline).items()}
 
 
+def passes_cell(baseline: dict, name: str) -> str:
+    """Returns the sum of a mode's passes, or "" if it has none."""
+    rows = {(row["name"], row["machine"]): bench.cycles(row) for row in baseline["rows"]}
+    found = passes.cycles(rows, name, PLAIN_MACHINE)
+    return f"{found:,.1f}" if found else ""
+
+
 def ratio(figures: Figures, name: str) -> float:
     """Returns a mode's cycles in plain C, as a multiple of its cycles."""
     return figures[f"{ROW}{name}{PLAIN_END}", PLAIN_MACHINE] / figures[ROW + name, PLAIN_MACHINE]
@@ -34,15 +42,16 @@ def thousands(cycles: float) -> str:
 
 
 def modes_table(baseline: dict, engine: Engine) -> str:
-    """A Markdown table: cycles a pixel, in plain C, of the first frame; errors on both pictures."""
+    """A Markdown table: cycles a pixel, of the passes alone, in plain C, of the first frame; errors on both pictures."""
     figures, rows = figures_of(baseline), []
     for mode in engine.modes:
         cells = [f"{figures[ROW + mode.name, machine]:,.1f}" for machine in MACHINES]
+        cells.append(passes_cell(baseline, mode.name))
         cells += [f"{figures[f'{ROW}{mode.name}{PLAIN_END}', PLAIN_MACHINE]:,.0f}",
                   f"{ratio(figures, mode.name):.1f}"] if mode.in_c else ["", ""]
         cells.append(thousands(figures[FIRST_ROW + mode.name, PLAIN_MACHINE]))
         rows.append([mode.title, *cells, *engine.errors(mode)])
-    return table(["cycles a pixel; errors in 1/255", *MACHINES.values(), "plain C, fast RAM",
+    return table(["cycles a pixel; errors in 1/255", *MACHINES.values(), "its passes, fast RAM", "plain C, fast RAM",
                   "times", "first frame, kcycles more", *engines.TITLES], rows)
 
 

@@ -25,7 +25,7 @@ PASSES: dict[str, tuple[str, ...]] = {
     "blend": (*TWO_TILES, "n64_lerp"),
     "general": (*TWO_TILES, "n64_modulate"),
     "any": (*TWO_TILES, "n64_widen", "n64_widen", *("n64_combiner",) * 4, "n64_narrow"),
-    "yuv_filter": ("n64_walk", "n64_tile", "n64_threepoint", "n64_chroma", "n64_threepoint", "n64_convert"),
+    "yuv_filter": ("n64_walk", "n64_tile_clamp", "n64_threepoint_yuv"),
     "threepoint_16": ("n64_walk", "n64_threepoint_16"),
     "trilinear_16": (*LEVELS, "n64_store_16"),
     "glide_point_clamp": ("glide_walk_clamp", "glide_point"),
