@@ -38,6 +38,12 @@ def pytest_collection_finish() -> None:
     gc.set_threshold(YOUNG, 10, 10)
 
 
+def pytest_runtest_teardown(item, nextitem) -> None:
+    """Frees what a file's tests have left, which the next search might be long in coming to."""
+    if nextitem is None or nextitem.path != item.path:
+        gc.collect()
+
+
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item):
     """Adds a phase's processor time to its report, and to a failed one the command that runs it again."""

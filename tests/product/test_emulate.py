@@ -8,6 +8,7 @@ import pytest
 from PIL import Image
 
 from tmap.__main__ import main
+from tmap.base.errors import UserError
 from tmap.base.paths import ROOT
 from tmap.product import emulate, sdk
 
@@ -134,3 +135,14 @@ def test_bad_arguments_get_a_line(programs, tmp_path, capfd, words, says):
 @pytest.mark.parametrize("word, shell", [("plain.1", "plain.1"), ("", '""'), ("a b", '"a b"'), ('"', '"*""')])
 def test_words_for_the_shell(word, shell):
     assert emulate.quoted(word) == shell
+
+
+def test_palettes_of_maps(tmp_path) -> None:
+    """What ``tmap map`` writes beside a map is a palette too; what is not has one line."""
+    path = tmp_path / "wall.map.json"
+    path.write_text('{"palette": [[1, 2, 3], [255, 0, 4]]}')
+    assert emulate.colours(path).tolist() == [1, 2, 3, 255, 0, 4]
+    for text in ("[1]", "{}", '{"palette": [[1, 256, 3]]}', '{"palette": 7'):
+        path.write_text(text)
+        with pytest.raises(UserError, match="wall.map.json: "):
+            emulate.colours(path)

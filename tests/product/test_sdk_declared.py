@@ -3,9 +3,11 @@
 import re
 import subprocess
 
+import numpy as np
+
 from tmap.base.paths import ROOT
 from tmap.build import elf_object
-from tmap.product import sdk
+from tmap.product import sdk, sdk_include
 
 #: What the program has itself, as README.txt says.
 ASKED = {"mem_take"}
@@ -47,6 +49,25 @@ def test_every_declared_function_is_there_and_links(tmp_path):
                            sdk.FILES / "amiga.ld", "-o", tmp_path / "all.elf", made, *tree.sections],
                           capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[-2000:]
+
+
+def test_include_file_is_gnus_assemblers_too(tmp_path):
+    """Offsets and constants have the same values there."""
+    vasms = sdk_include.assembly(sdk.headers(), sdk.public())
+    (tmp_path / "tmap020_gas.i").write_text(sdk_include.for_gas(vasms))
+    source, made = tmp_path / "all.s", tmp_path / "all.o"
+    values = {name: int(value) for name, value in re.findall(r"^(\w+) equ (-?\d+)$", vasms, re.M)}
+    assert len(values) > 1000
+    source.write_text('.include "tmap020_gas.i"\n' + "".join(f".long {name}\n" for name in values))
+    subprocess.run(["m68k-linux-gnu-as", "-m68020", "-I", tmp_path, "-o", made, source], check=True)
+    data = next(each.data for each in elf_object.load(made) if each.name == ".text")
+    assert np.frombuffer(data, ">i4")[:len(values)].tolist() == [(v + 2**31) % 2**32 - 2**31 for v in values.values()]
+
+
+def test_makefile_leaves_out_what_needs_an_assembler_that_is_not_there():
+    done = subprocess.run(["make", "-n", "-f", sdk.FILES / "Makefile", "TOOLS=elf", "VASM=nonesuch", "SDK=/nowhere", "all"],
+                          capture_output=True, text=True)
+    assert "spans is left out: there is no nonesuch" in done.stdout
 
 
 def test_library_of_screens_has_what_its_headers_declare():

@@ -204,7 +204,7 @@ def add_products(commands: Commands) -> None:
                          help="what it writes of so many pixels becomes a PNG too")
     command.add_argument("--format", choices=tuple(FORMATS), default="chunky",
                          help="of these pixels: palette indices (chunky), or what their bytes are")
-    command.add_argument("--palette", type=Path, metavar="PICTURE.png", help="of chunky pixels (greys)")
+    command.add_argument("--palette", type=Path, metavar="FILE", help="a PNG, or map's JSON: of chunky pixels (greys)")
     command.add_argument("--limit", type=size, default=STALL_SECONDS, metavar="SECONDS",
                          help="of the host's processor time without output, after which it hangs "
                               f"({STALL_SECONDS:g})")

@@ -4,6 +4,7 @@
 the host's, chunky buffers as pictures too if their size is given.
 """
 
+import json
 import re
 import sys
 from pathlib import Path
@@ -116,14 +117,18 @@ def pictured(path: Path, size: tuple[int, int], pixel: str, palette: np.ndarray)
 
 
 def colours(path: Path | None) -> np.ndarray:
-    """Returns the palette of a PNG, or greys."""
+    """Returns the palette of a PNG, of what ``tmap map`` writes beside a map, or greys."""
     if path is None:
         return np.repeat(np.arange(256, dtype=np.uint8), 3)
     try:
+        if path.suffix == ".json":
+            return np.array(json.loads(path.read_text())["palette"], np.uint8).ravel()
         with Image.open(path) as image:
             found = image.getpalette("RGB") if image.mode == "P" else None
     except (OSError, ValueError) as error:
         raise UserError(f"{path}: not a usable picture: {error}") from None
+    except (KeyError, TypeError, OverflowError):
+        raise UserError(f"{path}: palette: not one that tmap map has written") from None
     if not found:
         raise UserError(f"{path}: has no palette")
     return np.array(found, np.uint8)

@@ -284,7 +284,9 @@ def make(out: Path) -> int:
     write_screen(out)
     (out / "c" / "sources.mk").write_text(source_lists(tree))
     (out / "include" / "tmap020.h").write_text(sdk_include.umbrella([path for path in offered(".h") if path not in PARTS]))
-    (out / "include" / "tmap020.i").write_text(sdk_include.assembly(headers(), routines))
+    offsets = sdk_include.assembly(headers(), routines)
+    for name, text in (("tmap020.i", offsets), ("tmap020_gas.i", sdk_include.for_gas(offsets))):
+        (out / "include" / name).write_text(text)
     (out / "REFERENCE.md").write_text(sdk_reference.reference(
         offered(".h") + list(SCREEN), routines + [each for each in contracts.all_contracts(ROOT / "src68k")
                                                   if Path(each.file).parent.name == "amiga" and each.registers is not None]))

@@ -1,5 +1,6 @@
-"""The SDK's include files: tmap020.h, and tmap020.i from headers and contract blocks."""
+"""The SDK's include files: tmap020.h, and tmap020.i from headers and contract blocks, also for GNU's assembler."""
 
+import re
 import subprocess
 from pathlib import Path
 
@@ -97,3 +98,12 @@ def assembly(headers: list[Path], offered: list[Contract]) -> str:
     lines = [line for each in offered for line in routine(each)]
     return HEAD + equates(headers).split("\n", 1)[1] + ROUTINES + "\n".join(lines) \
         + "\n\n        endc\n"
+
+
+def for_gas(text: str) -> str:
+    """Returns tmap020.i for GNU's assembler, to which routines of other objects need no declaration."""
+    text = text.replace("for vasm (-nowarn=62: not all of them are used)", "for GNU's assembler")
+    for pattern, to in ((r"^ +xref .*\n", ""), (r"^;", "|"), (r"^(\w+) equ (.*)", r".equ \1, \2"),
+                        (r"^ +ifnd +", "        .ifndef "), (r"^ +endc", "        .endif")):
+        text = re.sub(pattern, to, text, flags=re.MULTILINE)
+    return text

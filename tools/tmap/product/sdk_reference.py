@@ -39,6 +39,7 @@ TOKEN = re.compile(r"""(?P<comment>/\*.*?\*/)|(?P<directive>^\#(?:[^\n]*\\\n)*[^
     |(?P<inline>^static\s+inline\b[^;{]*\)\s*\{.*?^\})|(?P<call>^[a-z][\w \t]*?[ *]\w+\((?:[^;{}]|\n)*?\);)
     |(?P<passes>^\w+\s+\w+(?:,\s*\w+)*;)""", re.DOTALL | re.MULTILINE | re.VERBOSE)
 NAME = re.compile(r"\b(\w+)\(")
+INDENTED = re.compile(r"^ {7}\S", re.MULTILINE)
 
 
 @dataclass
@@ -52,10 +53,12 @@ class Call:
 
 @dataclass
 class Header:
-    """A header: what its first comment says, its calls, and the text of its types, comments included."""
+    """A header: what its first comment says, its calls, and the text of its types, comments included. ``listed``: that
+    comment with its lines, if it has indented ones."""
 
     path: Path
     about: str = ""
+    listed: str = ""
     calls: list[Call] = field(default_factory=list)
     types: list[str] = field(default_factory=list)
 
@@ -72,6 +75,9 @@ def read(path: Path) -> Header:
         kind, text = token.lastgroup, token[0]
         if kind == "comment" and token.start() == 0:
             found.about = words(text)
+            if INDENTED.search(text):
+                lines = text.removeprefix("/*").removesuffix("*/").rstrip().splitlines()
+                found.listed = "```\n" + "\n".join([lines[0].strip(), *(line[3:] for line in lines[1:])]) + "\n```"
         elif kind == "comment":
             above = last = text
         elif kind == "type":
@@ -138,7 +144,7 @@ def entry(contract: Contract, call: Call | None, measured: dict) -> str:
 
 def section(header: Header, contracts: dict[str, Contract], measured: dict) -> str:
     """Returns a header's part of the page."""
-    parts = [f"## {header.path.as_posix()}", header.about]
+    parts = [f"## {header.path.as_posix()}", header.listed or header.about]
     for call in header.calls:
         if contract := contracts.get(call.name):
             parts.append(entry(contract, call, measured))
