@@ -228,11 +228,19 @@ static void convert_box(const struct screen *screen, const struct frame *frame, 
     convert(&plan);
 }
 
-void screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
-                        int32 width, int32 height)
+/* Returns 1 if conversions can read the frame: their loops end where its rows do, in steps of 8 bytes. */
+static int32 is_aligned(const struct frame *frame)
+{
+    return !(((uint32)frame->pixels | (uint32)frame->pitch) & 7);
+}
+
+int32 screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
+                         int32 width, int32 height)
 {
     struct rectangle box;
 
+    if (!is_aligned(frame))
+        return 0;
     screen_finish(screen);
     box.left = x;
     box.top = y;
@@ -240,22 +248,7 @@ void screen_convert_box(struct screen *screen, const struct frame *frame, int32 
     box.bottom = y + height;
     touched_fill(&screen->had[screen->hidden]);
     convert_box(screen, frame, &box, screen->convert, screen->planes[screen->hidden]);
-}
-
-/* Adds what a frame has touched to what is in memory that it is converted to; touched 0: all of it. */
-static void widen(struct touched *had, const struct touched *touched)
-{
-    if (touched)
-        touched_join(had, touched);
-    else
-        touched_fill(had);
-}
-
-/* The memory has this frame alone. */
-static void keep(struct touched *had, const struct touched *touched)
-{
-    if (touched)
-        touched_copy(had, touched);
+    return 1;
 }
 
 static void convert_touched(const struct screen *screen, const struct frame *frame, const struct touched *touched,
@@ -267,25 +260,32 @@ static void convert_touched(const struct screen *screen, const struct frame *fra
         convert_box(screen, frame, &box, convert, planes);
 }
 
-void screen_prepare(struct screen *screen, const struct frame *frame, const struct touched *touched)
+int32 screen_prepare(struct screen *screen, const struct frame *frame, const struct touched *touched)
 {
-    struct touched *const had = &screen->had[screen->hidden];
+    struct touched *const had = &screen->had[screen->hidden];   /* in memory that the frame is converted to */
     const int32 is_merged = screen->between[0] != 0;
 
+    if (!is_aligned(frame))
+        return 0;
     if (!is_merged)
         screen_finish(screen);
     else if (screen->merged_twice[screen->hidden] != screen->merges_twice) {
         screen->merged_twice[screen->hidden] = screen->merges_twice;
         touched_fill(had);
     }
-    widen(had, touched);
+    if (touched)
+        touched_join(had, touched);
+    else
+        touched_fill(had);
     if (is_merged)
         convert_touched(screen, frame, had, part_converter(screen), screen->between[screen->hidden]);
     else
         convert_touched(screen, frame, had, screen->convert, screen->planes[screen->hidden]);
     touched_box(had, &screen->prepared);
-    keep(had, touched);
+    if (touched)                /* the memory has this frame alone */
+        touched_copy(had, touched);
     screen->is_prepared = is_merged;
+    return 1;
 }
 
 /* Lets the blitter merge twice from the next frame on if it has rested for a field more than that takes, once if this frame
@@ -325,17 +325,19 @@ static void blits_post(struct screen *screen, uint32 field)
     blits_start(work);
 }
 
-void screen_show(struct screen *screen, const struct frame *frame, const struct touched *touched)
+int32 screen_show(struct screen *screen, const struct frame *frame, const struct touched *touched)
 {
     if (!screen->between[0])
         screen_wait(screen);
-    screen_prepare(screen, frame, touched);
+    if (!screen_prepare(screen, frame, touched))
+        return 0;
     screen_post(screen, 0);
+    return 1;
 }
 
-void screen_convert(struct screen *screen, const struct frame *frame)
+int32 screen_convert(struct screen *screen, const struct frame *frame)
 {
-    screen_convert_box(screen, frame, 0, 0, screen->layout.width, screen->layout.height);
+    return screen_convert_box(screen, frame, 0, 0, screen->layout.width, screen->layout.height);
 }
 
 void screen_swap(struct screen *screen)

@@ -51,13 +51,16 @@ int32 screen_open(struct screen *screen, const struct screen_form *form);
    Does nothing in HAM8. */
 void screen_palette(struct screen *screen, const uint8 *palette);
 
-/* Converts a frame into the hidden planes; pixels and pitch are multiples of 8. */
-void screen_convert(struct screen *screen, const struct frame *frame);
+/* A frame's pixels and pitch are multiples of 8, as mem_alloc's memory is; a static array need not be. screen_convert,
+   screen_convert_box, screen_prepare and screen_show return 0 and do nothing if they are not, otherwise 1. */
+
+/* Converts a frame into the hidden planes. */
+int32 screen_convert(struct screen *screen, const struct frame *frame);
 
 /* Converts a part of a frame. x and width are in pixels and multiples of 32 (of 16, if these are two dots wide);
    the box may also end at the frame's right edge. */
-void screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
-                        int32 width, int32 height);
+int32 screen_convert_box(struct screen *screen, const struct frame *frame, int32 x, int32 y,
+                         int32 width, int32 height);
 
 /* Shows the hidden planes from the next field on and returns when they are shown. The other set is
    hidden then. */
@@ -76,8 +79,8 @@ uint32 screen_wait(const struct screen *screen);
    while the program goes on. Without, that frame must be shown. screen_show does both, for the next field. touched: if all
    frames begin with one background, what this one has drawn over it; only that, and what the frame that was there has, is
    converted; 0: all of it. Functions that write planes, the palette or lists wait for the blitter first. */
-void screen_prepare(struct screen *screen, const struct frame *frame, const struct touched *touched);
-void screen_show(struct screen *screen, const struct frame *frame, const struct touched *touched);
+int32 screen_prepare(struct screen *screen, const struct frame *frame, const struct touched *touched);
+int32 screen_show(struct screen *screen, const struct frame *frame, const struct touched *touched);
 
 /* Waits until the blitter has ended and its frame is shown, and gives the blitter back to the system: needed before the
    program prints, as its console may draw. */

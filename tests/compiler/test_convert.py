@@ -87,6 +87,95 @@ def test_bad_input_is_one_line(tmp_path, capsys) -> None:
     assert not (tmp_path / "b.png").exists()
 
 
+def several(tmp_path, *options: str) -> tuple[list[np.ndarray], np.ndarray]:
+    """Converts a.png and b.png to maps in one folder. Returns what they show, uint8 [row][x][channel], and their
+    palette."""
+    pictures, folder = [str(tmp_path / f"{name}.png") for name in "ab"], tmp_path / "maps"
+    assert main(["map", *pictures, "-o", str(folder), *options]) == 0
+    assert sorted(path.name for path in folder.iterdir()) == ["a.map", "a.map.json", "b.map", "b.map.json", "palette"]
+    entries = np.fromfile(folder / "palette", np.uint8).reshape(256, 4)
+    assert not entries[:, 0].any()
+    shown = []
+    for name in "ab":
+        about = json.loads((folder / f"{name}.map.json").read_text())
+        assert about["palette"] == entries[:, 1:].tolist()
+        assert main(["picture", str(folder / f"{name}.map"), "-o", str(tmp_path / "out.png")]) == 0
+        shown.append(np.array(Image.open(tmp_path / "out.png").convert("RGB")))
+    return shown, entries[:, 1:]
+
+
+def test_several_pictures_share_a_palette(tmp_path) -> None:
+    """Colours that fit in one palette come back exactly, in pictures with palettes of their own too; equal
+    palettes stay."""
+    rng = np.random.default_rng(28)
+    colours = rng.permutation(np.unique(rng.integers(0, 256, (240, 3), dtype=np.uint8), axis=0))
+    first, second = colours[rng.integers(0, 120, (8, 24))], colours[rng.integers(80, len(colours), (100, 37))]
+    Image.fromarray(first).save(tmp_path / "a.png")
+    Image.fromarray(second).convert("P", palette=Image.Palette.ADAPTIVE, colors=256).save(tmp_path / "b.png")
+    second = np.array(Image.open(tmp_path / "b.png").convert("RGB"))
+    (found, other), _ = several(tmp_path)
+    assert np.array_equal(found, first) and np.array_equal(other, second)
+    indices = rng.integers(0, 256, (2, 16, 16), dtype=np.uint8)
+    for name, texels in zip("ab", indices):
+        image = Image.fromarray(texels, "P")
+        image.putpalette(np.arange(768).astype(np.uint8).tobytes())
+        image.save(tmp_path / f"{name}.png")
+    several(tmp_path)
+    assert [(tmp_path / "maps" / f"{name}.map").read_bytes() for name in "ab"] == [each.tobytes() for each in indices]
+
+
+@pytest.mark.parametrize("most", [1, 16, 100, 256])
+def test_shared_palette_keeps_its_number(tmp_path, most) -> None:
+    """More colours are reduced to so many, the rest is black; each pixel has the nearest of them, in both pictures."""
+    rng = np.random.default_rng(29)
+    pictures = [rng.integers(0, 256, (64, 32, 3), dtype=np.uint8), rng.integers(0, 99, (16, 128, 3), dtype=np.uint8)]
+    for name, pixels in zip("ab", pictures):
+        Image.fromarray(pixels).save(tmp_path / f"{name}.png")
+    shown, palette = several(tmp_path, "--colours", str(most), "--layout", "columns")
+    assert not palette[most:].any() and len(np.unique(palette[:most], axis=0)) > most * 3 // 4
+    for found, pixels in zip(shown, pictures):
+        off = ((found.astype(int) - pixels) ** 2).sum(axis=-1)
+        every = ((palette[:most].astype(int) - pixels[..., None, :]) ** 2).sum(axis=-1)
+        assert np.array_equal(off, every.min(axis=-1))
+
+
+def test_several_maps_of_other_formats(tmp_path) -> None:
+    """They have no palette."""
+    every = maps.from_rgb565(np.arange(65536).reshape(256, 256))
+    for name in "ab":
+        Image.fromarray(every).save(tmp_path / f"{name}.png")
+    assert main(["map", *(str(tmp_path / f"{name}.png") for name in "ab"), "-o", str(tmp_path / "maps"), "--format",
+                 "rgb565"]) == 0
+    assert sorted(path.name for path in (tmp_path / "maps").iterdir()) == ["a.map", "a.map.json", "b.map", "b.map.json"]
+    assert (tmp_path / "maps" / "b.map").read_bytes() == np.arange(65536, dtype=">u2").tobytes()
+
+
+@pytest.mark.parametrize("words, said", [
+    (("a.png", "none.png", "-o", "maps"), "none.png: no such file"),
+    (("a.png", "bad.png", "-o", "maps"), "bad.png: not a usable PNG or JPEG"),
+    (("a.png", "odd.png", "-o", "maps", "--layout", "columns"), "odd.png: 100x37 texels; layout columns needs "),
+    (("a.png", "more/A.jpg", "-o", "maps"), "more/A.jpg: its map would have the name of a.png's"),
+    (("a.png", "odd.png", "-o", "bad.png"), "bad.png: is not a directory"),
+    (("a.png", "odd.png", "-o", "maps", "--colours", "257"), "--colours: 257; a palette has 1 to 256"),
+    (("a.png", "odd.png", "-o", "maps", "--colours", "0"), "--colours: 0; a palette has 1 to 256"),
+    (("a.png", "-o", "maps", "--colours", "9", "--format", "rgb565"),
+     "--colours: texels in format rgb565 have no palette"),
+    (("-o", "maps"), "PICTURE")])
+def test_bad_pictures_among_several_are_one_line(tmp_path, capsys, monkeypatch, words, said) -> None:
+    """Nothing is written, and no folder made."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "more").mkdir()
+    Image.new("RGB", (8, 8)).save("a.png")
+    Image.new("RGB", (8, 8)).save("more/A.jpg")
+    Image.new("RGB", (100, 37)).save("odd.png")
+    (tmp_path / "bad.png").write_bytes(b"no picture")
+    before = sorted(tmp_path.rglob("*"))
+    assert main(["map", *words]) == 2
+    message = capsys.readouterr().err
+    assert message.count("\n") == 1 and said in message
+    assert sorted(tmp_path.rglob("*")) == before
+
+
 def test_light_table_of_a_picture(tmp_path) -> None:
     """Level 63 is the palette itself, level 0 the entry nearest to black, or to another colour."""
     colours = [(0, 0, 0), (255, 255, 255), (128, 128, 128), (64, 80, 96)]

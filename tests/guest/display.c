@@ -14,7 +14,8 @@ uint32 break_signal(void);
 void spin(void);
 void illegal(void);
 
-enum mode { SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY, BLITTER, BOXES, BLIT_BOXES };
+enum mode { SHOW, KEYS, CRASH, QUIET_CRASH, AGAIN, SHORT, REFUSED, POST, BUSY, BLITTER, BOXES, BLIT_BOXES,
+            UNALIGNED };
 enum event { RAW_KEY = 1, RAW_MOUSE = 2, RELEASED = 0x80, CONTROL = 8, REPEAT = 0x200, C_KEY = 0x33 };
 
 #define DUMPED 7
@@ -124,6 +125,30 @@ static int32 show_boxes(struct frame *frame, const char *name)
     return RETURN_OK;
 }
 
+/* Prints what the calls return for frames whose pixels or pitch are not multiples of 8, and which set is hidden then; at
+   last for a frame that is. */
+static int32 unaligned(struct frame *frame)
+{
+    static const uint8 off[][2] = {{4, 0}, {1, 0}, {0, 4}, {0, 2}, {0, 0}};
+    const int32 pitch = frame->pitch;
+    uint8 *pixels;
+
+    if (!mem_alloc(&pixels, (pitch + 8) * (frame->height + 1), MEMORY_ANY))
+        return RETURN_FAIL;
+    for (uint32 i = 0; i < sizeof off / sizeof *off; i++) {
+        frame->pixels = pixels + off[i][0];
+        frame->pitch = pitch + off[i][1];
+        text_number(screen_convert(&screen, frame));
+        text_number(screen_convert_box(&screen, frame, 0, 0, frame->width, 1));
+        text_number(screen_show(&screen, frame, 0));
+        text_number(screen.hidden);
+        text_add(" ");
+    }
+    screen_finish(&screen);
+    text_print();
+    return RETURN_OK;
+}
+
 static int32 keys(void)
 {
     uint32 key;
@@ -229,6 +254,7 @@ static int32 opened(enum mode mode, struct frame *frame, const char *name)
     case BLITTER: return show(frame, name, 1);
     case BOXES:
     case BLIT_BOXES: return show_boxes(frame, name);
+    case UNALIGNED: return unaligned(frame);
     case KEYS: return keys();
     case AGAIN: return again();
     case POST: return post();
@@ -256,7 +282,7 @@ int main(void)
     form.format = *(const uint32 *)args[FORMAT];
     frame.width = form.width = *(const int32 *)args[WIDTH];
     frame.height = form.height = *(const int32 *)args[HEIGHT];
-    form.blitter = mode == BLITTER || mode == BLIT_BOXES;
+    form.blitter = mode == BLITTER || mode == BLIT_BOXES || mode == UNALIGNED;
     form.pixel_width = *(const int32 *)args[WIDE];
     form.pixel_height = *(const int32 *)args[HIGH];
     frame.pixel_bytes = form.format == PIXEL_CHUNKY ? 1 : form.format == PIXEL_RGBA8888 ? 4 : 2;

@@ -297,26 +297,36 @@ def square(number: int) -> np.ndarray:
     return frame
 
 
+def draw_triangles(frame: np.ndarray, triangles: list[list[tuple]]) -> int:
+    """Draws triangles of x, y, s, t, all 16.16, with the XOR pattern, as triangles_draw does with ``cull``: those
+    that are clockwise once their vertices are rounded. Returns how many."""
+    settings, drawn = Settings(edges="snapped"), 0
+    v, u = np.indices((256, 256))
+    for three in triangles:
+        vertices = model.adapt([(*corner, 0) for corner in three], settings, 256)
+        (x0, y0), (x1, y1), (x2, y2) = (vertex[:2] for vertex in vertices)
+        if (x1 - x0) * (y2 - y0) > (x2 - x0) * (y1 - y0):
+            polygon = model.set_up(vertices, frame.shape[1], frame.shape[0], True, settings)
+            if polygon:
+                model.draw(frame, polygon, (u ^ v).astype(np.uint8), 0)
+            drawn += 1
+    return drawn
+
+
 def box(number: int) -> np.ndarray:
     """Frame ``number`` of triangles.c as the model draws it."""
     cosine, sine = TURNS[number]
-    corners, settings = [], Settings(edges="snapped")
+    corners = []
     for k in range(8):
         x, y, z = (40 if k >> bit & 1 else -40 for bit in range(3))
         right, away = cosine * x - sine * z, sine * x + cosine * z
         corners.append(((WIDTH // 2 << 16) + right * 1024 - (128 << 16) * (number == 3 and k == 0),
                         (HEIGHT // 2 << 16) + (TURNS[1][0] * 64 * y - TURNS[1][1] * away) * 16,
-                        255 * (k & 1) << 16, (200 if k & 2 else 40) + (50 if k & 4 else 0) << 16, 0))
-    v, u = np.indices((256, 256))
-    frame, drawn = np.zeros((HEIGHT, WIDTH), np.uint8), 0
-    for side in ((0, 1, 3, 2), (5, 4, 6, 7), (4, 0, 2, 6), (1, 5, 7, 3), (4, 5, 1, 0), (2, 3, 7, 6)):
-        for three in (side[:3], (side[0], *side[2:])):
-            vertices = model.adapt([corners[k] for k in three], settings, 256)
-            (x0, y0), (x1, y1), (x2, y2) = (vertex[:2] for vertex in vertices)
-            if (x1 - x0) * (y2 - y0) > (x2 - x0) * (y1 - y0):
-                polygon = model.set_up(vertices, WIDTH, HEIGHT, True, settings)
-                model.draw(frame, polygon, (u ^ v).astype(np.uint8), 0)
-                drawn += 1
+                        255 * (k & 1) << 16, (200 if k & 2 else 40) + (50 if k & 4 else 0) << 16))
+    frame = np.zeros((HEIGHT, WIDTH), np.uint8)
+    sides = (0, 1, 3, 2), (5, 4, 6, 7), (4, 0, 2, 6), (1, 5, 7, 3), (4, 5, 1, 0), (2, 3, 7, 6)
+    drawn = draw_triangles(frame, [[corners[k] for k in three] for side in sides
+                                   for three in (side[:3], (side[0], *side[2:]))])
     assert 4 <= drawn <= 8 and (min(x for x, *_ in corners) < 0) == (number == 3)
     return frame
 

@@ -15,7 +15,7 @@ from tmap.build import layout
 from tmap.guest import emulator
 
 MODES = ("SHOW", "KEYS", "CRASH", "QUIET_CRASH", "AGAIN", "SHORT", "REFUSED", "POST", "BUSY", "BLITTER",
-         "BOXES", "BLIT_BOXES")
+         "BOXES", "BLIT_BOXES", "UNALIGNED")
 FRAMES = 3
 BOX = slice(3, 8), slice(32, 96)  # rows and columns of the last frame that are converted
 TOP, BOTTOM, LEFT = 32, 288, 0x81  # lines and positions of the beam: the area for pictures
@@ -101,11 +101,13 @@ def command(mode: str, rest: str = "0 320 256 1 1") -> str:
     return f"display {MODES.index(mode)} {rest}"
 
 
+#: Kinds of frames whose pixels or pitch are no multiples of 8: chunky, pixels of two dots, HAM8.
+UNALIGNED = "0 64 32 1 1", "0 64 32 2 1", "1 64 32 1 1"
 #: How programs end, and their return codes.
 ENDINGS = {command("CRASH"): 20, command("QUIET_CRASH"): 20, command("AGAIN", "1 160 64 1 1"): 0,
            command("KEYS", "0 32 32 1 1"): 0, command("POST", "0 32 32 1 1"): 0, command("SHORT"): 20,
            command("REFUSED", "0 324 256 1 1"): 10, command("REFUSED", "0 320 257 1 1"): 10,
-           command("REFUSED", "0 168 64 2 1"): 10, command("REFUSED", "1 64 129 1 2"): 10}
+           **{command("UNALIGNED", rest): 0 for rest in UNALIGNED}, command("REFUSED", "0 168 64 2 1"): 10, command("REFUSED", "1 64 129 1 2"): 10}
 
 
 @pytest.fixture(scope="module")
@@ -341,6 +343,12 @@ def test_lists_and_screens(ended):
     screen fits in the first one's memory, a third does not."""
     assert ended[command("POST", "0 32 32 1 1")].output == "1 0 1 11\n"
     assert ended[command("AGAIN", "1 160 64 1 1")].output.split()[-1] == "10"
+
+
+@pytest.mark.parametrize("rest", UNALIGNED)
+def test_unaligned_frames_are_refused(ended, rest):
+    """The conversions' loops would not end with them. Nothing is shown; the next frame that is aligned is."""
+    assert ended[command("UNALIGNED", rest)].output == "0000 0000 0000 0000 1111 \n"
 
 
 def test_refusals(ended):

@@ -116,12 +116,16 @@ def add_checks(commands: Commands) -> None:
 
 def add_maps(commands: Commands) -> None:
     """Adds the commands that convert textures."""
-    command = commands.add("map", actions.to_map, "Write a PNG or JPEG as a texture map in memory layout.")
-    command.add_argument("source", type=Path, metavar="PICTURE")
-    add_out(command, "the texels; FILE.json beside it says what they are", "FILE", required=True)
+    command = commands.add("map", actions.to_map,
+                           "Write PNGs or JPEGs as texture maps in memory layout; several share a palette.")
+    command.add_argument("sources", type=Path, nargs="+", metavar="PICTURE")
+    add_out(command, "the texels; PATH.json beside it says what they are. Of several pictures: a folder for each one's "
+            "NAME.map and NAME.map.json, and the file palette, as screen_palette takes it", "PATH", required=True)
     command.add_argument("--layout", choices=LAYOUTS, default=LAYOUTS[0])
     command.add_argument("--format", choices=tuple(FORMATS), default="chunky",
                          help="palette indices (chunky), or what a texel's bytes are")
+    command.add_argument("--colours", type=int, metavar="N",
+                         help="palette entries that chunky texels use at most (256)")
 
     command = commands.add("light", actions.to_light, "Write the light table of a picture's colours, for lit mappers.")
     command.add_argument("source", type=Path, metavar="PICTURE")

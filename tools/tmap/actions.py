@@ -158,9 +158,9 @@ def vectors(args: argparse.Namespace) -> int:
 
 
 def to_map(args: argparse.Namespace) -> int:
-    """Converts a picture to a map."""
+    """Converts pictures to maps."""
     from tmap.run import convert as tool
-    return tool.map_command(args.source, args.out, args.layout, args.format)
+    return tool.map_command(args.sources, args.out, args.layout, args.format, args.colours)
 
 
 def to_light(args: argparse.Namespace) -> int:

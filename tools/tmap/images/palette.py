@@ -10,6 +10,7 @@ COLOURS = 256
 EXACT_MAX = 192  # most entries for exact colours if there are textures
 DIMMED = (3 / 4, 1 / 2, 1 / 4, 0)  # levels of light in which lit pictures are counted too
 AT_ONCE = 16384  # colours whose distances are computed together: 16 MB of distances
+PACK = np.array([65536, 256, 1])  # of red, green, blue in a number
 EVERY_PIXEL = 128 * 128  # pixels of the largest picture that is sampled fully, not by a quarter
 
 
@@ -19,7 +20,7 @@ def nearest(pixels: np.ndarray, palette: np.ndarray) -> np.ndarray:
     pixels uint8 (..., 3), palette uint8 (n, 3); result uint8 (...). Squares and
     products stay below 2^24, so float32 holds them exactly on every machine.
     """
-    packed = pixels.reshape(-1, 3) @ np.array([65536, 256, 1])
+    packed = pixels.reshape(-1, 3) @ PACK
     colours, where = np.unique(packed, return_inverse=True)
     colours = np.stack([colours >> 16, colours >> 8 & 255, colours & 255], axis=1)
     entries = palette.astype(np.float32)
@@ -37,6 +38,23 @@ def sample(picture: np.ndarray) -> np.ndarray:
         return picture.reshape(-1, 3)
     t, s = np.indices(picture.shape[:2])
     return picture[(s + t) % 4 == 0]  # from every row and column
+
+
+def reduced(samples: list[np.ndarray], most: int) -> np.ndarray:
+    """Returns at most so many colours, uint8 (n, 3), that serve samples (n, 3) of several pictures."""
+    together = Image.fromarray(np.concatenate(samples)[None])
+    found = together.quantize(most, Image.Quantize.MEDIANCUT, kmeans=1, dither=Image.Dither.NONE)
+    return np.array(found.getpalette(), np.uint8).reshape(-1, 3)[:most]
+
+
+def shared(pictures: list[np.ndarray], most: int) -> tuple[np.ndarray, list[np.ndarray]]:
+    """Returns at most so many colours, uint8 (n, 3), that pictures, uint8 (height, width, 3), share, and the pictures
+    as indices of them. They are the pictures' own colours in order; if these are more, they are reduced."""
+    own = np.unique(np.concatenate([np.unique(picture.reshape(-1, 3) @ PACK) for picture in pictures]))
+    colours = np.stack([own >> 16, own >> 8 & 255, own & 255], axis=1).astype(np.uint8)
+    if len(own) > most:
+        colours = reduced([sample(picture) for picture in pictures], most)
+    return colours, [nearest(picture, colours) for picture in pictures]
 
 
 def mixed(colours: np.ndarray, part, towards: tuple[int, int, int] = (0, 0, 0)) -> np.ndarray:
@@ -75,12 +93,9 @@ def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: 
         return palette, []
     samples = [picture[opaque[k]] if k in opaque else sample(picture) for k, picture in enumerate(pictures)]
     samples += [mixed(sample(picture), part, towards) for picture, towards in lit for part in DIMMED]
-    together = Image.fromarray(np.concatenate(samples)[None])
-    reduced = together.quantize(COLOURS - len(exact), Image.Quantize.MEDIANCUT, kmeans=1,
-                                dither=Image.Dither.NONE)
-    shared = np.array(reduced.getpalette(), np.uint8).reshape(-1, 3)[:COLOURS - len(exact)]
-    used = len(exact) + len(shared)
-    palette[len(exact):used] = shared
+    others = reduced(samples, COLOURS - len(exact))
+    used = len(exact) + len(others)
+    palette[len(exact):used] = others
     first = 1 if opaque else 0
     texels = [nearest(picture, palette[first:used]) + np.uint8(first) for picture in pictures]
     for k, mask in opaque.items():

@@ -4,22 +4,25 @@ light tables, and convert maps back.
 A map file holds the texels alone, in the order of c/texture/map.h. FILE.json beside it has width,
 height, layout, format and, for chunky maps, the palette. Both ways are exact: a PNG with a palette,
 or of at most 256 colours, returns unchanged; other formats keep every colour that they have.
+Several pictures share one palette, exact too if their colours are not too many together.
 """
 
 import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from PIL import Image
 
-from tmap.base import maps
+from tmap.base import maps, outputs
 from tmap.base.errors import UserError
 from tmap.base.pixel_formats import FORMATS
 from tmap.images import images, palette as colours
 from tmap.scene_file.scene_file import size_fault
 
 LAYOUTS = ("linear", "tiled", "columns")
+PALETTE = "palette"  # the file beside several maps: 256 entries of 4 bytes, 0, red, green, blue, for screen_palette
 
 
 def padded(palette: np.ndarray) -> np.ndarray:
@@ -27,22 +30,32 @@ def padded(palette: np.ndarray) -> np.ndarray:
     return np.pad(palette, ((0, 256 - len(palette)), (0, 0)))
 
 
-def indices(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Returns palette indices, uint8 [height][width], and the palette, uint8 (256, 3), of a PNG or
-    JPEG. They are the picture's own or, without a palette, those of its colours in order; more than
-    256 colours are reduced to 256."""
+def decoded(source: Path, decode: Callable):
+    """Returns what ``decode`` makes of a picture's path; raises UserError."""
+    try:
+        return decode(source)
+    except FileNotFoundError:
+        raise UserError(f"{source}: no such file") from None
+    except Exception as error:  # a damaged file can raise any of the decoders' exceptions
+        raise UserError(f"{source}: not a usable PNG or JPEG picture: {error}") from None
+
+
+def own_indices(path: Path) -> tuple[np.ndarray, bytes] | None:
+    """Returns the palette indices, uint8 [height][width], and the palette of a picture that has one."""
     with images.opened(path) as image:
-        if image.mode == "P":
-            found = np.array(image.getpalette("RGB"), np.uint8).reshape(-1, 3)
-            return np.array(image), padded(found)
-    image = images.decode(path)
-    pixels = np.array(image)
-    colours, where = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True)
-    if len(colours) > 256:
-        reduced = image.quantize(256, Image.Quantize.MEDIANCUT, dither=Image.Dither.NONE)
-        colours = np.array(reduced.getpalette(), np.uint8).reshape(-1, 3)
-        where = np.array(reduced)
-    return where.reshape(pixels.shape[:2]).astype(np.uint8), padded(colours)
+        return (np.array(image), bytes(image.getpalette("RGB"))) if image.mode == "P" else None
+
+
+def indices(sources: list[Path], most: int = colours.COLOURS) -> tuple[list[np.ndarray], np.ndarray]:
+    """Returns palette indices, uint8 [height][width], of pictures, and their palette, uint8 (256, 3), with at most so
+    many entries in use; raises UserError. It is the pictures' own if all have the same, else that of their colours."""
+    own = [decoded(source, own_indices) for source in sources]
+    if all(own) and len({palette for _, palette in own}) == 1 and max(texels.max() for texels, _ in own) < most:
+        palette = np.frombuffer(own[0][1], np.uint8).reshape(-1, 3)[:most]
+        return [texels for texels, _ in own], padded(palette)
+    palette, found = colours.shared([decoded(source, lambda path: np.array(images.decode(path))) for source in sources],
+                                    most)
+    return found, padded(palette)
 
 
 def unlaid(texels: np.ndarray, layout: str, width: int, height: int) -> np.ndarray:
@@ -52,24 +65,11 @@ def unlaid(texels: np.ndarray, layout: str, width: int, height: int) -> np.ndarr
     return {"tiled": maps.from_tiled, "columns": maps.from_columns}[layout](texels, width, height)
 
 
-def read(source: Path, pixel: str) -> tuple[np.ndarray, np.ndarray | None]:
-    """Returns a picture's texels and, for chunky ones, its palette; raises UserError."""
-    try:
-        if pixel == "chunky":
-            return indices(source)
-        made = FORMATS[pixel]
-        return made.numbers(np.array(images.decode(source, made.channels))), None
-    except FileNotFoundError:
-        raise UserError(f"{source}: no such file") from None
-    except Exception as error:  # a damaged file can raise any of the decoders' exceptions
-        raise UserError(f"{source}: not a usable PNG or JPEG picture: {error}") from None
-
-
 def light_command(source: Path, out: Path, towards: str) -> int:
     """Writes the light table of a picture's palette: ``out`` and ``out``.json."""
     if not re.fullmatch("#[0-9a-fA-F]{6}", towards):
         raise UserError(f"--towards: {towards!r} is not a colour like #204060")
-    _, palette = read(source, "chunky")
+    _, palette = indices([source])
     darkest = tuple(bytes.fromhex(towards[1:]))
     table = colours.light(palette, darkest)
     out.write_bytes(table.tobytes())
@@ -80,20 +80,60 @@ def light_command(source: Path, out: Path, towards: str) -> int:
     return 0
 
 
-def map_command(source: Path, out: Path, layout: str, pixel: str) -> int:
-    """Writes a picture as a map: ``out`` and ``out``.json."""
-    picture, palette = read(source, pixel)
+def check_names(sources: list[Path]) -> None:
+    """Refuses pictures whose maps in one folder would have the same name; the Amiga ignores case."""
+    stems = [source.stem.lower() for source in sources]
+    for number, stem in enumerate(stems):
+        if stem in stems[:number]:
+            raise UserError(f"{sources[number]}: its map would have the name of {sources[stems.index(stem)]}'s")
+
+
+def map_command(sources: list[Path], out: Path, layout: str, pixel: str, most: int | None) -> int:
+    """Writes a picture as a map: ``out`` and ``out``.json; or several to a folder, and their palette."""
+    if most is not None and pixel != "chunky":
+        raise UserError(f"--colours: texels in format {pixel} have no palette")
+    if most is not None and not 1 <= most <= colours.COLOURS:
+        raise UserError(f"--colours: {most}; a palette has 1 to {colours.COLOURS}")
+    if len(sources) > 1:
+        check_names(sources)
+        outputs.check_directory(out)
+    made, palette = FORMATS[pixel], None
+    if pixel == "chunky":
+        pictures, palette = indices(sources, most or colours.COLOURS)
+    else:
+        pictures = [made.numbers(decoded(source, lambda path: np.array(images.decode(path, made.channels))))
+                    for source in sources]
+    for source, (height, width) in zip(sources, (picture.shape for picture in pictures)):
+        if needs := size_fault(layout, width, height):
+            raise UserError(f"{source}: {width}x{height} texels; layout {layout} needs {needs}")
+    if len(sources) == 1:
+        write_map(out, pictures[0], layout, pixel, palette)
+        tell(out, pictures[0], layout, pixel)
+        return 0
+    with outputs.replaced(out, (), PALETTE) as folder:
+        for source, picture in zip(sources, pictures):
+            write_map(folder / f"{source.stem}.map", picture, layout, pixel, palette)
+        if palette is not None:
+            (folder / PALETTE).write_bytes(np.pad(palette, ((0, 0), (1, 0))).tobytes())
+    for source, picture in zip(sources, pictures):
+        tell(out / f"{source.stem}.map", picture, layout, pixel)
+    return 0
+
+
+def write_map(out: Path, picture: np.ndarray, layout: str, pixel: str, palette: np.ndarray | None) -> None:
+    """Writes one map and what it is."""
     height, width = picture.shape
-    needs = size_fault(layout, width, height)
-    if needs:
-        raise UserError(f"{source}: {width}x{height} texels; layout {layout} needs {needs}")
     about = {"width": width, "height": height, "layout": layout, "format": pixel,
              "palette": None if palette is None else palette.tolist()}
     laid = {"linear": np.ravel, "tiled": maps.to_tiled, "columns": maps.to_columns}[layout](picture)
     out.write_bytes(laid.tobytes())
     out.with_name(out.name + ".json").write_text(json.dumps(about) + "\n")
+
+
+def tell(out: Path, picture: np.ndarray, layout: str, pixel: str) -> None:
+    """Prints what was written."""
+    height, width = picture.shape
     print(f"{out}: {width}x{height}, {layout}, {pixel}")
-    return 0
 
 
 def picture_command(source: Path, out: Path) -> int:
