@@ -226,6 +226,8 @@ static int32 find(struct n64_plan *plan, const struct n64_needs *needs, int32 pi
     plan->tile1 = (n64->primitive_tile + 1) & 7;
     plan->shade = packed(&needs->shade);
     n64_form_find(&plan->form, n64);
+    if (!(n64->inputs & N64_INPUT_TEXEL1))      /* nothing depends on the texel: its tile may have no texels */
+        plan->form.swapped = 0;
     if (!find_samplings(plan, needs->inputs))
         return 0;
     plan->only_blends = plan->levels && !plan->yuv.on && !plan->form.any
