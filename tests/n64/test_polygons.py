@@ -9,7 +9,7 @@ from dataclasses import astuple
 import numpy as np
 import pytest
 
-from tests.helpers.engine_polygons import Polygons
+from tests.helpers.engine_polygons import MACHINE, Polygons
 from tmap.corpus import random_n64
 from tmap.corpus.random_n64 import HEIGHT, MOST, PIXELS, WIDTH, Case, case, scene
 from tmap.guest import guest_frames
@@ -83,3 +83,15 @@ def test_the_second_processor_draws_the_same(pixels: str) -> None:
     digests, = guest_frames.draw([(made, "addx")], SECOND, timed=False)
     guest_frames.require_models([model.render(made, number) for number in range(made.frames)], digests,
                                 "polygons", (made, "addx", SECOND))
+
+
+def test_a_texel_that_nothing_needs_is_not_sampled() -> None:
+    """Two cycles, the second without texel 1, whose tile has never been prepared. Found by ``scripts/tmap fuzz --family n64
+    --seed 21``: a crash of the guest."""
+    each = case(21, 4312, "rgba8888")
+    made = scene([each], 21, "rgba8888")
+    assert 1 not in samples(state_at(made, 0, 0)) and each.modes["cycles"] == "two"
+    for machine in (MACHINE, SECOND):
+        found = guest_frames.frame_of(made, "addx", machine)
+        expected = model.render(made, 0)
+        assert (found == expected).all(), guest_frames.first_wrong(expected, found)
