@@ -51,6 +51,8 @@ C_OUT := build/obj/$(CC68K)
 ASM_OUT := build/obj/asm
 C_OBJECTS := $(C_FILES:c/%.c=$(C_OUT)/%.o)
 SCENE_OBJECT := $(C_OUT)/programs/scene.o
+SMALL_OBJECTS := $(filter-out %/draw_faces.o %/draw_meshes.o %/time.o,$(filter $(C_OUT)/system/% $(C_OUT)/scene/% $(C_OUT)/frames/% \
+  $(UNIT_STATE:%=$(C_OUT)/%.o),$(C_OBJECTS))) $(SCENE_OBJECT)
 MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
 QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
@@ -163,7 +165,7 @@ setup:
 # Files that change only when what they say does: what they say is in $(TEXT).
 KEEP = @mkdir -p $(@D); printf '%s\n' $(TEXT) | cmp -s - $@ || printf '%s\n' $(TEXT) >$@
 
-build/obj/flags: TEXT = '$(ASM_FLAGS)' '$(GCC_FLAGS)' '$(SMALL_FLAGS)' '$(VBCC_FLAGS)' '$(LD_FLAGS)'
+build/obj/flags: TEXT = '$(ASM_FLAGS)' '$(GCC_FLAGS)' '$(SMALL_FLAGS)' '$(VBCC_FLAGS)' '$(LD_FLAGS)' '$(SMALL_OBJECTS)'
 build/obj/flags: FORCE
 	$(KEEP)
 
@@ -207,8 +209,7 @@ define COMPILE_vbcc
 @$(VASM) $(VASM_FLAGS) -o $@ $(@:.o=.s)
 endef
 
-$(C_OUT)/system/%.o $(filter-out %/draw_faces.o %/draw_meshes.o %/time.o,$(filter $(C_OUT)/scene/% $(C_OUT)/frames/%,$(C_OBJECTS))) \
-  $(UNIT_STATE:%=$(C_OUT)/%.o) $(SCENE_OBJECT): GCC_FLAGS += $(SMALL_FLAGS)
+$(SMALL_OBJECTS): GCC_FLAGS += $(SMALL_FLAGS)
 
 $(C_OUT)/%.o: c/%.c build/obj/flags | setup
 	$(COMPILE_$(CC68K))

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import cache
+from pathlib import Path
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from tmap.corpus import random_glide, random_n64
 from tmap.fuzz import fuzz
 from tmap.fuzz.families import ALL, PERSPECTIVE
 from tmap.fuzz.polygons import BLOCK, polygon, scene
-from tmap.guest import guest_frames
+from tmap.guest import emulator, guest_frames
 from tmap.guest.emulator import SECOND
 from tmap.scene_file.scene_file import Scene
 
@@ -79,7 +80,13 @@ PARTS: dict[str, tuple[Callable[[], list[Drawing]], ...]] = {
 
 
 @cache
-def part(subject: str, number: int) -> tuple[list[Drawing], list[np.ndarray]]:
-    """Returns the drawings of a part, and their digests as the program of the tree draws them."""
+def part(subject: str, number: int) -> tuple[list[Drawing], list[tuple[np.ndarray, str]]]:
+    """Returns the drawings of a part, and their digests and counts as the program of the tree draws them."""
     drawings = PARTS[subject][number]()
-    return drawings, guest_frames.draw(drawings, SECOND, timed=False)
+    return drawings, draw(drawings)
+
+
+def draw(drawings: list[Drawing], programs: Path = emulator.PROGRAMS) -> list[tuple[np.ndarray, str]]:
+    """Returns digests, and what is printed: polygons, those that each rule applied to, pixels of each span."""
+    return guest_frames.drawn([(scene, f"{form} COUNT") for scene, form in drawings], SECOND, patience=PATIENCE, timed=False,
+                              programs=programs)

@@ -31,8 +31,9 @@ class Verdict:
     by: str = ""
 
 
-#: Noticed by a kernel's trials, by frames, as a crash or as no end; not noticed; and what does not count.
-KILLED = ("trials", "frames", "crash", "no end")
+#: Noticed by a kernel's trials, by frames, as a crash, as no end, or by the counts of spans and rules (the same pictures
+#: in another way); not noticed; and what does not count.
+KILLED = ("trials", "frames", "crash", "no end", "counts")
 SURVIVES, SAME, UNBUILT = "survives", "same code", "not built"
 ENDS = (*KILLED, SURVIVES, SAME, UNBUILT)
 
@@ -99,17 +100,20 @@ def by_trials(trials: Trials, changed: dict[str, Path], folder: Path) -> Verdict
 def by_frames(subjects: Iterable[str], changed: dict[str, Path], folder: Path) -> Verdict | None:
     """Returns the verdict of drawings, None if all are as they should be."""
     workshop.link("render", changed, folder)
+    way = None
     for subject in subjects:
         for number in range(len(corpora.PARTS[subject])):
             drawings, right = corpora.part(subject, number)
             try:
-                found = guest_frames.draw(drawings, SECOND, None, corpora.PATIENCE, timed=False, programs=folder)
+                found = corpora.draw(drawings, folder)
             except UserError as error:
                 return ended(error)
-            for expected, digests in zip(right, found, strict=True):
+            for (expected, counts), (digests, counted) in zip(right, found, strict=True):
                 if any((expected[field] != digests[field]).any() for field in ("sum", "hash", "result")):
                     return Verdict("frames", f"{subject} {number}")
-    return None
+                if counts != counted:
+                    way = way or Verdict("counts", f"{subject} {number}")
+    return way
 
 
 def judge(mutant: Mutant, trials: Trials, subjects: Iterable[str]) -> Verdict:

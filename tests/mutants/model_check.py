@@ -40,7 +40,7 @@ def wrong_polygon() -> str:
 def wrong_frame(subject: str) -> str:
     """Returns the first frame that is not the model's, or ""."""
     for number in range(len(corpora.PARTS[subject])):
-        for (scene, form), digests in zip(*corpora.part(subject, number)):
+        for (scene, form), (digests, _) in zip(*corpora.part(subject, number)):
             if form.startswith("addx") and "OFF" not in form:
                 for frame, digest in enumerate(digests):
                     if not is_models(model.render(scene, frame), digest):

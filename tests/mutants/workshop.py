@@ -21,7 +21,8 @@ class SameCode(UserError):
 
 @cache
 def flags() -> list[str]:
-    """Returns the lines of the Makefile's flags: assembler, compiler, its options for small code, vbcc, linker."""
+    """Returns the lines of the Makefile's flags: assembler, compiler, its options for small code, vbcc, linker, and the
+    objects of small code."""
     return (BUILD / "obj" / "flags").read_text().splitlines()
 
 
@@ -140,7 +141,7 @@ def make_objects(mutant: Mutant, sources: list[str], folder: Path) -> dict[str, 
             here = [f"-I{folder / 'src68k' / 'include'}", f"-I{(ROOT / source).parent}"]
             command("scripts/vasm", *flags()[0].split()[:3], *here, *flags()[0].split()[3:], "-o", out, given)
         else:
-            small = flags()[2].split() if is_small(source) else []
+            small = flags()[2].split() if object_of(source) in flags()[5].split() else []
             command("m68k-linux-gnu-gcc", *flags()[1].split(), *small, "-w", f"-I{(ROOT / source).parent}", "-c", "-o",
                     out, given)
         if code(out) != code(ROOT / object_of(source)):
@@ -148,13 +149,6 @@ def make_objects(mutant: Mutant, sources: list[str], folder: Path) -> dict[str, 
     if not made:
         raise SameCode("the same code")
     return made
-
-
-def is_small(source: str) -> bool:
-    """Returns True for sources that the Makefile compiles with SMALL_FLAGS."""
-    name = source.removeprefix("c/")
-    return name.startswith("system/") or name.startswith(("scene/", "frames/")) and \
-        not name.endswith(("/draw_faces.c", "/draw_meshes.c", "/time.c"))
 
 
 def code(path: Path) -> bytes:

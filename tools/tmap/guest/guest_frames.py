@@ -19,8 +19,16 @@ from tmap.scene_file.scene_file import Scene, write
 def draw(scenes: list[tuple[Scene, str]], machine: str,
          on_output: Callable[[str], None] | None = None, patience: float | None = None,
          apart: bool = False, timed: bool = True, programs: Path = emulator.PROGRAMS) -> list[np.ndarray]:
-    """Returns the digests of each scene's frames, drawn in one boot. Each scene comes with its form
-    and any further arguments of ``render``. ``patience``, ``apart``, ``programs``: as in run_batch; ``timed``:
+    """Returns the digests of each scene's frames, drawn in one boot: as ``drawn``, without what is printed."""
+    return [digests for digests, _ in drawn(scenes, machine, on_output, patience, apart, timed, programs)]
+
+
+def drawn(scenes: list[tuple[Scene, str]], machine: str,
+          on_output: Callable[[str], None] | None = None, patience: float | None = None,
+          apart: bool = False, timed: bool = True,
+          programs: Path = emulator.PROGRAMS) -> list[tuple[np.ndarray, str]]:
+    """Returns the digests of each scene's frames and what ``render`` printed, drawn in one boot. Each scene comes with
+    its form and any further arguments of ``render``. ``patience``, ``apart``, ``programs``: as in run_batch; ``timed``:
     False if no ticks are asked for, which saves the wait for the beam before each frame and emulator.UNTIMED's
     time."""
     shape = layout.load().struct("frame_digest").dtype
@@ -34,7 +42,7 @@ def draw(scenes: list[tuple[Scene, str]], machine: str,
             fault = emulator.explain_fault(programs / "render", result.output)
             if fault or result.code:
                 raise UserError(fault or f"render: {emulator.last_words(result.output)}")
-        return [np.fromfile(done[0].directory / f"{k}.digest", shape) for k in range(len(scenes))]
+        return [(np.fromfile(done[0].directory / f"{k}.digest", shape), result.output) for k, result in enumerate(done)]
 
 
 def frame_of(this: Scene, form: str, machine: str, number: int = 0) -> np.ndarray:
