@@ -166,9 +166,19 @@ n64_converted macro
         add.w   d0,d3
         endm
 
+; Goes to \1 if 2 t - u leaves a byte in one of two channels. In: \2 = t of both, \3 = u - t.
+; Destroys d5.
+n64_inside macro
+        move.l  \2,d5
+        sub.l   \3,d5
+        and.l   #$ff00ff00,d5
+        bne     \1
+        endm
+
 ; Ends a linear interpolation to another texel, two channels in a product: d3 = d4, the product of
 ; G and A, plus 256 times the texel's -G-A; d1 = the product of R and B. In: d0 = R-B- of the texel,
-; d1 = R G B A of the other, d2 factor, d3 = -G-A, d4, d7 = 00ff00ff. Uses d4.
+; d1 = R G B A of the other, d2 factor, d3 = -G-A, d4, d7 = 00ff00ff. Uses d4. \1: n64_inside's, if
+; given.
 n64_between macro
         lsl.l   #8,d3
         lsr.l   #8,d1
@@ -177,6 +187,9 @@ n64_between macro
         and.l   d7,d1
         lsr.l   #8,d4
         sub.l   d4,d1
+        ifnb    \1
+        n64_inside \1,d4,d1
+        endc
         muls.l  d2,d1
         endm
 

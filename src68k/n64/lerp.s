@@ -8,8 +8,25 @@
 ; formats: fractions of 256, -256 to 255: (texel 1 - texel 0) * fraction + 256 * texel 0 +
 ;          128 >> 8, its 9 bits clamped: 256 to 383 are 255, 384 to 511 are 0
 
-; Two channels in one product: neither overflows its word unless the fraction is negative.
-; Then each channel is multiplied alone.
+; Two channels in one product: neither overflows its word if the results are bytes. With a fraction
+; below 0 they are between t = texel 0 and 2 t - texel 1. Where that is no byte each channel is
+; multiplied alone.
+
+; d4 = the product of G and A, d3 = -G-A, d0 = R-B- of the texel d0. In: d1 the other, d2 the fraction.
+; \1: n64_inside's, if given.
+begin   macro
+        move.l  d0,d3
+        move.l  d1,d4
+        and.l   d7,d3
+        and.l   d7,d4
+        sub.l   d3,d4
+        ifnb    \1
+        n64_inside \1,d3,d4
+        endc
+        muls.l  d2,d4
+        eor.l   d3,d0
+        n64_between \1
+        endm
 
         pass    n64_lerp
         save_all
@@ -26,15 +43,8 @@
         beq.s   .write
         ext.l   d2
         bmi.s   .beyond
-        move.l  d0,d3
-        move.l  d1,d4
-        and.l   d7,d3                   ; -G-A
-        and.l   d7,d4
-        sub.l   d3,d4
-        muls.l  d2,d4
-        eor.l   d3,d0                   ; R-B-, 256 of each
-        n64_between
-        add.l   d6,d3
+        begin
+.ended  add.l   d6,d3
         lsr.l   #8,d3
         add.l   d6,d0
         add.l   d1,d0
@@ -46,7 +56,12 @@
         bne.s   .pixels
         return_all
 
-.beyond moveq   #3,d5
+.beyond begin   .apart
+        bra.s   .ended
+
+.apart  move.l  -4(a0),d0
+        move.l  -4(a3),d1
+        moveq   #3,d5
 .channel
         rol.l   #8,d0
         rol.l   #8,d1

@@ -34,6 +34,8 @@ def shade(rng, count: int) -> Example:
 
 def lerp(rng, count: int) -> Example:
     first, second = any_texels(rng, count), any_texels(rng, count)
+    near = np.clip(second + rng.integers(-9, 10, first.shape), 0, 255)
+    first = np.where(rng.random(count)[:, None] < 0.5, near, first) if count != BENCH else first
     fractions = rng.integers(-256 if rng.random() < 0.7 and count != BENCH else 0, 256, count)
     step = some_step(rng, count, 2)
     fractions = np.where(rng.random(count) < 0.2, 0, fractions)
