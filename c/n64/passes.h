@@ -88,6 +88,11 @@ struct n64_modulation {
     int32 step;                 /* bytes: 4, or 0 for the same everywhere */
 };
 
+/* Factors of intensities, and the colours of the 256 products. */
+struct n64_intensities {
+    const uint32 *other, *colours;
+};
+
 /* The four channels of a pixel between the combiner's cycles: R G B A. */
 struct n64_wide {
     int16 channels[4];
@@ -193,6 +198,7 @@ n64_pass n64_walk, n64_divide, n64_lod, n64_tile, n64_chroma;   /* iterators, co
 n64_pass n64_point, n64_threepoint, n64_threepoint_levels, n64_threepoint_16, n64_average, n64_quads;
 n64_pass n64_lerp, n64_shade, n64_modulate, n64_map, n64_convert, n64_store_16;
 n64_pass n64_threepoint_yuv, n64_widen, n64_widen_yuv, n64_combiner, n64_convert_wide, n64_narrow;
+n64_pass n64_threepoint_intensity, n64_map_intensity, n64_modulate_intensity;
 n64_pass n64_in_c;               /* calls what a struct n64_in_c names */
 
 #endif

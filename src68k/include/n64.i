@@ -22,6 +22,15 @@ n64_filter macro
         beq.s   .done
 .coordinates
         move.l  (a0)+,d0                ; s:t
+        n64_quad_find
+        move.w  (a5,d1.w*2),d1
+        jmp     (a5,d1.w)
+.done   return_all
+        endm
+
+; a2 = the quad of the s:t in d0, d1 = fs << 5 | ft. In: a4 the tile's quads, d4 = 001f001f, d5 =
+; columns_bits, d6 masks. Uses d2-d3.
+n64_quad_find macro
         moveq   #0,d2
         move.l  d0,d1
         and.l   d6,d0
@@ -30,11 +39,8 @@ n64_filter macro
         move.l  d1,d3
         lsr.l   #8,d3
         lsr.l   #3,d3
-        or.w    d3,d1                   ; fs << 5 | ft
-        move.w  (a5,d1.w*2),d1
+        or.w    d3,d1
         lea     (a4,d2.l*2),a2
-        jmp     (a5,d1.w)
-.done   return_all
         endm
 
 ; Writes the texel d2, R-B-, and d3, G-A-: all bytes, or 5/5/5/1.

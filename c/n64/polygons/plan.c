@@ -193,17 +193,13 @@ static void set_planes(struct n64_plan *plan, const struct n64_planes *planes)
 static int32 find_tables(struct n64_plan *plan)
 {
     struct n64_unit *unit = plan->unit;
-    uint32 *colours = plan->scratch->tables.colours;
 
     plan->tables = unit->tables;
     if (unit->tables && unit->tables_made == unit->n64.mode_generation)
         return 1;
-    if (!unit->tables && !mem_take(&unit->tables, 4 * 256, MEMORY_ANY))
+    if (!unit->tables && !mem_take(&unit->tables, 256 * sizeof *unit->tables, MEMORY_ANY))
         return 0;
-    n64_form_colours(plan, colours, 256);
-    for (int32 v = 0; v < 256; v++)
-        for (int32 i = 0; i < 4; i++)
-            unit->tables[256 * i + v] = (uint8)(colours[v] >> (24 - 8 * i));
+    n64_form_colours(plan, unit->tables, 256);
     unit->tables_made = unit->n64.mode_generation;
     plan->tables = unit->tables;
     return 1;

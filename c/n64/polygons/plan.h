@@ -97,13 +97,15 @@ struct n64_plan {
     struct n64_sampling tiles[N64_TILES];
     struct n64_form form;
     uint32 shade;               /* R G B A, if it is constant */
-    const uint8 *tables;        /* N64_SECOND_TABLES: 256 of R, G, B, A each */
+    const uint32 *tables;       /* N64_SECOND_TABLES: of each value of the channels, R G B A */
+    int32 is_intensity;         /* one channel is sampled for all four */
     struct n64_yuv yuv;
     int32 only_blends;          /* levels' fractions are a blend's alone: see n64_level_modes */
     int32 is_direct;            /* texels are the colours: one pass makes 16-bit pixels */
     /* What stages are called with. */
     struct n64_blend blend;
     struct n64_modulation modulation, product;
+    struct n64_intensities intensities;
     struct n64_yuv_filter yuv_filter;
     struct n64_yuv_conversion conversions[2];   /* of texel 0 and 1; [0] also the form's one */
     struct n64_combiner_plan combiner;

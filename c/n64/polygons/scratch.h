@@ -41,7 +41,6 @@ struct n64_decode_scratch {
 /* While tables of the combiner are made. */
 struct n64_table_scratch {
     struct n64_wide values[512], results[512];
-    uint32 colours[256];                /* not on the stack: a shell gives 4,096 bytes of it */
 };
 
 union n64_scratch {

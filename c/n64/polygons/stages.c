@@ -41,7 +41,8 @@ static void sample(struct list *list, int32 tile, uint32 *texels)
     const struct n64_sampling *from = &list->plan->tiles[tile];
     const uint32 *at = relate(list, from);
 
-    add(list, from->sample, at, texels, from->tile);
+    add(list, list->plan->is_intensity && from->sample == n64_threepoint ? n64_threepoint_intensity
+              : from->sample, at, texels, from->tile);
 }
 
 /* Adds the blend of both texels. */
@@ -69,7 +70,7 @@ static void find_texels(struct list *list, uint32 *texels)
     sample(list, form->swapped ? plan->tile0 : plan->tile1, list->work->texels1);
     if (form->first == N64_FIRST_BLEND) {
         blend(list, texels, &form->fraction, 0);
-    } else if (form->first == N64_FIRST_PRODUCT) {
+    } else if (form->first == N64_FIRST_PRODUCT && !plan->is_intensity) {
         plan->product.other = list->work->texels1;
         plan->product.step = sizeof *list->work->texels1;
         add(list, n64_modulate, first, texels, &plan->product);
@@ -248,6 +249,37 @@ static void modulate(struct list *list, const uint32 *texels, uint32 *colours)
     add(list, n64_modulate, texels, colours, &plan->modulation);
 }
 
+/* Returns non-zero if a tile's texels have one value for all channels. */
+static int32 has_intensities(const struct n64 *n64, int32 n)
+{
+    return n64->tiles[n].format >= N64_I && n64->tiles[n].size <= N64_8 && !n64->modes.tlut;
+}
+
+/* Finds whether one channel is enough until tables make colours of it. */
+static int32 is_intensity(const struct n64_plan *plan)
+{
+    const struct n64 *n64 = &plan->unit->n64;
+    const struct n64_form *form = &plan->form;
+
+    return form->second == N64_SECOND_TABLES && form->first != N64_FIRST_BLEND && !form->any && !plan->levels
+        && !plan->yuv.on && has_intensities(n64, form->swapped ? plan->tile1 : plan->tile0)
+        && (!plan->second_texel || has_intensities(n64, form->swapped ? plan->tile0 : plan->tile1));
+}
+
+/* Adds the tables of intensities, or of the products of two. */
+static void colour(struct list *list, const uint32 *intensities, uint32 *colours)
+{
+    struct n64_plan *plan = list->plan;
+
+    if (!plan->second_texel) {
+        add(list, n64_map_intensity, intensities, colours, plan->tables);
+        return;
+    }
+    plan->intensities.other = list->work->texels1;
+    plan->intensities.colours = plan->tables;
+    add(list, n64_modulate_intensity, intensities, colours, &plan->intensities);
+}
+
 /* Adds what the texels are made of. Returns non-zero if they are pixels already. */
 static int32 find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
 {
@@ -287,6 +319,7 @@ void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes)
     list.plan = plan;
     list.work = work;
     list.next = stages->of;
+    plan->is_intensity = is_intensity(plan);
     stages->interpolants = plan->shaded ? N64_ALPHA + 1 : plan->coordinates == n64_walk ? 2 : 3;
     stages->pixel_bits = pixel_bytes / 2;
     add(&list, plan->coordinates, &stages->at[N64_S], work->coordinates, &plan->steps);
@@ -302,6 +335,8 @@ void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes)
         convert(&list, colours);
     else if (form->second == N64_SECOND_MODULATE)
         modulate(&list, texels, colours);
+    else if (plan->is_intensity)
+        colour(&list, texels, colours);
     else if (form->second == N64_SECOND_TABLES)
         add(&list, n64_map, texels, colours, plan->tables);
     if (pixel_bytes == 2)

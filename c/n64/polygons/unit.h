@@ -21,7 +21,7 @@ struct n64_unit {
     uint32 **reciprocals;       /* of all units of a scene; *reciprocals is null until needed */
     struct n64_levels *levels;  /* made for the modes levels_of; or null */
     struct n64_level_modes levels_of;
-    uint8 *tables;              /* made at mode_generation tables_made; or null */
+    uint32 *tables;             /* n64_map's, made at mode_generation tables_made; or null */
     uint32 tables_made;
     uint32 validated;           /* sum of generations of the last state found valid */
     struct n64_yuv_tables *yuv;  /* made at mode_generation yuv_made; or null */

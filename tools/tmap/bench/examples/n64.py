@@ -54,9 +54,21 @@ def modulate(rng, count: int) -> Example:
 
 
 def mapped(rng, count: int) -> Example:
-    texels, tables = any_texels(rng, count), rng.integers(0, 256, (4, 256))
-    found = tables[np.arange(4), texels]
+    texels, tables = any_texels(rng, count), rng.integers(0, 256, (256, 4))
+    found = tables[texels, np.arange(4)]
     return Example(pixels(texels), pixels(found), count, table=pixels(tables))
+
+
+def mapped_intensity(rng, count: int) -> Example:
+    texels, tables = any_texels(rng, count), rng.integers(0, 256, (256, 4))
+    return Example(pixels(texels), pixels(tables[texels[:, 3]]), count, table=pixels(tables))
+
+
+def modulate_intensity(rng, count: int) -> Example:
+    first, other, tables = any_texels(rng, count), any_texels(rng, count), rng.integers(0, 256, (256, 4))
+    found = tables[first[:, 3] * other[:, 3] + 128 >> 8]
+    return Example(pixels(first), pixels(found), count, "n64_intensities", {},
+                   {"other": pixels(other), "colours": pixels(tables)})
 
 
 def widen(rng, count: int) -> Example:
@@ -86,6 +98,8 @@ def combine(rng, count: int) -> Example:
 #: Pass to the maker of its examples.
 MAKERS: dict[str, Callable[..., Example]] = {f"n64_{name}": make for name, make in {
     "walk": sample.walk, "threepoint": sample.threepoint, "threepoint_16": sample.threepoint_16,
+    "threepoint_intensity": sample.threepoint_intensity, "map_intensity": mapped_intensity,
+    "modulate_intensity": modulate_intensity,
     "average": partial(sample.threepoint, averages=True), "point": sample.point,
     "store_16": sample.store_16, "divide": depth.divide, "tile": sample.tiled,
     "tile_plain": partial(sample.tiled, kind="plain"),

@@ -67,6 +67,12 @@ def threepoint(rng, count: int, averages: bool = False) -> Example:
     return Example(pairs(st), pixels(drawn), count, *ground.decoded(*DECODED, quad_bytes))
 
 
+def threepoint_intensity(rng, count: int) -> Example:
+    made = threepoint(rng, count)
+    made.expected = longs(np.frombuffer(made.expected, np.uint8)[3::4])
+    return made
+
+
 def threepoint_levels(rng, count: int) -> Example:
     """Of the second texel, those of a pair of equal tiles are not written."""
     st, shifts = coordinates(rng, count), rng.integers(0, 4, 8)
