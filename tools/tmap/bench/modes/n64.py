@@ -80,6 +80,11 @@ MODES = (
         primitive_lod_fraction=96), filter=THREE),
     Mode("general", "two tiles multiplied", of(
         tile(), tile(image=OTHER), **FILTERED, cycles=2, combine="interference"), filter=THREE),
+    Mode("intensity_primitive", "three-point, of intensities, times a constant", of(
+        tile("i8"), **FILTERED, combine="modulate primitive", primitive="#e0a060"), filter=THREE),
+    Mode("intensity_product", "two tiles of intensities multiplied, colours between two of the product", of(
+        tile("i8"), tile("i8", image=OTHER), **FILTERED, cycles=2, combine=["interference", "blend again"],
+        primitive="#e8f4ff", environment="#0a3c78"), filter=THREE),
     Mode("any", "two tiles, any other combination", of(
         tile(), tile(image=OTHER), **FILTERED, cycles=2, combine=TINTED,
         environment="#406080"), filter=THREE),

@@ -24,6 +24,8 @@ PASSES: dict[str, tuple[str, ...]] = {
     "modulate_primitive": ("n64_walk", "n64_threepoint", "n64_map"),
     "blend": (*TWO_TILES, "n64_lerp"),
     "general": (*TWO_TILES, "n64_modulate"),
+    "intensity_primitive": ("n64_walk", "n64_threepoint_intensity", "n64_map_intensity"),
+    "intensity_product": ("n64_walk", "n64_threepoint_intensity", "n64_threepoint_intensity", "n64_modulate_intensity"),
     "any": (*TWO_TILES, "n64_widen", "n64_widen", *("n64_combiner",) * 4, "n64_narrow"),
     "yuv_filter": ("n64_walk", "n64_tile_clamp", "n64_threepoint_yuv"),
     "threepoint_16": ("n64_walk", "n64_threepoint_16"),
