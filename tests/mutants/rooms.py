@@ -52,3 +52,5 @@ ROOMS = {
     "model": Room(12, lambda: python_source.files("setup", "model"), ("polygons", "meshes")),
     "units in C": Room(10, lambda: c_source.files("n64/polygons", "glide/polygons"), ("n64", "glide")),
 }
+#: Those of assembly, which MUTANTS.md lists. The others are tried by --room.
+LISTED = tuple(ROOMS)[:7]

@@ -1,6 +1,6 @@
 """``python -m tests.mutants``: makes mutants, tries them on two processes, lists those that nothing notices.
 
-The results of a run of all rooms are written to tests/mutants/MUTANTS.md. A mutant that survives must be explained in
+The results of a run of all rooms of assembly are written to tests/mutants/MUTANTS.md. A mutant that survives must be explained in
 explained.json, or noticed by a test that is still to be written.
 """
 
@@ -17,7 +17,7 @@ from tests.mutants import page
 from tests.mutants.changes import Mutant, chosen
 from tests.mutants.explained import explanations
 from tests.mutants.judge import KILLED, SURVIVES, Trials, Verdict, judge, judge_python
-from tests.mutants.rooms import ROOMS, Room
+from tests.mutants.rooms import LISTED, ROOMS, Room
 from tmap.base.errors import UserError
 from tmap.base.paths import BUILD
 from tmap.base.signals import ENDING, end_by
@@ -128,7 +128,7 @@ def main(words: list[str] | None = None) -> int:
     global trials
     parser = argparse.ArgumentParser(prog="mutants", description=__doc__.split("\n")[0])
     parser.add_argument("--seed", type=int, default=SEED, help=f"which mutants ({SEED}; others write no page)")
-    parser.add_argument("--room", action="append", choices=tuple(ROOMS), help="one room, or several; all if none is named")
+    parser.add_argument("--room", action="append", choices=tuple(ROOMS), help="one room, or several; all of assembly if none is named")
     parser.add_argument("--count", type=int, help="how many mutants of each room (as many as the page has)")
     parser.add_argument("--again", action="store_true", help="only those that survived in the last run, not explained")
     parser.add_argument("--more", action="store_true", help="go on with a run that was interrupted: keep what it found")
@@ -142,8 +142,9 @@ def main(words: list[str] | None = None) -> int:
             return 0
         draws = [Draw(name, room, args.seed, args.count or room.count, only, last() if args.more else {})
                  for name, room in ROOMS.items()
-                 if name in (args.room or ROOMS)]
-        trials = Trials()
+                 if name in (args.room or LISTED)]
+        if any(draw.name in LISTED for draw in draws):
+            trials = Trials()
         try:
             run(draws)
         finally:
