@@ -198,7 +198,7 @@ n64_pass n64_walk, n64_divide, n64_lod, n64_tile, n64_chroma;   /* iterators, co
 n64_pass n64_point, n64_threepoint, n64_threepoint_levels, n64_threepoint_16, n64_average, n64_quads;
 n64_pass n64_lerp, n64_shade, n64_modulate, n64_map, n64_convert, n64_store_16;
 n64_pass n64_threepoint_yuv, n64_widen, n64_widen_yuv, n64_combiner, n64_convert_wide, n64_narrow;
-n64_pass n64_threepoint_intensity, n64_map_intensity, n64_modulate_intensity;
+n64_pass n64_tile_walked, n64_threepoint_intensity, n64_map_intensity, n64_modulate_intensity;
 n64_pass n64_in_c;               /* calls what a struct n64_in_c names */
 
 #endif

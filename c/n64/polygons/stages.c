@@ -27,19 +27,24 @@ static void add_runs(struct list *list, n64_runs *routine, void *out)
     add(list, n64_in_c, 0, out, &list->plan->in_c);
 }
 
-/* Adds the pass to coordinates relative to a tile, if it needs one. Returns where they are. */
-static const uint32 *relate(struct list *list, const struct n64_sampling *from)
+/* Adds the pass to coordinates relative to a tile, if it needs one. is_last: no other tile's are made of them. Returns
+   where they are. */
+static const uint32 *relate(struct list *list, const struct n64_sampling *from, int32 is_last)
 {
+    const struct n64_axis_range *s = &from->axes.s, *t = &from->axes.t;
+    const int32 is_line = list->plan->coordinates == n64_walk && !s->shift && !t->shift && (s->clamp || t->clamp);
+    uint32 *to = is_last ? list->work->coordinates : list->work->relative;
+
     if (!from->relative)
         return list->work->coordinates;
-    add(list, from->relative, list->work->coordinates, list->work->relative, &from->axes);
-    return list->work->relative;
+    add(list, is_line ? n64_tile_walked : from->relative, list->work->coordinates, to, &from->axes);
+    return to;
 }
 
-static void sample(struct list *list, int32 tile, uint32 *texels)
+static void sample(struct list *list, int32 tile, uint32 *texels, int32 is_last)
 {
     const struct n64_sampling *from = &list->plan->tiles[tile];
-    const uint32 *at = relate(list, from);
+    const uint32 *at = relate(list, from, is_last);
 
     add(list, list->plan->is_intensity && from->sample == n64_threepoint ? n64_threepoint_intensity
               : from->sample, at, texels, from->tile);
@@ -64,10 +69,10 @@ static void find_texels(struct list *list, uint32 *texels)
 
     uint32 *first = form->first != N64_FIRST_TEXEL ? list->work->texels0 : texels;
 
-    sample(list, form->swapped ? plan->tile1 : plan->tile0, first);
+    sample(list, form->swapped ? plan->tile1 : plan->tile0, first, !plan->second_texel);
     if (!plan->second_texel)
         return;
-    sample(list, form->swapped ? plan->tile0 : plan->tile1, list->work->texels1);
+    sample(list, form->swapped ? plan->tile0 : plan->tile1, list->work->texels1, 1);
     if (form->first == N64_FIRST_BLEND) {
         blend(list, texels, &form->fraction, 0);
     } else if (form->first == N64_FIRST_PRODUCT && !plan->is_intensity) {
@@ -142,7 +147,7 @@ static void find_yuv(struct list *list)
 
         if (!plan->yuv.sampled[i])
             continue;
-        at = relate(list, from);
+        at = relate(list, from, i || !plan->yuv.sampled[1]);
         add(list, from->sample, at, to->luma, from->tile);
         if (!from->chroma)
             continue;
@@ -172,7 +177,7 @@ static void convert(struct list *list, uint32 *colours)
     to->columns_bits = from->tile->columns_bits;
     to->matrix = plan->yuv.conversion.matrix;
     to->colours = plan->yuv.conversion.colours;
-    add(list, n64_threepoint_yuv, relate(list, from), colours, to);
+    add(list, n64_threepoint_yuv, relate(list, from, 1), colours, to);
 }
 
 /* Adds what makes inputs of the combiner. Returns non-zero if there is a texel 1. */
@@ -295,7 +300,7 @@ static int32 find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
         else
             add_runs(list, is_direct ? n64_runs_direct : n64_runs_texels, texels);
     } else if (is_direct) {
-        const uint32 *at = relate(list, from);
+        const uint32 *at = relate(list, from, 1);
 
         add(list, n64_threepoint_16, at, 0, from->tile);
     } else if (plan->yuv.on) {

@@ -14,11 +14,13 @@ def names(examples) -> list[str]:
 
 
 def pass_trial(name: str, rng, count: int, arena: Arena, far: Arena, title: str,
-               examples) -> Trial:
-    """A pass on ``count`` pixels: input, output, texels and tables are in the far arena."""
+               examples, in_place: bool = False) -> Trial:
+    """A pass on ``count`` pixels: input, output, texels and tables are in the far arena. ``in_place``: the output
+    replaces the input."""
     example = examples.MAKERS[name.removesuffix("_c")](rng, count)
     kernel = examples.FORMS.get(name, name)
-    source, out = far.add(example.source), far.add(bytes(example.size))
+    source = far.add(example.source)
+    out = source if in_place else far.add(bytes(example.size))
     written, constants = {out: example.image(bytes(example.size))}, {}
     if example.table:
         constants["constants"] = arena.add(example.table)

@@ -104,6 +104,7 @@ MAKERS: dict[str, Callable[..., Example]] = {f"n64_{name}": make for name, make 
     "store_16": sample.store_16, "divide": depth.divide, "tile": sample.tiled,
     "tile_plain": partial(sample.tiled, kind="plain"),
     "tile_clamp": partial(sample.tiled, kind="clamp"),
+    "tile_walked": partial(sample.tiled, kind="line"),
     "lerp": lerp, "modulate": modulate, "map": mapped, "widen": widen, "combiner": combine,
     "narrow": narrow, "shade": shade, "copy_row": copy_row, "chroma": yuv.halved,
     "threepoint_yuv": yuv.threepoint, "convert": yuv.convert, "convert_wide": yuv.convert_wide,

@@ -118,11 +118,11 @@ def store_16(rng, count: int) -> Example:
 
 
 def axis(rng, kind: str) -> tuple[int, int, int, int]:
-    """Clamp, shift as the tile has it, low, high; ``kind``: "any", "plain", or "clamp" without a
-    shift."""
+    """Clamp, shift as the tile has it, low, high; ``kind``: "any", "plain", or "clamp" or "line"
+    without a shift."""
     if kind == "plain":
         return 0, 0, int(rng.integers(4096)), 4095
-    if kind == "clamp":
+    if kind in ("clamp", "line"):
         low, high = sorted(4 * int(n) for n in rng.integers(0, 1024, 2))
         if rng.random() < 0.2:  # either may be the larger one, and have a fraction
             low, high = (int(n) for n in rng.integers(0, 4096, 2))
@@ -149,8 +149,13 @@ def tiled(rng, count: int, kind: str = "any") -> Example:
     for k, (*_, low, high) in enumerate(axes):  # what stands on the borders
         border = 8 * rng.choice((low, high), count) + rng.integers(-2, 3, count)
         st[:, k] = np.where(rng.random(count) < 0.3, border & 0xFFFF, st[:, k])
-    if kind == "clamp" and count == BENCH:  # inside a picture of 64x64 texels
+    if kind == "line":  # often near to a border, sometimes past it
+        start = [int(rng.integers(8 * low - 99, 8 * max(low, high) + 99)) for *_, low, high in axes]
+        step = rng.integers(-1 << rng.integers(16, 31), 1 << rng.integers(16, 31), 2)
+        st = walked(np.array(start) << 16, step, count) >> 16 & 0xFFFF
+    if kind in ("clamp", "line") and count == BENCH:  # inside a picture of 64x64 texels
         axes, st = [(1, 0, 0, 63 * 4)] * 2, rng.integers(0, 63 * 32, (count, 2))
+        st = st if kind == "clamp" else walked((5 << 16, 1900 << 16), (7 << 16, -5 << 15), count) >> 16
     found = [[related(int(c), *a) for c, a in zip(row, axes)] for row in signed(st, 16)]
     ranges = [list(shape.pack(shift=shift if shift <= 10 else shift - 16, clamp=clamp, low=8 * low,
                               high=8 * high, last=32 * ((high >> 2) - (low >> 2) & 0x3FF)))

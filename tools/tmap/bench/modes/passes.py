@@ -27,7 +27,7 @@ PASSES: dict[str, tuple[str, ...]] = {
     "intensity_primitive": ("n64_walk", "n64_threepoint_intensity", "n64_map_intensity"),
     "intensity_product": ("n64_walk", "n64_threepoint_intensity", "n64_threepoint_intensity", "n64_modulate_intensity"),
     "any": (*TWO_TILES, "n64_widen", "n64_widen", *("n64_combiner",) * 4, "n64_narrow"),
-    "yuv_filter": ("n64_walk", "n64_tile_clamp", "n64_threepoint_yuv"),
+    "yuv_filter": ("n64_walk", "n64_tile_walked", "n64_threepoint_yuv"),
     "threepoint_16": ("n64_walk", "n64_threepoint_16"),
     "trilinear_16": (*LEVELS, "n64_store_16"),
     "glide_point_clamp": ("glide_walk_clamp", "glide_point"),
