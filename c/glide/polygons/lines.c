@@ -82,8 +82,8 @@ static int32 has_coordinates(const struct glide_part *part, const struct glide_p
 static void add_factors(struct glide_lines *lines, const struct glide_part *part,
                         struct glide_factors *factors)
 {
-    const uint32 number = part->first == GLIDE_OWN;
-    const struct glide_points *points = &lines->points[number];
+    const uint32 number = part->upstream != 0;      /* units that iterate the same have their own LODs */
+    const struct glide_points *points = &lines->points[part->first == GLIDE_OWN];
     const struct glide_band *band = &part->bands->of[part->band];
     const struct glide_modes *modes = &part->glide->modes;
     const int32 varies = part->by_w && (points->across.w || points->down.w);
