@@ -72,8 +72,8 @@ polygon_routine glide_polygon_draw;
    MAPPER_DITHERED is used, whichever rules are off, if all of this is true: the unit's mode
    `dithered` is 1, it filters one level bilinearly, there is no other unit, no division (w is above
    0 and the same at all vertices if there would be one), and the vertices are at least
-   GLIDE_DITHERED_MARGIN texels from where texels would be clamped. s and t are then in texels of
-   that level, rounded down. */
+   GLIDE_DITHERED_MARGIN texels from where texels would be clamped, and there is memory for the page;
+   without it the polygon is filtered. s and t are then in texels of that level, rounded down. */
 int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct material *plain,
                            const struct vertex **vertices);
 

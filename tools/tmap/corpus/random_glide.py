@@ -202,6 +202,12 @@ def case(seed: int, number: int, _: str = "") -> Case:
     return made
 
 
+def rank(seed: int, number: int) -> int:
+    """Polygons of a lower rank are drawn before others of a scene: dithered ones are the model's only if there is memory
+    for their page, which the decoded levels of others may take."""
+    return int(case(seed, number).kind != "dithered")
+
+
 def strip(n: int) -> list[tuple]:
     """The corners of one of the adjacent strips that fill the frame."""
     left, right = (WIDTH * (n + k) // len(STRIPS) for k in (0, 1))

@@ -306,6 +306,11 @@ def case(seed: int, number: int, pixels: str) -> Case:
                 rng.choice(("scissor", "vertices")), tiles, primitive, found | {"tlut": tlut})
 
 
+def rank(_seed: int, _number: int) -> int:
+    """Polygons of a lower rank are drawn before others of a scene."""
+    return 0
+
+
 def scene(cases: list[Case], seed: int, pixels: str) -> Scene:
     """A scene of the cases, one a frame, each with a separate engine; a dot in a corner ensures
     that no frame has only one colour."""

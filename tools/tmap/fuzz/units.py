@@ -70,7 +70,7 @@ def run_part(seed: int, numbers: range, machine: str, family: str) -> Tally:
     scenes: dict[int, list[int]] = {}
     for number in numbers:
         scenes.setdefault(number // UNITS[family].MOST, []).append(number)
-    parts, tally = list(scenes.values()), Tally()
+    parts, tally = [sorted(part, key=lambda n: UNITS[family].rank(seed, n)) for part in scenes.values()], Tally()
     made = [scene_of(seed, part, family) for part in parts]
     digests: list[dict[str, np.ndarray]] = [{} for _ in parts]
     try:
