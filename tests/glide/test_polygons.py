@@ -8,12 +8,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tests.helpers.engine_polygons import Polygons
+from tests.helpers.engine_polygons import MACHINE, Polygons
 from tmap.corpus import random_glide
 from tmap.corpus.random_glide import FAR, HEIGHT, PIXELS, WIDTH, Case, scene
 from tmap.glide import polygon
 from tmap.glide.lod import chosen, level_of_detail
 from tmap.glide.words import ASPECTS, FORMATS, MIPMAPS
+from tmap.guest import guest_frames
 from tmap.model import model
 from tmap.scene_file import pipes
 from tmap.scene_file.scene_file import write
@@ -129,3 +130,14 @@ def test_frames_are_the_models_without_rules(pixels: str) -> None:
     _, spans = POLYGONS.check(pixels, "all")
     if not POLYGONS.asked("CASE"):
         assert "glide_pixels" in spans and "glide_passes" not in spans, spans
+
+
+def test_units_that_share_a_point_have_each_their_own_lod() -> None:
+    """Two units by the LOD's fraction, which is the same for all pixels but differs between them by a bias. Found by
+    ``scripts/tmap fuzz --family glide --seed 22``."""
+    each = random_glide.case(22, 1549)
+    (_, other), depths = (modes["bias"] for modes in each.modes), {v[-1] for v in each.vertices}
+    assert each.kind == "trilinear" and not each.own and other and len(depths) == 1
+    made = scene([each], 22, "rgba8888")
+    expected, found = model.render(made, 0), guest_frames.frame_of(made, "addx", MACHINE)
+    assert (found == expected).all(), guest_frames.first_wrong(expected, found)
