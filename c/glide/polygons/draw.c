@@ -3,6 +3,7 @@
    A pixel depends only on the iterated values, which are planes over the polygon, and on the units'
    state. lower.c chooses the routines that draw it; the choice makes no difference to the
    picture. */
+#include "drawing/draw.h"
 #include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "drawing/outline.h"
@@ -39,6 +40,17 @@ static void find_iteration(const struct glide_pipe *pipe, uint32 unit, const str
     for (uint32 n = 0; n < chain->count; n++)
         if ((chain->own >> n & 1 ? n : 0) == unit)
             of->divided |= chain->units[n]->modes.perspective;
+}
+
+/* Returns non-zero if no coordinate of a triangle is more than half the reach from 0: then all are less than that
+   apart. */
+static int32 is_near_half(const struct vertex *v)
+{
+    fix16 any = 0;
+
+    for (int32 n = 3; n; n--, v++)
+        any |= (v->s ^ v->s >> 31) | (v->t ^ v->t >> 31);
+    return any < GLIDE_REACH << 15;
 }
 
 static int32 is_near(fix16 value)
@@ -243,9 +255,16 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
     struct iteration of[GLIDE_UNITS];
     enum glide_result check;
     const struct vertex *paged;
-    struct material plain;
     struct setup s;
 
+    if (polygon->count == 3 && pipe->paged == glide_state(pipe->chain.units[0])
+        && page_is_same(&pipe->page, renderer, material) && is_near_half(polygon->vertices)
+        && !begins_outside(renderer, polygon)) {
+        const int32 result = glide_page_again(pipe, renderer, polygon->vertices);
+
+        if (result >= 0)
+            return (enum polygon_result)result;
+    }
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
     if (renderer->frame->pixel_bytes == 1)
@@ -263,7 +282,7 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
              && (!has_own || is_planar(renderer, polygon, &of[1]))))
         return polygon_fan(glide_polygon_draw, renderer, polygon, material);
     setup_begin(&s, renderer, polygon, material);
-    if (glide_may_be_plain(pipe) && glide_lower_to_plain(&s, pipe, &plain, &paged))
-        return count_rules(&s, page_draw(&s, paged, &plain));
+    if (glide_may_be_plain(pipe) && glide_lower_to_plain(&s, pipe, &paged))
+        return count_rules(&s, page_draw(&s, paged, &pipe->page));
     return count_rules(&s, draw_planes(&s, pipe, of));
 }

@@ -181,12 +181,6 @@ static void add_store(struct glide_lines *lines, uint32 *colours)
     }
 }
 
-/* A number that grows with each change of a unit's state. */
-static uint32 state_of(const struct glide *unit)
-{
-    return unit->mode_generation + unit->memory_generation + unit->table_generation;
-}
-
 /* Notes what the passes depend on if every unit has one band. */
 static void keep(struct glide_lines *lines, const struct glide_pipe *pipe,
                  const struct glide_iterations *at, const struct setup *s)
@@ -197,7 +191,7 @@ static void keep(struct glide_lines *lines, const struct glide_pipe *pipe,
     for (uint32 n = 0; n < GLIDE_UNITS; n++)
         lines->divided[n] = at->divided[n];
     for (uint32 n = 0; n < pipe->chain.count; n++)
-        lines->states[n] = state_of(pipe->chain.units[n]);
+        lines->states[n] = glide_state(pipe->chain.units[n]);
 }
 
 /* Whether the passes are those of each polygon with this key. */
@@ -225,9 +219,9 @@ int32 glide_lines_kept(const struct glide_pipe *pipe, const struct glide_iterati
     const struct glide_chain *chain = &pipe->chain;
 
     return lines->is_kept && lines->scratch == s->scratch && lines->bits == s->frame->pixel_bytes >> 1
-        && lines->divided[0] == at->divided[0] && lines->states[0] == state_of(chain->units[0])
+        && lines->divided[0] == at->divided[0] && lines->states[0] == glide_state(chain->units[0])
         && (chain->count == 1
-            || (lines->states[1] == state_of(chain->units[1]) && lines->own == chain->own
+            || (lines->states[1] == glide_state(chain->units[1]) && lines->own == chain->own
                 && lines->divided[1] == at->divided[1]));
 }
 

@@ -229,15 +229,14 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
     struct n64_unit *unit = s->material->unit;
     const struct vertex *paged;
     struct n64_needs needs;
-    struct material plain;
 
     n64_lower_inputs(&needs, s, &unit->n64, colours);
     if (RULE_IS_ON(s, N64_FLAT) && !needs.inputs) {     /* all pixels have the same colour */
         RULE_APPLIES(s, N64_FLAT);
         return draw_flat(s, polygon, constant_colour(&unit->n64, &needs.shade));
     }
-    if (n64_lower_to_plain(&needs, s, unit, &plain, &paged))
-        return page_draw(s, paged, &plain);
+    if (n64_lower_to_plain(&needs, s, unit, &paged))
+        return page_draw(s, paged, &unit->page);
     return draw_planes(s, unit, &needs, colours);
 }
 

@@ -66,7 +66,7 @@ static int32 is_plain(const struct n64_needs *needs, const struct setup *s, cons
 }
 
 int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct n64_unit *unit,
-                         struct material *plain, const struct vertex **vertices)
+                         const struct vertex **vertices)
 {
     struct page_window columns, rows;
     struct page_rows shown;
@@ -74,9 +74,9 @@ int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct 
     if (!RULE_IS_ON(s, N64_PLAIN) || !is_plain(needs, s, &unit->n64, &columns, &rows))
         return 0;
     RULE_APPLIES(s, N64_PLAIN);
-    *vertices = page_vertices(s, &columns, &rows, &shown);
+    *vertices = page_vertices(s->scratch->paged, s->given, s->count, &columns, &rows, &shown);
     if (!n64_page_make(unit, needs, s->frame->pixel_bytes, &shown, s->scratch->room))
         return 0;
-    page_material(plain, s->material, &unit->page);
+    page_material(&unit->page, s->material);
     return 1;
 }
