@@ -25,5 +25,6 @@ enum glide_result glide_pipe_adds(struct glide_pipe *pipe, uint32 adds)
         return GLIDE_BAD_FLAG;
     pipe->adds = (int32)adds;
     pipe->page.of = 0;
+    pipe->lines.is_kept = 0;
     return GLIDE_DONE;
 }
