@@ -66,14 +66,14 @@ uint8 *page_row(const struct page *page, int32 v)
     return (uint8 *)page->map.texels + (int8)v * SIDE * page->map.texel_bytes;
 }
 
-int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window)
+int32 page_is_within(const fix16 *value, int32 count, const struct page_window *window)
 {
     fix16 low = window->origin + (window->least + PAGE_MARGIN) * 65536;
     fix16 high = low + (SIDE - 2 * PAGE_MARGIN) * 65536;
 
     if (window->period)
         return 1;
-    for (int32 i = 0; i < s->count; i++, value += VERTEX_FIELDS)
+    for (; count > 0; count--, value += VERTEX_FIELDS)
         if (*value < low || *value >= high)
             return 0;
     return 1;
@@ -181,14 +181,16 @@ enum polygon_result page_draw(struct setup *s, const struct vertex *vertices, st
     return result == POLYGON_DRAWN ? setup_draw(s) : result;
 }
 
-int32 page_is_same(const struct page *page, const struct renderer *renderer, const struct material *material)
+int32 page_is_same(const struct page *page, const struct renderer *renderer, const struct polygon *polygon,
+                   const struct material *material)
 {
     const struct frame *frame = renderer->frame;
     const struct setup *s = &page->three.s;
 
     return page->of == material && page->plain.edges == material->edges && page->plain.clip == material->clip
         && s->scratch == renderer->scratch && !renderer->counts && !renderer->off && renderer->form == FORM_ADDX
-        && frame->pitch == s->span.pitch && frame->pixel_bytes == page->map.texel_bytes;
+        && frame->pitch == s->span.pitch && frame->pixel_bytes == page->map.texel_bytes
+        && !begins_outside(renderer, polygon);
 }
 
 enum polygon_result page_again(struct page *page, const struct renderer *renderer, const struct vertex *vertices)

@@ -65,7 +65,7 @@ static inline void pixel_write(uint8 *row, int32 x, int32 pixel_bytes, uint32 pi
 }
 
 /* Returns 1 if all pixels of a polygon are within the window; value: s or t of its first vertex. */
-int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window);
+int32 page_is_within(const fix16 *value, int32 count, const struct page_window *window);
 
 /* Sets x, y, s and t of a polygon's vertices relative to the page. With a period they are moved by whole
    periods to the page's middle, so that spans stay inside if possible. Sets *shown to the rows that their
@@ -80,11 +80,12 @@ void page_material(struct page *page, const struct material *from);
 /* Draws the polygon of a unit's setup with these vertices, as polygon_draw, but without a setup of its own. */
 enum polygon_result page_draw(struct setup *s, const struct vertex *vertices, struct page *page);
 
-/* Returns non-zero if page_again draws a triangle of the unit's material: page_draw has drawn one, and neither
-   renderer nor material have changed. */
-int32 page_is_same(const struct page *page, const struct renderer *renderer, const struct material *material);
+/* Returns non-zero if page_again draws a triangle of the unit's material: its first vertex is inside the frame,
+   page_draw has drawn another one, and neither renderer nor material have changed. */
+int32 page_is_same(const struct page *page, const struct renderer *renderer, const struct polygon *polygon,
+                   const struct material *material);
 
-/* Draws a triangle whose first vertex is inside the frame, from rows that are made. */
+/* Draws a triangle with these vertices from rows that are made. */
 enum polygon_result page_again(struct page *page, const struct renderer *renderer, const struct vertex *vertices);
 
 /* Provides memory for `count` elements of `size` bytes of cached data, of which *has elements are

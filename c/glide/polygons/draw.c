@@ -3,7 +3,6 @@
    A pixel depends only on the iterated values, which are planes over the polygon, and on the units'
    state. lower.c chooses the routines that draw it; the choice makes no difference to the
    picture. */
-#include "drawing/draw.h"
 #include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "drawing/outline.h"
@@ -299,8 +298,7 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
     if (polygon->count == 3 && is_near_half(polygon->vertices)) {
         enum again again;
 
-        if (pipe->paged == glide_state(pipe->chain.units[0]) && page_is_same(&pipe->page, renderer, material)
-            && !begins_outside(renderer, polygon)) {
+        if (pipe->paged == glide_state(pipe->chain.units[0]) && page_is_same(&pipe->page, renderer, polygon, material)) {
             const int32 result = glide_page_again(pipe, renderer, polygon->vertices);
 
             if (result >= 0)

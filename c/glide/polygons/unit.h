@@ -83,7 +83,7 @@ static inline uint32 glide_state(const struct glide *unit)
 }
 
 /* lower.c. Draws a triangle from the page, whose state is that of the polygon before; its coordinates are near
-   enough, its first vertex is inside the frame. Returns enum polygon_result, or -1: it must be lowered. */
+   enough. Returns enum polygon_result, or -1: it must be lowered. */
 int32 glide_page_again(struct glide_pipe *pipe, struct renderer *renderer, const struct vertex *given);
 
 /* Returns 0 if glide_lower_to_plain can do nothing: the first unit always filters, and divides nothing. */

@@ -204,8 +204,10 @@ static enum n64_result judge(struct n64_unit *unit, const struct vertex *v, int3
     enum n64_result result = N64_DONE;
     uint32 state = n64_unit_state(unit);
 
-    if (state != unit->validated)
+    if (state != unit->validated || !unit->used) {
         result = n64_check_drawing(&unit->n64);
+        unit->used = n64_tiles_used(&unit->n64);
+    }
     if (result == N64_DONE)
         unit->validated = state;
     for (; count > 0 && result == N64_DONE; count--, v++)
@@ -240,6 +242,16 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
     return draw_planes(s, unit, &needs, colours);
 }
 
+/* Returns non-zero if all coordinates of a triangle are in the range of n64_check_coordinates. */
+static int32 is_in_range(const struct vertex *v)
+{
+    fix16 any = 0;
+
+    for (int32 n = 3; n; n--, v++)
+        any |= (v->s ^ v->s >> 31) | (v->t ^ v->t >> 31);
+    return any < 1024 << 16;
+}
+
 /* colours: of the vertices, or 0: shades; routine: what draws the same of other vertices. */
 static enum polygon_result draw(struct renderer *renderer, const struct polygon *polygon,
                                 const struct material *material, const uint32 *colours,
@@ -256,6 +268,16 @@ static enum polygon_result draw(struct renderer *renderer, const struct polygon 
         return POLYGON_FEW;
     if (renderer->frame->pixel_bytes == 1)
         return POLYGON_WRONG_MAP;
+    if (polygon->count == 3 && unit->paged && is_in_range(polygon->vertices)
+        && page_is_same(&unit->page, renderer, polygon, material)
+        && unit->paged == n64_unit_state(unit)) {
+        const int32 again = n64_page_again(unit, renderer, polygon->vertices);
+
+        if (again == POLYGON_DRAWN)
+            n64_drawn_from(&unit->n64, unit->used);
+        if (again >= 0)
+            return (enum polygon_result)again;
+    }
     check = judge(unit, polygon->vertices, polygon->count);
     if (check != N64_DONE)
         return n64_refused(unit, check);
@@ -266,7 +288,7 @@ static enum polygon_result draw(struct renderer *renderer, const struct polygon 
     setup_begin(&s, renderer, polygon, material);
     result = count_rules(&s, draw_lowered(&s, polygon, colours));
     if (result == POLYGON_DRAWN)
-        n64_drawn(&unit->n64);
+        n64_drawn_from(&unit->n64, unit->used);
     return result;
 }
 
