@@ -183,7 +183,8 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
     if (s->renderer->only_counts)
         return POLYGON_DRAWN;
     if (plan)
-        n64_plan_draw(plan, s->frame, s->edges.lines, s->box.top, s->box.bottom - s->box.top);
+        n64_plan_draw(plan, s->frame, s->edges.lines, s->box.top, s->box.bottom - s->box.top,
+                      s->box.right - s->box.left);
     else
         draw_pixels(s, &unit->n64, &planes, &needs->shade);
     return POLYGON_DRAWN;
