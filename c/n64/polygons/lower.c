@@ -28,7 +28,9 @@ void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64
 {
     needs->inputs = n64->inputs;
     needs->divided = n64->modes.perspective;
-    first_shade(&needs->shade, s, colours);
+    needs->shade.r = needs->shade.g = needs->shade.b = needs->shade.a = 0;
+    if (needs->inputs & N64_INPUT_SHADE)        /* otherwise no page and no plan depends on it */
+        first_shade(&needs->shade, s, colours);
     if (needs->inputs & N64_INPUT_SHADE && RULE_IS_ON(s, EQUAL_SHADES)
         && shades_are_equal(s, colours)) {
         RULE_APPLIES(s, EQUAL_SHADES);

@@ -123,6 +123,9 @@ struct n64_plan {
 struct n64_plan *n64_plan_find(const struct n64_needs *needs, struct n64_unit *unit,
                                const struct n64_planes *planes, int32 pixel_bytes, uint32 *room);
 
+/* plan.c. Sets the planes of S and T, with which a plan whose coordinates are n64_walk needs no others. */
+void n64_plan_walk(struct n64_plan *plan, const struct n64_planes *planes);
+
 /* yuv.c. Finds plan->yuv; returns 0 if there are no passes. May set plan->form.any. */
 int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs);
 
