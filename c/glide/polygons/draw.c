@@ -243,7 +243,8 @@ static enum again asks_again(const struct glide_pipe *pipe, const struct rendere
     const struct glide_chain *chain = &pipe->chain;
 
     if (!lines->is_kept || lines->scratch != renderer->scratch
-        || lines->bits != renderer->frame->pixel_bytes >> 1 || renderer->off || renderer->counts || renderer->only_counts
+        || lines->bits != renderer->frame->pixel_bytes >> 1 || renderer->off || renderer->counts
+        || renderer->only_counts
         || lines->states[0] != glide_state(chain->units[0])
         || (chain->count > 1 && (chain->own || lines->own || lines->states[1] != glide_state(chain->units[1]))))
         return ANEW;
@@ -298,7 +299,8 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
     if (polygon->count == 3 && is_near_half(polygon->vertices)) {
         enum again again;
 
-        if (pipe->paged == glide_state(pipe->chain.units[0]) && page_is_same(&pipe->page, renderer, polygon, material)) {
+        if (pipe->paged == glide_state(pipe->chain.units[0])
+            && page_is_same(&pipe->page, renderer, polygon, material)) {
             const int32 result = glide_page_again(pipe, renderer, polygon->vertices);
 
             if (result >= 0)

@@ -274,6 +274,21 @@ static void find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
     }
 }
 
+/* Adds what makes colours of the texels. */
+static void find_second(struct list *list, const uint32 *texels, uint32 *colours)
+{
+    const struct n64_plan *plan = list->plan;
+
+    if (plan->form.any)
+        combine(list, texels, colours);
+    else if (plan->yuv.on)
+        convert(list, colours);
+    else if (plan->form.second == N64_SECOND_MODULATE)
+        modulate(list, texels, colours);
+    else if (plan->form.second == N64_SECOND_TABLES)
+        add(list, n64_map, texels, colours, plan->tables);
+}
+
 void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes)
 {
     struct n64_line_scratch *work = &plan->scratch->line;
@@ -296,18 +311,11 @@ void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes)
         add(&list, n64_shade, &stages->at[N64_RED], work->shades, &plan->shade_steps);
     stages->by_line = (uint16)(list.next - stages->of);
     find_first(&list, is_direct ? 0 : texels, pixel_bytes);
-    if (is_direct)
-        ;
-    else if (form->any)
-        combine(&list, texels, colours);
-    else if (plan->yuv.on)
-        convert(&list, colours);
-    else if (form->second == N64_SECOND_MODULATE)
-        modulate(&list, texels, colours);
-    else if (form->second == N64_SECOND_TABLES)
-        add(&list, n64_map, texels, colours, plan->tables);
-    if (pixel_bytes == 2 && !is_direct)
-        add(&list, n64_store_16, colours, 0, 0);
+    if (!is_direct) {
+        find_second(&list, texels, colours);
+        if (pixel_bytes == 2)
+            add(&list, n64_store_16, colours, 0, 0);
+    }
     stages->last_stage = (uint16)(list.next - stages->of - 1);
 }
 
