@@ -66,14 +66,14 @@ uint8 *page_row(const struct page *page, int32 v)
     return (uint8 *)page->map.texels + (int8)v * SIDE * page->map.texel_bytes;
 }
 
-int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window)
+int32 page_is_within(const fix16 *value, int32 count, const struct page_window *window)
 {
     fix16 low = window->origin + (window->least + PAGE_MARGIN) * 65536;
     fix16 high = low + (SIDE - 2 * PAGE_MARGIN) * 65536;
 
     if (window->period)
         return 1;
-    for (int32 i = 0; i < s->count; i++, value += VERTEX_FIELDS)
+    for (; count > 0; count--, value += VERTEX_FIELDS)
         if (*value < low || *value >= high)
             return 0;
     return 1;
@@ -88,16 +88,15 @@ static int32 is_parallelogram(const struct vertex *v)
 /* Returns 1 if t of every pixel is less than a texel outside the vertices' range: t is one plane
    over all vertices and changes by 32 texels a pixel at most, and edges are off by 1/64 pixel. The
    area is in 1/256 square pixel, from corners in 1/16 pixel. */
-static int32 keeps_range(const struct setup *s, fix16 range)
+static int32 keeps_range(const struct vertex *v, int32 count, fix16 range)
 {
-    const struct vertex *v = s->given;
     fix16 least, width, height;
     int32 side, area;
 
-    if (s->count > 4 || (s->count == 4 && !is_parallelogram(v)))
+    if (count > 4 || (count == 4 && !is_parallelogram(v)))
         return 0;
-    width = vertex_range(&v->x, s->count, &least);
-    height = vertex_range(&v->y, s->count, &least);
+    width = vertex_range(&v->x, count, &least);
+    height = vertex_range(&v->y, count, &least);
     side = ((width > height ? width : height) >> 16) + 1;
     if (width < 0 || height < 0 || side > 1024)
         return 0;
@@ -106,48 +105,53 @@ static int32 keeps_range(const struct setup *s, fix16 range)
     return (area < 0 ? -area : area) >= 16 * side * ((range >> 16) + 5);
 }
 
-/* Finds the rows that the pixels may show: all rows if the range is not known or does not fit. */
-static void find_rows(const struct setup *s, fix16 origin, int32 least_row,
-                      struct page_rows *shown)
-{
-    fix16 least, range = vertex_range(&s->given->t, s->count, &least);
+/* The values of s or t that a polygon's vertices have. */
+struct page_range {
+    fix16 least, range;
+};
 
-    shown->first = ((least - origin) >> 16) - PAGE_MARGIN;
-    shown->last = ((least + range - origin) >> 16) + PAGE_MARGIN;
-    if (shown->first < least_row || shown->last >= least_row + SIDE || !keeps_range(s, range)) {
-        shown->first = least_row;
-        shown->last = least_row + SIDE - 1;
-    }
-}
-
-static fix16 origin_of(const struct setup *s, const fix16 *value, const struct page_window *window)
+/* Returns what is column or row 0. */
+static inline fix16 origin_of(const struct page_range *of, const struct page_window *window)
 {
-    fix16 least, range, middle;
+    fix16 middle;
 
     if (!window->period)
         return window->origin;
-    range = vertex_range(value, s->count, &least);
-    middle = least + (range >> 1) - window->origin - (window->least + SIDE / 2) * 65536;
+    middle = of->least + (of->range >> 1) - window->origin - (window->least + SIDE / 2) * 65536;
     return window->origin + ((middle + (window->period >> 1)) & -window->period);
 }
 
-const struct vertex *page_vertices(const struct setup *s, const struct page_window *columns,
-                                   const struct page_window *rows, struct page_rows *shown)
+const struct vertex *page_vertices(struct vertex *to, const struct vertex *given, int32 count,
+                                   const struct page_window *columns, const struct page_window *rows,
+                                   struct page_rows *shown)
 {
-    struct vertex *vertices = s->scratch->paged;
-    const fix16 u = origin_of(s, &s->given->s, columns), v = origin_of(s, &s->given->t, rows);
+    const int32 least = rows->least, end = least + SIDE;
+    struct page_range s, t;
+    fix16 u, v;
 
-    find_rows(s, v, rows->least, shown);
-    for (int32 i = 0; i < s->count; i++) {
-        vertices[i] = s->given[i];
-        vertices[i].s -= u;
-        vertices[i].t -= v;
+    s.range = vertex_range(&given->s, count, &s.least);
+    t.range = vertex_range(&given->t, count, &t.least);
+    u = origin_of(&s, columns);
+    v = origin_of(&t, rows);
+    shown->first = ((t.least - v) >> 16) - PAGE_MARGIN;
+    shown->last = ((t.least + t.range - v) >> 16) + PAGE_MARGIN;
+    if (shown->first < least || shown->last >= end || !keeps_range(given, count, t.range)) {
+        shown->first = least;   /* all rows: the range is not known, or does not fit */
+        shown->last = end - 1;
     }
-    return vertices;
+    for (int32 i = 0; i < count; i++) {
+        to[i].x = given[i].x;
+        to[i].y = given[i].y;
+        to[i].s = given[i].s - u;
+        to[i].t = given[i].t - v;
+    }
+    return to;
 }
 
-void page_material(struct material *plain, const struct material *from, const struct page *page)
+void page_material(struct page *page, const struct material *from)
 {
+    struct material *plain = &page->plain;
+
     *plain = *from;
     plain->mapper = MAPPER_AFFINE;
     plain->gradients = GRADIENTS_PLANE;
@@ -157,20 +161,48 @@ void page_material(struct material *plain, const struct material *from, const st
     plain->map = &page->map;
 }
 
-enum polygon_result page_draw(struct setup *s, const struct vertex *vertices,
-                              const struct material *plain)
+enum polygon_result page_draw(struct setup *s, const struct vertex *vertices, struct page *page)
 {
     enum polygon_result result;
     struct polygon polygon;
 
     polygon_set(&polygon, vertices, s->count, PLANAR_ALL);
-    if (begins_outside(s->renderer, &polygon) || plain->edges == EDGES_SNAPPED)
-        return polygon_draw(s->renderer, &polygon, plain);
+    page->of = 0;
+    if (begins_outside(s->renderer, &polygon) || page->plain.edges == EDGES_SNAPPED)
+        return polygon_draw(s->renderer, &polygon, &page->plain);
+    if (s->count == 3 && three_set(&page->three, s->renderer, &page->plain)) {
+        page->of = s->material;
+        return three_draw(&page->three, vertices);
+    }
     s->form = s->renderer->form;
     s->given = vertices;
-    s->material = plain;
+    s->material = &page->plain;
     result = plan_set_up(s);
     return result == POLYGON_DRAWN ? setup_draw(s) : result;
+}
+
+int32 page_is_same(const struct page *page, const struct renderer *renderer, const struct polygon *polygon,
+                   const struct material *material)
+{
+    const struct frame *frame = renderer->frame;
+    const struct setup *s = &page->three.s;
+
+    return page->of == material && page->plain.edges == material->edges && page->plain.clip == material->clip
+        && s->scratch == renderer->scratch && !renderer->counts && !renderer->off && renderer->form == FORM_ADDX
+        && frame->pitch == s->span.pitch && frame->pixel_bytes == page->map.texel_bytes
+        && !begins_outside(renderer, polygon);
+}
+
+enum polygon_result page_again(struct page *page, const struct renderer *renderer, const struct vertex *vertices)
+{
+    const struct frame *frame = renderer->frame;
+    struct three *three = &page->three;
+
+    three->s.frame = frame;
+    three->s.span.map = page->map.texels;
+    three->row = frame->pixels - EDGE_BIAS * frame->pixel_bytes;
+    three->right = (uint32)frame->width << 16;
+    return three_draw(three, vertices);
 }
 
 int32 page_room(void *address, uint32 *has, uint32 count, uint32 size)

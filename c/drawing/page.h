@@ -3,7 +3,7 @@
 #ifndef PAGE_H
 #define PAGE_H
 
-#include "polygon/setup.h"
+#include "drawing/three.h"
 
 enum page_constants {
     PAGE_MARGIN = 1,            /* texels: u, v of a pixel leave the vertices' range by less */
@@ -21,6 +21,9 @@ struct page {
     int32 bytes, half;          /* its size; the rows it has on either side of the middle */
     int32 from, end;            /* rows that are made: from to end - 1, of 256 */
     uint32 key[PAGE_KEY];       /* cache key of these rows */
+    struct material plain;      /* page_material */
+    const struct material *of;  /* the unit's, whose triangles `three` draws; or null */
+    struct three three;
 };
 
 /* The part of the s or t axis that a page shows, in 16.16; a texel of the page is 1.0. */
@@ -62,21 +65,28 @@ static inline void pixel_write(uint8 *row, int32 x, int32 pixel_bytes, uint32 pi
 }
 
 /* Returns 1 if all pixels of a polygon are within the window; value: s or t of its first vertex. */
-int32 page_is_within(const struct setup *s, const fix16 *value, const struct page_window *window);
+int32 page_is_within(const fix16 *value, int32 count, const struct page_window *window);
 
-/* Returns the vertices relative to the page. With a period they are moved by whole periods to the
-   page's middle, so that spans stay inside if possible. Sets *shown to the rows that their pixels
-   may show. */
-const struct vertex *page_vertices(const struct setup *s, const struct page_window *columns,
-                                   const struct page_window *rows, struct page_rows *shown);
+/* Sets x, y, s and t of a polygon's vertices relative to the page. With a period they are moved by whole
+   periods to the page's middle, so that spans stay inside if possible. Sets *shown to the rows that their
+   pixels may show. Returns `to`. */
+const struct vertex *page_vertices(struct vertex *to, const struct vertex *given, int32 count,
+                                   const struct page_window *columns, const struct page_window *rows,
+                                   struct page_rows *shown);
 
-/* Sets *plain to the material that draws from the page: s and t are planes to the last bit. */
-void page_material(struct material *plain, const struct material *from, const struct page *page);
+/* Sets page->plain to the material that draws from the page: s and t are planes to the last bit. */
+void page_material(struct page *page, const struct material *from);
 
-/* Draws the polygon of a unit's setup with these vertices and material, as polygon_draw, but without a setup of
-   its own. */
-enum polygon_result page_draw(struct setup *s, const struct vertex *vertices,
-                              const struct material *plain);
+/* Draws the polygon of a unit's setup with these vertices, as polygon_draw, but without a setup of its own. */
+enum polygon_result page_draw(struct setup *s, const struct vertex *vertices, struct page *page);
+
+/* Returns non-zero if page_again draws a triangle of the unit's material: its first vertex is inside the frame,
+   page_draw has drawn another one, and neither renderer nor material have changed. */
+int32 page_is_same(const struct page *page, const struct renderer *renderer, const struct polygon *polygon,
+                   const struct material *material);
+
+/* Draws a triangle with these vertices from rows that are made. */
+enum polygon_result page_again(struct page *page, const struct renderer *renderer, const struct vertex *vertices);
 
 /* Provides memory for `count` elements of `size` bytes of cached data, of which *has elements are
    there: *address is the pointer to them. Memory is kept for the next time. Returns 0 if it is

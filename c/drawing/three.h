@@ -7,13 +7,14 @@
 #include "polygon/setup.h"
 
 /* The spans that three_draw calls itself. */
-enum three_way { THREE_FLAT, THREE_SHADES, THREE_TEXELS, THREE_REST };
+enum three_way { THREE_FLAT, THREE_SHADES, THREE_TEXELS, THREE_REST, THREE_WIDE /* texels of 16 or 32 bits */ };
 
 /* Where steps and starts are from. */
 enum three_starts {
     THREE_PLANE,                /* the plane */
     THREE_LONGEST,              /* the longest scanline and the edges' crossings */
-    THREE_STARTS                /* three_starts */
+    THREE_STARTS,               /* three_starts */
+    THREE_WHOLE                 /* the plane, to the last bit */
 };
 
 /* How vertices are made from given ones. */
@@ -48,8 +49,8 @@ static inline void three_set_lines(struct three *three)
 }
 
 /* Sets what the frame and the material decide. Returns 0 if polygon_draw_inside draws the material's
-   triangles: EDGES_SNAPPED, CLIP_VERTICES, GRADIENTS_SCANLINE, `whole`, other spans and forms, a rule is
-   off, polygons are counted, or the pitch is not an int16. */
+   triangles: EDGES_SNAPPED, CLIP_VERTICES, GRADIENTS_SCANLINE, other spans and forms, a rule is off, polygons are
+   counted, or the pitch is not an int16. */
 int32 three_set(struct three *three, const struct renderer *renderer, const struct material *material);
 
 /* Draws a triangle of the plan's material. */

@@ -141,8 +141,13 @@ enum n64_result n64_check_coordinates(const struct n64 *n64, fix16 s, fix16 t)
     return n64->checked && !(in_range(s) && in_range(t)) ? N64_COORDINATE_RANGE : N64_DONE;
 }
 
-void n64_drawn(struct n64 *n64)
+void n64_drawn_from(struct n64 *n64, uint32 used)
 {
     n64->pending = N64_PENDING_LOAD | N64_PENDING_TILE | N64_PENDING_PIPE;
-    n64->pending_tiles |= (uint8)n64_tiles_used(n64);
+    n64->pending_tiles |= (uint8)used;
+}
+
+void n64_drawn(struct n64 *n64)
+{
+    n64_drawn_from(n64, n64_tiles_used(n64));
 }

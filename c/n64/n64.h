@@ -174,6 +174,9 @@ enum n64_result n64_list_run(struct n64 *n64, const struct n64_word *words, uint
    manual's load calls rely on that). */
 void n64_drawn(struct n64 *n64);
 
+/* The same; used: n64_tiles_used. */
+void n64_drawn_from(struct n64 *n64, uint32 used);
+
 /* Returns N64_DONE if tile n can be drawn from, or if n64->checked is 0. */
 enum n64_result n64_check_tile(const struct n64 *n64, int32 n);
 

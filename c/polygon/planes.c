@@ -124,9 +124,8 @@ static void find_divided(struct planes *planes, const struct setup *s, int32 fir
                          const struct vertex *vertices, const struct planes_scale *scale,
                          const struct depths *depths)
 {
-    const int32 one = depths->is_positive ? scale->one : scale->one >> 1;
+    struct planes_division division;
     struct planes_corners corners;
-    fix16 w[PLANES_CORNERS];
     struct texturing t;
     int32 too_high;
 
@@ -134,15 +133,18 @@ static void find_divided(struct planes *planes, const struct setup *s, int32 fir
     for (int32 n = 0; n < PLANES_CORNERS; n++) {
         const struct vertex *v = planes_corner(s, vertices, n);
 
-        w[n] = mul_div(one, depths->least, (fix16)fix_magnitude(v->w));
-        if (v->w < 0)
-            w[n] = -w[n];
-        corners.of[n].s = mul_div((fix16)((uint32)v->s << scale->bits), w[n], scale->one);
-        corners.of[n].t = mul_div((fix16)((uint32)v->t << scale->bits), w[n], scale->one);
+        corners.of[n].s = v->s;
+        corners.of[n].t = v->t;
+        corners.of[n].w = v->w;
     }
+    division.least = (uint32)depths->least;
+    division.nearest = depths->is_positive ? scale->one : scale->one >> 1;
+    division.one = scale->one;
+    division.bits = scale->bits;
+    corners_divide(corners.of, &division);
     planes_pair(planes, s, &corners, first);
     for (int32 n = 0; n < PLANES_CORNERS; n++)
-        corners.of[n].s = w[n];
+        corners.of[n].s = corners.of[n].w;
     find_pair(planes, s, &corners.sides, first + 2, 0, CHAIN_SHADES, &t);
     too_high = above(s, &t);
     raise_divided(&planes->of[first], &vertices->s, s->count, scale, too_high);

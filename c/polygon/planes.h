@@ -24,6 +24,16 @@ struct planes_scale {
     fix16 reach;                /* s and t of two vertices are less than this apart; a power of two */
 };
 
+/* How corners' coordinates are multiplied by W. */
+struct planes_division {
+    uint32 least;               /* |w| of the nearest corner */
+    int32 nearest;              /* its W: `one`, or half of it */
+    int32 one, bits;            /* of struct planes_scale */
+};
+
+/* src68k/polygon: contract there. */
+void corners_divide(struct vertex *corners, const struct planes_division *division);
+
 /* The corners that planes go through: the top, the bottom and the middle one of a polygon's sides, with
    values of their own as s and t. */
 struct planes_corners {

@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "passes.i"
 
 ; glide_lines - a polygon's lines, each by the same passes
 ;
@@ -60,19 +60,10 @@ first   macro
         move.l  glide_lines_bits(a5),d1
         lsl.l   d1,d0
         add.l   d0,d5                   ; the first one
-        moveq   #GLIDE_PIXEL_PLACES,d3
+        moveq   #PIXEL_PLACES,d3
         lea     glide_lines_stages(a5),a4
         move.w  glide_lines_last_stage(a5),d4
-.stage  movem.l (a4)+,a0-a3
-        cmpa.l  d3,a0
-        bhs.s   .in
-        adda.l  d5,a0
-.in     cmpa.l  d3,a1
-        bhs.s   .out
-        adda.l  d5,a1
-.out    move.l  d6,d0
-        jsr     PASS_SAVED(a3)
-        dbra    d4,.stage
+        call_passes
 .next   lea     scanline_sizeof(a6),a6
         dbra    d7,.line
         return_all

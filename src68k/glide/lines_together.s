@@ -1,4 +1,4 @@
-        include "routine.i"
+        include "passes.i"
 
         xref    _glide_walk,_glide_divide
 
@@ -199,20 +199,11 @@ room    equ     8
         beq     .done
         lsr.l   #2,d6                   ; pixels
         move.l  room(sp),d5
-        moveq   #GLIDE_PIXEL_PLACES,d3
+        moveq   #PIXEL_PLACES,d3
         lea     stages+glide_stage_sizeof(a5),a4
         move.w  glide_lines_last_stage(a5),d4
         subq.w  #1,d4
-.stage  movem.l (a4)+,a0-a3
-        cmpa.l  d3,a0
-        bhs.s   .in
-        adda.l  d5,a0
-.in     cmpa.l  d3,a1
-        bhs.s   .out
-        adda.l  d5,a1
-.out    move.l  d6,d0
-        jsr     PASS_SAVED(a3)
-        dbra    d4,.stage
+        call_passes
 
         movea.l d5,a0
         movea.l glide_lines_lines(a5),a6

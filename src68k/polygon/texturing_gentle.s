@@ -202,9 +202,13 @@ MARGIN          equ     1<<15
 .handed addq.l  #8,sp
 .far    lea     2*16(sp),sp
         move.l  (sp)+,d1
-        beq.s   .unchained
+        xdef    texturing_far
+; As texturing_gentle, by texturing_plane and texturing_starts; keeps d2-d7/a2-a6.
+texturing_far
+        tst.l   d1
+        beq.s   texturing_uncut
         clr.l   texturing+texturing_u_cut(a6)
-.unchained
+texturing_uncut
         move.l  d1,-(sp)
         pea     box(a6)
         pea     sides(a6)
@@ -215,4 +219,5 @@ MARGIN          equ     1<<15
         pea     texturing(a6)
         jsr     _texturing_starts
         lea     7*4(sp),sp
-        bra     .done
+        moveq   #POLYGON_DRAWN,d0
+        rts

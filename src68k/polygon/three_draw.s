@@ -1,7 +1,7 @@
         include "routine.i"
 
         xref    triangle_outline,shade_vertices
-        xref    _kind_spans,_three_longest,_three_rest,_three_starts
+        xref    texturing_far,_kind_spans,_three_longest,_three_rest,_three_starts
 
 ; three_draw - draws a triangle by the plan of its material
 ;
@@ -114,7 +114,7 @@
         beq.s   .steps
         move.l  three_starts(a6),d0
         bne     .starts
-        movem.l setup_texturing+texturing_dudx(a6),d0-d1        ; and dvdx
+.planes movem.l setup_texturing+texturing_dudx(a6),d0-d1        ; and dvdx
         movem.l d0-d1,setup_span+span_plan_dudx(a6)
         movem.l d0-d1,setup_edges+edge_plan_dudx(a6)
 .steps  tst.l   setup_sides+sides_x_low(a6)
@@ -146,7 +146,8 @@
 .other  subq.w  #THREE_REST-THREE_TEXELS,d2
         beq     .rest
         addq.w  #THREE_REST-THREE_SHADES,d2
-        bne.s   .colour
+        bgt.s   .wide
+        bmi.s   .colour
         tst.l   d0
         minus   <neg.l d0>
         cmp.l   three_steep(a6),d0
@@ -156,6 +157,13 @@
         cmp.l   d0,d6
         bgt.s   .lines
         moveq   #SPAN_GOURAUD_SHORT,d3
+        bra.s   .lines
+.wide   lsl.l   #8,d1
+        beq     .rest
+        move.l  setup_kind(a6),d3
+        tst.l   setup_texturing+texturing_wraps(a6)
+        bne.s   .lines
+        subq.l  #SPAN_AFFINE_16_WRAP-SPAN_AFFINE_16,d3  ; as of 32 bits
         bra.s   .lines
 .colour move.l  setup_kind(a6),d3
 
@@ -181,11 +189,16 @@
         movem.l setup_texturing+texturing_dudx(a6),d0-d1
         movem.l d0-d1,setup_span+span_plan_dudx(a6)
         bra     .steps
-.chosen move.l  a6,-(sp)
+.chosen subq.l  #THREE_STARTS-THREE_LONGEST,d0
+        bne.s   .whole
+        move.l  a6,-(sp)
         jsr     _three_starts
         addq.l  #4,sp
         movem.l setup_texturing+texturing_dudx(a6),d0-d1
         bra     .steps
+.whole  moveq   #CHAIN_WHOLE,d1
+        jsr     texturing_far
+        bra     .planes
 .rest   move.l  a6,-(sp)
         jsr     _three_rest
         addq.l  #4,sp

@@ -26,10 +26,12 @@ RERUN = '.deps/venv/bin/python -m pytest "tests/kernels/test_kernels.py::test_co
 #: No trial can call these: three_draw calls routines whose addresses its plan has, and C, deep_draw and
 #: cover_draw C; the frames of tests/polygon and the fuzzer draw by three_draw and deep_draw, those of tests/mesh by
 #: cover_draw. triangle_outline takes a routine's address, and texturing_gentle_from memory from the stack;
-#: polygon_outline and texturing_gentle end with them. n64_stages_draw, glide_lines and glide_lines_together call the
-#: passes whose addresses their lists have, n64_in_c C: polygons of tests/n64 and tests/glide are drawn by them.
+#: polygon_outline and texturing_gentle end with them. n64_stages_draw, n64_stages_together, glide_lines and
+#: glide_lines_together call the passes whose addresses their lists have, n64_in_c C: polygons of tests/n64 and
+#: tests/glide are drawn by them.
 UNCALLED = {"cover_draw", "deep_draw", "glide_lines", "glide_lines_together", "n64_in_c", "n64_stages_draw",
-            "three_draw", "three_run", "three_longest", "three_one", "triangle_outline", "texturing_gentle_from"}
+            "n64_stages_together", "three_draw", "three_run", "three_longest", "three_one", "triangle_outline",
+            "texturing_gentle_from"}
 #: Bits of an ``out`` register that its C type covers.
 WIDTHS = {"uint8": 8, "int8": 8, "uint16": 16, "int16": 16}
 

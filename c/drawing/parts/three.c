@@ -9,7 +9,7 @@
 static int32 is_plain(const struct renderer *renderer, const struct material *material)
 {
     return material->edges != EDGES_SNAPPED && material->mapper <= MAPPER_AFFINE
-        && material->gradients != GRADIENTS_SCANLINE && !material->perspective && !material->whole
+        && material->gradients != GRADIENTS_SCANLINE && !material->perspective
         && material->clip == CLIP_SCISSOR
         && !renderer->counts && !renderer->off && renderer->form == FORM_ADDX
         && renderer->frame->pitch == (int16)renderer->frame->pitch;
@@ -28,7 +28,7 @@ static int32 has_map(const struct material *material, const struct frame *frame)
 /* Returns how the plane is found, if it is. */
 static int32 chain_of(const struct material *material)
 {
-    if (material->mapper == MAPPER_FLAT || material->gradients != GRADIENTS_PLANE)
+    if (material->mapper == MAPPER_FLAT || material->gradients != GRADIENTS_PLANE || material->whole)
         return OUTLINE_ALONE;
     if (material->mapper == MAPPER_GOURAUD)
         return CHAIN_SHADES;
@@ -40,13 +40,16 @@ static enum three_way way_of(const struct three *three, const struct material *m
     if (material->mapper == MAPPER_FLAT)
         return THREE_FLAT;
     return material->mapper == MAPPER_GOURAUD ? THREE_SHADES
-         : three->s.kind == SPAN_AFFINE_ADDX_WRAP ? THREE_TEXELS : THREE_REST;
+         : three->s.kind == SPAN_AFFINE_ADDX_WRAP ? THREE_TEXELS
+         : three->s.kind == SPAN_AFFINE_16_WRAP || three->s.kind == SPAN_AFFINE_32_WRAP ? THREE_WIDE : THREE_REST;
 }
 
 static enum three_starts starts_of(const struct material *material)
 {
     const int32 at_pixels = material->start == START_SUBTEXEL;
 
+    if (material->whole)
+        return THREE_WHOLE;
     return (material->gradients == GRADIENTS_PLANE) == at_pixels
          ? at_pixels ? THREE_PLANE : THREE_LONGEST : THREE_STARTS;
 }

@@ -41,6 +41,17 @@ static void find_iteration(const struct glide_pipe *pipe, uint32 unit, const str
             of->divided |= chain->units[n]->modes.perspective;
 }
 
+/* Returns non-zero if no coordinate of a triangle is more than half the reach from 0: then all are less than that
+   apart. */
+static int32 is_near_half(const struct vertex *v)
+{
+    fix16 any = 0;
+
+    for (int32 n = 3; n; n--, v++)
+        any |= (v->s ^ v->s >> 31) | (v->t ^ v->t >> 31);
+    return any < GLIDE_REACH << 15;
+}
+
 static int32 is_near(fix16 value)
 {
     return value > -(GLIDE_REACH << 16) && value < GLIDE_REACH << 16;
@@ -195,18 +206,15 @@ static enum span_kind draw_planned(struct setup *s, struct room *room, struct gl
     return SPAN_GLIDE_PASSES;
 }
 
+/* Draws a polygon whose outline is found. */
 static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
                                        const struct iteration *of)
 {
     struct room *room = (struct room *)s->scratch->room;
     enum span_kind kind = SPAN_GLIDE_PASSES;
-    enum polygon_result result;
     uint32 missed = 0;
     int32 asks_tiles;
 
-    result = outline_flat(s);
-    if (result != POLYGON_DRAWN)
-        return result;
     room->at.divided[1] = 0;
     if (!find_planes(&room->at, s, &of[0], 0)
         || (glide_has_own(&pipe->chain) && !find_planes(&room->at, s, &of[1], 1)))
@@ -223,6 +231,48 @@ static enum polygon_result draw_planes(struct setup *s, struct glide_pipe *pipe,
     }
     if (s->counts)
         count(s, kind, missed);
+    return POLYGON_DRAWN;
+}
+
+/* Which triangles are drawn without asking for their passes. */
+enum again { ANEW, AGAIN_LEVEL, AGAIN_DIVIDED };
+
+static enum again asks_again(const struct glide_pipe *pipe, const struct renderer *renderer, const struct vertex *v)
+{
+    const struct glide_lines *lines = &pipe->lines;
+    const struct glide_chain *chain = &pipe->chain;
+
+    if (!lines->is_kept || lines->scratch != renderer->scratch
+        || lines->bits != renderer->frame->pixel_bytes >> 1 || renderer->off || renderer->counts
+        || renderer->only_counts
+        || lines->states[0] != glide_state(chain->units[0])
+        || (chain->count > 1 && (chain->own || lines->own || lines->states[1] != glide_state(chain->units[1]))))
+        return ANEW;
+    if (!lines->divided[0])
+        return lines->is_plain || chain->units[0]->modes.perspective
+            || (chain->count > 1 && chain->units[1]->modes.perspective) ? ANEW : AGAIN_LEVEL;
+    for (int32 n = 0; n < 3; n++)
+        if (!v[n].w || v[n].w > W_MAX || v[n].w < -W_MAX)
+            return ANEW;
+    return v->w == v[1].w && v->w == v[2].w ? ANEW : AGAIN_DIVIDED;
+}
+
+/* Draws a triangle by passes that are those of the polygon before. */
+static enum polygon_result draw_again(struct setup *s, struct glide_pipe *pipe, enum again again)
+{
+    struct room *room = (struct room *)s->scratch->room;
+    struct iteration of;
+    const enum polygon_result result = outline_flat(s);
+
+    if (result != POLYGON_DRAWN)
+        return result;
+    of.first = GLIDE_S;
+    of.corners = s->given;
+    of.divided = again == AGAIN_DIVIDED;
+    room->at.divided[0] = of.divided;
+    if (of.divided || glide_tiles_may_pay(pipe, &room->at, s))
+        return draw_planes(s, pipe, &of);
+    glide_lines_draw_level(&pipe->lines, s, &room->line);
     return POLYGON_DRAWN;
 }
 
@@ -243,9 +293,25 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
     struct iteration of[GLIDE_UNITS];
     enum glide_result check;
     const struct vertex *paged;
-    struct material plain;
+    enum polygon_result result;
     struct setup s;
 
+    if (polygon->count == 3 && is_near_half(polygon->vertices)) {
+        enum again again;
+
+        if (pipe->paged == glide_state(pipe->chain.units[0])
+            && page_is_same(&pipe->page, renderer, polygon, material)) {
+            const int32 result = glide_page_again(pipe, renderer, polygon->vertices);
+
+            if (result >= 0)
+                return (enum polygon_result)result;
+        }
+        again = asks_again(pipe, renderer, polygon->vertices);
+        if (again != ANEW) {
+            setup_begin(&s, renderer, polygon, material);
+            return draw_again(&s, pipe, again);
+        }
+    }
     if (polygon->count < 3 || polygon->count > POLYGON_VERTICES_MAX)
         return POLYGON_FEW;
     if (renderer->frame->pixel_bytes == 1)
@@ -263,7 +329,8 @@ enum polygon_result glide_polygon_draw(struct renderer *renderer, const struct p
              && (!has_own || is_planar(renderer, polygon, &of[1]))))
         return polygon_fan(glide_polygon_draw, renderer, polygon, material);
     setup_begin(&s, renderer, polygon, material);
-    if (glide_may_be_plain(pipe) && glide_lower_to_plain(&s, pipe, &plain, &paged))
-        return count_rules(&s, page_draw(&s, paged, &plain));
-    return count_rules(&s, draw_planes(&s, pipe, of));
+    if (glide_may_be_plain(pipe) && glide_lower_to_plain(&s, pipe, &paged))
+        return count_rules(&s, page_draw(&s, paged, &pipe->page));
+    result = outline_flat(&s);
+    return count_rules(&s, result == POLYGON_DRAWN ? draw_planes(&s, pipe, of) : result);
 }

@@ -181,23 +181,19 @@ static void add_store(struct glide_lines *lines, uint32 *colours)
     }
 }
 
-/* A number that grows with each change of a unit's state. */
-static uint32 state_of(const struct glide *unit)
-{
-    return unit->mode_generation + unit->memory_generation + unit->table_generation;
-}
-
 /* Notes what the passes depend on if every unit has one band. */
 static void keep(struct glide_lines *lines, const struct glide_pipe *pipe,
                  const struct glide_iterations *at, const struct setup *s)
 {
     lines->is_kept = 1;
+    lines->is_plain = glide_may_be_plain(pipe) && pipe->chain.count == 1
+        && (pipe->chain.units[0]->modes.dithered || (pipe->only.is_one && pipe->only.lod.filter == GLIDE_POINT));
     lines->own = pipe->chain.own;
     lines->scratch = s->scratch;
     for (uint32 n = 0; n < GLIDE_UNITS; n++)
         lines->divided[n] = at->divided[n];
     for (uint32 n = 0; n < pipe->chain.count; n++)
-        lines->states[n] = state_of(pipe->chain.units[n]);
+        lines->states[n] = glide_state(pipe->chain.units[n]);
 }
 
 /* Whether the passes are those of each polygon with this key. */
@@ -225,9 +221,9 @@ int32 glide_lines_kept(const struct glide_pipe *pipe, const struct glide_iterati
     const struct glide_chain *chain = &pipe->chain;
 
     return lines->is_kept && lines->scratch == s->scratch && lines->bits == s->frame->pixel_bytes >> 1
-        && lines->divided[0] == at->divided[0] && lines->states[0] == state_of(chain->units[0])
+        && lines->divided[0] == at->divided[0] && lines->states[0] == glide_state(chain->units[0])
         && (chain->count == 1
-            || (lines->states[1] == state_of(chain->units[1]) && lines->own == chain->own
+            || (lines->states[1] == glide_state(chain->units[1]) && lines->own == chain->own
                 && lines->divided[1] == at->divided[1]));
 }
 
@@ -265,12 +261,52 @@ int32 glide_lines_find(struct glide_pipe *pipe, struct glide_plan *plan, const s
     return 1;
 }
 
-void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s,
-                      struct glide_line_scratch *work)
+/* Draws the lines of a polygon whose points are set. */
+static void draw(struct glide_lines *lines, const struct setup *s, struct glide_line_scratch *work)
 {
     const struct frame *frame = s->frame;
     const int32 width = s->box.right - s->box.left;
 
+    lines->lines = s->edges.lines;
+    lines->count = s->box.bottom - s->box.top;
+    lines->pitch = frame->pitch;
+    lines->bits = frame->pixel_bytes >> 1;
+    lines->pixels = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
+    if (lines->joins && width <= GLIDE_TOGETHER && width * lines->count <= FRAME_SIDE_MAX)
+        glide_lines_together(lines, work->unseen);
+    else
+        glide_lines(lines);
+}
+
+void glide_lines_draw_level(struct glide_lines *lines, const struct setup *s, struct glide_line_scratch *work)
+{
+    struct glide_points *points = &lines->points[0];
+    struct texturing t;
+    uint32 right, down;
+
+    t.u_cut = t.v_cut = 0;
+    texturing_plane(&t, &s->sides, &s->box, CHAIN_NONE);
+    right = (uint32)(-EDGE_BIAS - t.i);
+    down = (uint32)(s->box.top - t.j);
+    points->start.s = (int32)((t.u + right * (uint32)t.dudx + down * (uint32)t.dudy) << 2);
+    points->start.t = (int32)((t.v + right * (uint32)t.dvdx + down * (uint32)t.dvdy) << 2);
+    points->across.s = (int32)((uint32)t.dudx << 2);
+    points->across.t = (int32)((uint32)t.dvdx << 2);
+    points->down.s = (int32)((uint32)t.dudy << 2);
+    points->down.t = (int32)((uint32)t.dvdy << 2);
+    points->at.w = points->start.w = 1 << 30;
+    points->across.w = points->down.w = points->deep = 0;
+    for (struct glide_steps *to = lines->steps, *end = to + lines->steps_used; to < end; to++) {
+        to->s = points->across.s;
+        to->t = points->across.t;
+        to->w = 0;
+    }
+    draw(lines, s, work);
+}
+
+void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s,
+                      struct glide_line_scratch *work)
+{
     for (int32 n = lines->last_points; n >= 0; n--)
         set_points(&lines->points[n], planes, n ? GLIDE_OWN : GLIDE_S, s->box.top);
     for (int32 n = lines->steps_used - 1; n >= 0; n--) {
@@ -281,13 +317,5 @@ void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, co
         to->t = (int32)of[GLIDE_T].dx;
         to->w = (int32)of[GLIDE_W].dx;
     }
-    lines->lines = s->edges.lines;
-    lines->count = s->box.bottom - s->box.top;
-    lines->pitch = frame->pitch;
-    lines->bits = frame->pixel_bytes >> 1;
-    lines->pixels = frame->pixels + s->box.top * frame->pitch - EDGE_BIAS * frame->pixel_bytes;
-    if (lines->joins && width <= GLIDE_TOGETHER && width * lines->count <= FRAME_SIDE_MAX)
-        glide_lines_together(lines, work->unseen);
-    else
-        glide_lines(lines);
+    draw(lines, s, work);
 }

@@ -70,6 +70,7 @@ struct glide_lines {
     int32 steps_used;
     int32 joins;                /* passes behind the first one may draw all lines at once */
     int32 is_kept;              /* passes are those of every polygon with the same `bits` and these: */
+    int32 is_plain;             /* polygons of one depth may be drawn from a page instead */
     uint32 own;
     const struct scratch *scratch;
     int32 divided[GLIDE_UNITS];

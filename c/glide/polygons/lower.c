@@ -14,12 +14,11 @@ static void find_window(uint32 texels, uint32 bits, struct page_window *window)
 }
 
 /* Returns non-zero if no texel is clamped: values stay margin texels inside the window. */
-static int32 is_inside(const struct setup *s, const fix16 *value, const struct page_window *window,
-                       int32 margin)
+static int32 is_inside(const fix16 *value, int32 count, const struct page_window *window, int32 margin)
 {
     const fix16 low = margin * 65536, high = window->period - low;
 
-    for (int32 i = 0; i < s->count; i++) {
+    for (; count > 0; count--) {
         if (*value < low || *value >= high)
             return 0;
         value += VERTEX_FIELDS;
@@ -134,15 +133,15 @@ static void find_only(struct glide_pipe *pipe, struct showing *to)
 }
 
 /* Finds how a page shows the unit's level; returns 0 if texels would be clamped. */
-static int32 find_showing(const struct setup *s, uint32 bits, int32 margin, struct showing *to)
+static int32 find_showing(const struct vertex *v, int32 count, uint32 bits, int32 margin, struct showing *to)
 {
     const struct glide_modes *modes = &to->glide->modes;
 
     to->bits = bits;
     find_window(to->only->level.columns, bits, &to->columns);
     find_window(to->only->level.rows, bits, &to->rows);
-    return (!modes->clamp_s || is_inside(s, &s->given->s, &to->columns, margin))
-        && (!modes->clamp_t || is_inside(s, &s->given->t, &to->rows, margin));
+    return (!modes->clamp_s || is_inside(&v->s, count, &to->columns, margin))
+        && (!modes->clamp_t || is_inside(&v->t, count, &to->rows, margin));
 }
 
 /* Returns non-zero if the polygon needs only point samples of one unit's only level, unclamped. */
@@ -152,7 +151,7 @@ static int32 is_plain(const struct setup *s, struct glide_pipe *pipe, struct sho
         return 0;
     find_only(pipe, to);
     return to->only->is_one && to->only->lod.filter == GLIDE_POINT
-        && find_showing(s, to->only->lod.level, PAGE_MARGIN, to);
+        && find_showing(s->given, s->count, to->only->lod.level, PAGE_MARGIN, to);
 }
 
 /* Returns the vertices with s and t in texels of a level. */
@@ -169,11 +168,11 @@ static const struct vertex *scale_vertices(const struct setup *s, uint32 level)
 }
 
 static int32 draws_page(const struct setup *s, struct glide_pipe *pipe, struct showing *shown,
-                        const struct page_rows *rows, struct material *plain)
+                        const struct page_rows *rows)
 {
     if (!find_page(pipe, shown, s->frame->pixel_bytes, rows))
         return 0;
-    page_material(plain, s->material, &pipe->page);
+    page_material(&pipe->page, s->material);
     return 1;
 }
 
@@ -187,8 +186,7 @@ static void add_rows(struct page_rows *rows)
     }
 }
 
-static int32 lower_to_dithered(struct setup *s, struct glide_pipe *pipe, struct material *plain,
-                               const struct vertex **vertices)
+static int32 lower_to_dithered(struct setup *s, struct glide_pipe *pipe, const struct vertex **vertices)
 {
     const struct glide *glide = pipe->chain.units[0];
     const struct vertex *given = s->given;
@@ -202,19 +200,18 @@ static int32 lower_to_dithered(struct setup *s, struct glide_pipe *pipe, struct 
         || (glide->modes.perspective && !(given->w > 0 && lower_w_is_constant(s))))
         return 0;
     s->given = scale_vertices(s, shown.only->lod.level);
-    draws = find_showing(s, 0, GLIDE_DITHERED_MARGIN, &shown);
+    draws = find_showing(s->given, s->count, 0, GLIDE_DITHERED_MARGIN, &shown);
     if (draws) {
-        *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
+        *vertices = page_vertices(s->scratch->paged, s->given, s->count, &shown.columns, &shown.rows, &rows);
         add_rows(&rows);
-        draws = draws_page(s, pipe, &shown, &rows, plain);
-        plain->mapper = MAPPER_DITHERED;
+        draws = draws_page(s, pipe, &shown, &rows);
+        pipe->page.plain.mapper = MAPPER_DITHERED;
     }
     s->given = given;
     return draws;
 }
 
-int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct material *plain,
-                           const struct vertex **vertices)
+int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, const struct vertex **vertices)
 {
     const struct glide_modes *modes = &pipe->chain.units[0]->modes;
     struct page_rows rows;
@@ -222,7 +219,7 @@ int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct mate
 
     if (pipe->adds)
         return 0;
-    if (modes->dithered && lower_to_dithered(s, pipe, plain, vertices))
+    if (modes->dithered && lower_to_dithered(s, pipe, vertices))
         return 1;
     if (modes->perspective) {
         if (s->given->w <= 0 || !RULE_IS_ON(s, CONSTANT_W) || !lower_w_is_constant(s))
@@ -232,6 +229,27 @@ int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct mate
     if (!RULE_IS_ON(s, GLIDE_PLAIN) || !is_plain(s, pipe, &shown))
         return 0;
     RULE_APPLIES(s, GLIDE_PLAIN);
-    *vertices = page_vertices(s, &shown.columns, &shown.rows, &rows);
-    return draws_page(s, pipe, &shown, &rows, plain);
+    *vertices = page_vertices(s->scratch->paged, s->given, s->count, &shown.columns, &shown.rows, &rows);
+    if (!draws_page(s, pipe, &shown, &rows))
+        return 0;
+    pipe->paged = glide_state(shown.glide);
+    return 1;
+}
+
+int32 glide_page_again(struct glide_pipe *pipe, struct renderer *renderer, const struct vertex *given)
+{
+    struct vertex *const vertices = renderer->scratch->paged;
+    const struct page *page = &pipe->page;
+    struct page_rows rows;
+    struct showing shown;
+
+    shown.glide = pipe->chain.units[0];
+    shown.only = &pipe->only;
+    if ((shown.glide->modes.perspective && (given->w <= 0 || given->w != given[1].w || given->w != given[2].w))
+        || !find_showing(given, 3, shown.only->lod.level, PAGE_MARGIN, &shown))
+        return -1;
+    page_vertices(vertices, given, 3, &shown.columns, &shown.rows, &rows);
+    if (rows.first < page->from || rows.last >= page->end)
+        return -1;
+    return (int32)page_again(&pipe->page, renderer, vertices);
 }

@@ -24,5 +24,7 @@ enum glide_result glide_pipe_adds(struct glide_pipe *pipe, uint32 adds)
     if (adds > 1)
         return GLIDE_BAD_FLAG;
     pipe->adds = (int32)adds;
+    pipe->page.of = 0;
+    pipe->lines.is_kept = 0;
     return GLIDE_DONE;
 }

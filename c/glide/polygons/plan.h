@@ -226,6 +226,9 @@ int32 glide_lines_kept(const struct glide_pipe *pipe, const struct glide_iterati
 void glide_lines_draw(struct glide_lines *lines, const struct planes *planes, const struct setup *s,
                       struct glide_line_scratch *work);
 
+/* The same without own points, where w is the same in all corners: finds the planes of s and t too. */
+void glide_lines_draw_level(struct glide_lines *lines, const struct setup *s, struct glide_line_scratch *work);
+
 /* pixels.c. Returns the bits of a unit's pieces of 2^bits pixels (glide_subdivision), or 0 if it
    divides each pixel or none. */
 int32 glide_piece_bits(const struct glide_chain *chain, uint32 unit);

@@ -32,6 +32,7 @@ struct glide_pipe {
     struct glide_tile_store *tiles;
     struct glide_only only;
     struct page page;           /* a level as the plain mappers read it */
+    uint32 paged;               /* the first unit's state when a polygon was last drawn from it */
     struct glide_kept levels[GLIDE_UNITS][GLIDE_LEVEL_LAST + 1];  /* decoded for the passes */
     struct glide_bands bands[GLIDE_UNITS];
     struct glide_lines lines;
@@ -66,16 +67,24 @@ enum glide_result glide_pipe_adds(struct glide_pipe *pipe, uint32 adds);
 polygon_routine glide_polygon_draw;
 
 /* lower.c. Returns non-zero if the plain mappers can draw the polygon from a page that shows the
-   level. Makes the page, sets *plain to the material for them and *vertices to the vertices
-   relative to the page.
+   level. Makes the page and its material, and sets *vertices to the vertices relative to the page.
 
    MAPPER_DITHERED is used, whichever rules are off, if all of this is true: the unit's mode
    `dithered` is 1, it filters one level bilinearly, there is no other unit, no division (w is above
    0 and the same at all vertices if there would be one), and the vertices are at least
    GLIDE_DITHERED_MARGIN texels from where texels would be clamped, and there is memory for the page;
    without it the polygon is filtered. s and t are then in texels of that level, rounded down. */
-int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, struct material *plain,
-                           const struct vertex **vertices);
+int32 glide_lower_to_plain(struct setup *s, struct glide_pipe *pipe, const struct vertex **vertices);
+
+/* A number that grows with each change of a unit's state. */
+static inline uint32 glide_state(const struct glide *unit)
+{
+    return unit->mode_generation + unit->memory_generation + unit->table_generation;
+}
+
+/* lower.c. Draws a triangle from the page, whose state is that of the polygon before; its coordinates are near
+   enough. Returns enum polygon_result, or -1: it must be lowered. */
+int32 glide_page_again(struct glide_pipe *pipe, struct renderer *renderer, const struct vertex *given);
 
 /* Returns 0 if glide_lower_to_plain can do nothing: the first unit always filters, and divides nothing. */
 static inline int32 glide_may_be_plain(const struct glide_pipe *pipe)

@@ -183,7 +183,8 @@ static enum polygon_result draw_planes(struct setup *s, struct n64_unit *unit,
     if (s->renderer->only_counts)
         return POLYGON_DRAWN;
     if (plan)
-        n64_plan_draw(plan, s->frame, s->edges.lines, s->box.top, s->box.bottom - s->box.top);
+        n64_plan_draw(plan, s->frame, s->edges.lines, s->box.top, s->box.bottom - s->box.top,
+                      s->box.right - s->box.left);
     else
         draw_pixels(s, &unit->n64, &planes, &needs->shade);
     return POLYGON_DRAWN;
@@ -199,13 +200,14 @@ uint32 n64_unit_state(const struct n64_unit *unit)
 }
 
 /* Returns N64_DONE if state and vertices can be drawn. Checks the state only if it has changed. */
-static enum n64_result judge(struct n64_unit *unit, const struct vertex *v, int32 count)
+static enum n64_result judge(struct n64_unit *unit, uint32 state, const struct vertex *v, int32 count)
 {
     enum n64_result result = N64_DONE;
-    uint32 state = n64_unit_state(unit);
 
-    if (state != unit->validated)
+    if (state != unit->validated || !unit->used) {
         result = n64_check_drawing(&unit->n64);
+        unit->used = n64_tiles_used(&unit->n64);
+    }
     if (result == N64_DONE)
         unit->validated = state;
     for (; count > 0 && result == N64_DONE; count--, v++)
@@ -229,16 +231,82 @@ static enum polygon_result draw_lowered(struct setup *s, const struct polygon *p
     struct n64_unit *unit = s->material->unit;
     const struct vertex *paged;
     struct n64_needs needs;
-    struct material plain;
 
     n64_lower_inputs(&needs, s, &unit->n64, colours);
     if (RULE_IS_ON(s, N64_FLAT) && !needs.inputs) {     /* all pixels have the same colour */
         RULE_APPLIES(s, N64_FLAT);
         return draw_flat(s, polygon, constant_colour(&unit->n64, &needs.shade));
     }
-    if (n64_lower_to_plain(&needs, s, unit, &plain, &paged))
-        return page_draw(s, paged, &plain);
+    if (n64_lower_to_plain(&needs, s, unit, &paged))
+        return page_draw(s, paged, &unit->page);
     return draw_planes(s, unit, &needs, colours);
+}
+
+/* Returns non-zero if no coordinate of a triangle is more than half the reach from 0: then all are less than that
+   apart, and in the range of n64_check_coordinates. */
+static int32 is_near(const struct vertex *v)
+{
+    fix16 any = 0;
+
+    for (int32 n = 3; n; n--, v++)
+        any |= (v->s ^ v->s >> 31) | (v->t ^ v->t >> 31);
+    return any < scale.reach >> 1;
+}
+
+/* Returns non-zero if a triangle has the passes of the polygon before, which walk, and no shades. */
+static int32 has_same_walk(const struct n64_unit *unit, const struct renderer *renderer, uint32 state)
+{
+    const struct n64_plan *plan = unit->plan;
+    const struct n64 *n64 = &unit->n64;
+
+    return plan && !plan->shaded && plan->coordinates == n64_walk && !n64->modes.perspective
+        && plan->key.state == state && plan->key.inputs == n64->inputs
+        && (n64->modes.quad || n64->inputs != N64_INPUT_TEXEL0)
+        && plan->key.pixel_bytes == renderer->frame->pixel_bytes && plan->key.room == renderer->scratch->room
+        && !renderer->off && !renderer->counts && !renderer->only_counts;
+}
+
+/* Draws a triangle by the passes of the polygon before. */
+static enum polygon_result draw_walk(struct setup *s, struct n64_plan *plan)
+{
+    const enum polygon_result result = outline_flat(s);
+    struct n64_planes planes;
+    struct texturing t;
+
+    if (result != POLYGON_DRAWN)
+        return result;
+    t.u_cut = t.v_cut = 0;
+    texturing_plane(&t, &s->sides, &s->box, CHAIN_NONE);
+    planes.all.i = t.i;
+    planes.all.j = t.j;
+    planes.all.of[N64_S].at = t.u << scale.bits;
+    planes.all.of[N64_T].at = t.v << scale.bits;
+    planes.all.of[N64_S].dx = (uint32)t.dudx << scale.bits;
+    planes.all.of[N64_T].dx = (uint32)t.dvdx << scale.bits;
+    planes.all.of[N64_S].dy = (uint32)t.dudy << scale.bits;
+    planes.all.of[N64_T].dy = (uint32)t.dvdy << scale.bits;
+    n64_plan_walk(plan, &planes);
+    n64_plan_draw(plan, s->frame, s->edges.lines, s->box.top, s->box.bottom - s->box.top,
+                  s->box.right - s->box.left);
+    return POLYGON_DRAWN;
+}
+
+/* Draws a triangle as the polygon before; returns enum polygon_result, or -1: its state must be asked for. */
+static int32 draw_again(struct n64_unit *unit, uint32 state, struct renderer *renderer,
+                        const struct polygon *polygon, const struct material *material)
+{
+    int32 result = -1;
+    struct setup s;
+
+    if (unit->paged == state && page_is_same(&unit->page, renderer, polygon, material)) {
+        result = n64_page_again(unit, renderer, polygon->vertices);
+    } else if (unit->validated == state && has_same_walk(unit, renderer, state)) {
+        setup_begin(&s, renderer, polygon, material);
+        result = (int32)draw_walk(&s, unit->plan);
+    }
+    if (result == POLYGON_DRAWN)
+        n64_drawn_from(&unit->n64, unit->used);
+    return result;
 }
 
 /* colours: of the vertices, or 0: shades; routine: what draws the same of other vertices. */
@@ -250,6 +318,7 @@ static enum polygon_result draw(struct renderer *renderer, const struct polygon 
     enum polygon_result result;
     enum n64_result check;
     struct setup s;
+    uint32 state;
 
     if (unit->n64.modes.cycle == N64_COPY && routine != n64_polygon_copy)
         return n64_refused(unit, N64_CYCLE_TYPE);
@@ -257,7 +326,14 @@ static enum polygon_result draw(struct renderer *renderer, const struct polygon 
         return POLYGON_FEW;
     if (renderer->frame->pixel_bytes == 1)
         return POLYGON_WRONG_MAP;
-    check = judge(unit, polygon->vertices, polygon->count);
+    state = n64_unit_state(unit);
+    if (polygon->count == 3 && is_near(polygon->vertices)) {
+        const int32 again = draw_again(unit, state, renderer, polygon, material);
+
+        if (again >= 0)
+            return (enum polygon_result)again;
+    }
+    check = judge(unit, state, polygon->vertices, polygon->count);
     if (check != N64_DONE)
         return n64_refused(unit, check);
     if (polygon->count > 3 && polygon->planar != PLANAR_ALL
@@ -267,7 +343,7 @@ static enum polygon_result draw(struct renderer *renderer, const struct polygon 
     setup_begin(&s, renderer, polygon, material);
     result = count_rules(&s, draw_lowered(&s, polygon, colours));
     if (result == POLYGON_DRAWN)
-        n64_drawn(&unit->n64);
+        n64_drawn_from(&unit->n64, unit->used);
     return result;
 }
 

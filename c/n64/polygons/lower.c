@@ -28,7 +28,9 @@ void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64
 {
     needs->inputs = n64->inputs;
     needs->divided = n64->modes.perspective;
-    first_shade(&needs->shade, s, colours);
+    needs->shade.r = needs->shade.g = needs->shade.b = needs->shade.a = 0;
+    if (needs->inputs & N64_INPUT_SHADE)        /* otherwise no page and no plan depends on it */
+        first_shade(&needs->shade, s, colours);
     if (needs->inputs & N64_INPUT_SHADE && RULE_IS_ON(s, EQUAL_SHADES)
         && shades_are_equal(s, colours)) {
         RULE_APPLIES(s, EQUAL_SHADES);
@@ -51,9 +53,10 @@ static int32 keeps_windows(const struct setup *s, const struct page_window *colu
 
 /* Returns non-zero if the polygon can be drawn from a page: point sampling of one tile without
    levels, combined with constants, or copy mode into 16-bit pixels. */
-static int32 is_plain(const struct n64_needs *needs, const struct setup *s, const struct n64 *n64,
-                      struct page_window *columns, struct page_window *rows)
+static int32 is_plain(const struct n64_needs *needs, const struct setup *s, struct n64_unit *unit)
 {
+    struct page_window *const columns = &unit->columns, *const rows = &unit->rows;
+    const struct n64 *n64 = &unit->n64;
     const struct n64_tile *tile = &n64->tiles[n64->primitive_tile];
     int32 copy = n64->modes.cycle == N64_COPY;
 
@@ -61,22 +64,39 @@ static int32 is_plain(const struct n64_needs *needs, const struct setup *s, cons
                  : needs->inputs == N64_INPUT_TEXEL0 && !n64->modes.lod && !n64->modes.quad)
         && !needs->divided
         && n64_page_windows(tile, copy, columns, rows)
-        && page_is_within(s, &s->given->s, columns) && page_is_within(s, &s->given->t, rows)
+        && page_is_within(&s->given->s, s->count, columns) && page_is_within(&s->given->t, s->count, rows)
         && keeps_windows(s, columns, rows);
 }
 
 int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct n64_unit *unit,
-                         struct material *plain, const struct vertex **vertices)
+                         const struct vertex **vertices)
 {
-    struct page_window columns, rows;
     struct page_rows shown;
 
-    if (!RULE_IS_ON(s, N64_PLAIN) || !is_plain(needs, s, &unit->n64, &columns, &rows))
+    unit->paged = 0;
+    if (!RULE_IS_ON(s, N64_PLAIN) || !is_plain(needs, s, unit))
         return 0;
     RULE_APPLIES(s, N64_PLAIN);
-    *vertices = page_vertices(s, &columns, &rows, &shown);
+    *vertices = page_vertices(s->scratch->paged, s->given, s->count, &unit->columns, &unit->rows, &shown);
     if (!n64_page_make(unit, needs, s->frame->pixel_bytes, &shown, s->scratch->room))
         return 0;
-    page_material(plain, s->material, &unit->page);
+    page_material(&unit->page, s->material);
+    if (unit->n64.inputs == N64_INPUT_TEXEL0)
+        unit->paged = n64_unit_state(unit);
     return 1;
+}
+
+int32 n64_page_again(struct n64_unit *unit, struct renderer *renderer, const struct vertex *given)
+{
+    struct vertex *const vertices = renderer->scratch->paged;
+    const struct page *page = &unit->page;
+    struct page_rows shown;
+
+    if ((unit->n64.modes.perspective && (given->w != given[1].w || given->w != given[2].w))
+        || !page_is_within(&given->s, 3, &unit->columns) || !page_is_within(&given->t, 3, &unit->rows))
+        return -1;
+    page_vertices(vertices, given, 3, &unit->columns, &unit->rows, &shown);
+    if (shown.first < page->from || shown.last >= page->end)
+        return -1;
+    return (int32)page_again(&unit->page, renderer, vertices);
 }

@@ -15,10 +15,14 @@ struct n64_needs {
 void n64_lower_inputs(struct n64_needs *needs, struct setup *s, const struct n64 *n64,
                       const uint32 *colours);
 
-/* Returns non-zero if the plain mappers can draw the polygon from a page. Makes the page, sets
-   *plain to the material for them and *vertices to the vertices relative to the page. */
+/* Returns non-zero if the plain mappers can draw the polygon from a page. Makes the page and its
+   material, and sets *vertices to the vertices relative to the page. */
 int32 n64_lower_to_plain(const struct n64_needs *needs, struct setup *s, struct n64_unit *unit,
-                         struct material *plain, const struct vertex **vertices);
+                         const struct vertex **vertices);
+
+/* Draws a triangle from the page, whose state is that of the polygon before; its coordinates are in range.
+   Returns enum polygon_result, or -1: it must be lowered. */
+int32 n64_page_again(struct n64_unit *unit, struct renderer *renderer, const struct vertex *given);
 
 /* page.c. Finds the parts of s and t that a tile's page shows: from column 0 and row -64 on. An
    axis that repeats within the page has no end; one that clamps ends with the page. Returns 0 if no

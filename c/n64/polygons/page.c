@@ -148,7 +148,7 @@ static void draw_texels(struct making *m, int32 v, int32 t)
 
         line.left = (uint16)(m->from + EDGE_BIAS);
         line.last = (int16)(m->from + m->count - 1 + EDGE_BIAS);
-        n64_plan_draw(m->plan, &m->frame, &line, v, 1);
+        n64_plan_draw(m->plan, &m->frame, &line, v, 1, SIDE);
     } else
         n64_draw_line(&m->unit->n64, &m->planes, &m->needs->shade, &m->frame, m->from,
                       m->from + m->count, v);

@@ -169,6 +169,17 @@ static int32 find_coordinates(struct n64_plan *plan, int32 divided)
     return reciprocals && plan->steps.lod.levels;
 }
 
+void n64_plan_walk(struct n64_plan *plan, const struct n64_planes *planes)
+{
+    const struct plane *of = planes->all.of;
+
+    plan->planes = planes;
+    plan->stages.planes = of;
+    plan->stages.column = planes->all.i;
+    plan->steps.walk.s = (int32)of[N64_S].dx;
+    plan->steps.walk.t = (int32)of[N64_T].dx;
+}
+
 /* Sets a polygon's planes. Without perspective w stays 0x7fff, and division by it changes nothing.
    In one-cycle mode the level does not depend on the pixel below. */
 static void set_planes(struct n64_plan *plan, const struct n64_planes *planes)
@@ -176,11 +187,7 @@ static void set_planes(struct n64_plan *plan, const struct n64_planes *planes)
     const struct plane *of = planes->all.of;
     const int32 down = plan->unit->n64.modes.cycle != N64_ONE_CYCLE;
 
-    plan->planes = planes;
-    plan->stages.planes = of;
-    plan->stages.column = planes->all.i;
-    plan->steps.walk.s = (int32)of[N64_S].dx;
-    plan->steps.walk.t = (int32)of[N64_T].dx;
+    n64_plan_walk(plan, planes);
     plan->steps.walk.w = (int32)of[N64_W].dx;
     if (plan->levels)
         for (int32 i = N64_S; i <= N64_W; i++)

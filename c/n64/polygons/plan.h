@@ -38,7 +38,7 @@ struct n64_yuv {
     struct n64_yuv_conversion conversion;   /* without chroma */
 };
 
-/* A pass of a line, and what it is called with. in, out: null for the line's pixels. */
+/* A pass of a line, and what it is called with. in, out: null for the line's pixels. In this order in memory. */
 struct n64_stage {
     const void *in;
     void *out;
@@ -46,18 +46,23 @@ struct n64_stage {
     n64_pass *pass;
 };
 
-enum n64_stage_constants { N64_STAGES_MAX = 24, N64_INTERPOLANTS = 7 };
+enum n64_stage_constants { N64_STAGES_MAX = 24, N64_INTERPOLANTS = 7,
+    N64_TOGETHER = 32           /* pixels of the longest lines that are drawn together */
+};
 
 /* The passes of a polygon's lines, and where the lines begin. */
 struct n64_stages {
     const struct plane *planes;
     int32 column;               /* where the planes begin */
-    int32 interpolants;         /* of them that the passes take, from N64_S on */
+    uint16 last_interpolant;    /* number of the last plane that the passes take, from N64_S on */
+    uint16 last_stage;          /* and of the last pass */
+    uint16 by_line;             /* passes that read iterators: the first ones */
+    uint16 joins;               /* 1: only they need lines one by one */
     uint32 starts[N64_INTERPOLANTS];    /* their values in that column of the line to draw */
     uint32 at[N64_INTERPOLANTS];        /* at the first pixel: n64_iterators, then n64_shades */
     uint8 *pixels;              /* of the line to draw: column 0 */
     int32 pitch, pixel_bits;    /* bytes to the next line; log2 of a pixel's */
-    struct n64_stage of[N64_STAGES_MAX + 1];    /* the last one's pass is null */
+    struct n64_stage of[N64_STAGES_MAX];
 };
 
 struct n64_plan;
@@ -113,12 +118,17 @@ struct n64_plan {
     struct n64_level_sampling level_samplings[2];   /* of texel 0 and 1 */
     struct n64_in_c in_c;
     struct n64_stages stages;
+    struct n64_stage *walked[2];    /* that make coordinates of single lines relative to a tile */
+    int32 walked_count;
 };
 
 /* Returns the unit's plan with the passes for a polygon; null: there are none for these modes or
    tiles, or memory is short. room: the renderer's, for the plan too. */
 struct n64_plan *n64_plan_find(const struct n64_needs *needs, struct n64_unit *unit,
                                const struct n64_planes *planes, int32 pixel_bytes, uint32 *room);
+
+/* plan.c. Sets the planes of S and T, with which a plan whose coordinates are n64_walk needs no others. */
+void n64_plan_walk(struct n64_plan *plan, const struct n64_planes *planes);
 
 /* yuv.c. Finds plan->yuv; returns 0 if there are no passes. May set plan->form.any. */
 int32 n64_yuv_find(struct n64_plan *plan, uint32 inputs);
@@ -139,12 +149,13 @@ n64_runs n64_runs_texels, n64_runs_yuv, n64_runs_direct;
 /* stages.c. Lists a plan's passes. */
 void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes);
 
-/* stages.c. Draws lines: rows of the table, from line y of the frame on. */
+/* stages.c. Draws lines: rows of the table, from line y of the frame on; none has more than `width` pixels. */
 void n64_plan_draw(struct n64_plan *plan, const struct frame *frame, const struct scanline *lines,
-                   int32 y, int32 rows);
+                   int32 y, int32 rows, int32 width);
 
-/* src68k/n64: contract there. */
+/* src68k/n64: contracts there. */
 void n64_stages_draw(struct n64_stages *stages, const struct scanline *lines, int32 rows);
+void n64_stages_together(struct n64_stages *stages, const struct scanline *lines, int32 rows, uint32 *room);
 
 /* draw.c. Draws pixels x to end - 1 of line y one by one, in all modes. constant: the shade if the
    planes have none. */

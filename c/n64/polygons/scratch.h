@@ -21,6 +21,7 @@ struct n64_line_scratch {
     struct n64_yuv_line yuv[2];
     struct n64_wide wide[3][N64_LINE_PIXELS];   /* texel 0, texel 1, shade */
     struct n64_wide results[2][N64_LINE_PIXELS];  /* of both cycles */
+    uint32 pixels[N64_LINE_PIXELS];     /* of lines that are drawn together */
 };
 
 /* One column of a decoded tile: its texel, the one beside it in quads, and the decoded column that

@@ -24,6 +24,7 @@ static void add_runs(struct list *list, n64_runs *routine, void *out)
 {
     list->plan->in_c.routine = routine;
     list->plan->in_c.plan = list->plan;
+    list->plan->stages.joins = 0;
     add(list, n64_in_c, 0, out, &list->plan->in_c);
 }
 
@@ -37,7 +38,9 @@ static const uint32 *relate(struct list *list, const struct n64_sampling *from, 
 
     if (!from->relative)
         return list->work->coordinates;
-    add(list, is_line ? n64_tile_walked : from->relative, list->work->coordinates, to, &from->axes);
+    if (is_line)
+        list->plan->walked[list->plan->walked_count++] = list->next;
+    add(list, from->relative, list->work->coordinates, to, &from->axes);
     return to;
 }
 
@@ -285,8 +288,8 @@ static void colour(struct list *list, const uint32 *intensities, uint32 *colours
     add(list, n64_modulate_intensity, intensities, colours, &plan->intensities);
 }
 
-/* Adds what the texels are made of. Returns non-zero if they are pixels already. */
-static int32 find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
+/* Adds what the texels are made of. */
+static void find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
 {
     struct n64_plan *plan = list->plan;
     const struct n64_sampling *from = &plan->tiles[plan->form.swapped ? plan->tile1 : plan->tile0];
@@ -308,13 +311,30 @@ static int32 find_first(struct list *list, uint32 *texels, int32 pixel_bytes)
     } else {
         find_texels(list, texels);
     }
-    return is_direct;
+}
+
+/* Adds what makes colours of the texels. */
+static void find_second(struct list *list, const uint32 *texels, uint32 *colours)
+{
+    const struct n64_plan *plan = list->plan;
+
+    if (plan->form.any)
+        combine(list, texels, colours);
+    else if (plan->yuv.on)
+        convert(list, colours);
+    else if (plan->form.second == N64_SECOND_MODULATE)
+        modulate(list, texels, colours);
+    else if (plan->is_intensity)
+        colour(list, texels, colours);
+    else if (plan->form.second == N64_SECOND_TABLES)
+        add(list, n64_map, texels, colours, plan->tables);
 }
 
 void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes)
 {
     struct n64_line_scratch *work = &plan->scratch->line;
     const struct n64_form *form = &plan->form;
+    const int32 is_direct = pixel_bytes == 2 && plan->is_direct;
     const int32 is_one = !form->any && form->second == N64_SECOND_NOTHING && !plan->yuv.on;
     uint32 *colours = pixel_bytes == 4 ? 0 : work->colours;
     uint32 *texels = is_one ? colours : work->texels0;
@@ -325,38 +345,37 @@ void n64_stages_find(struct n64_plan *plan, int32 pixel_bytes)
     list.work = work;
     list.next = stages->of;
     plan->is_intensity = is_intensity(plan);
-    stages->interpolants = plan->shaded ? N64_ALPHA + 1 : plan->coordinates == n64_walk ? 2 : 3;
+    plan->walked_count = 0;
+    stages->last_interpolant = plan->shaded ? N64_ALPHA : plan->coordinates == n64_walk ? N64_T : N64_W;
+    stages->joins = !plan->levels;
     stages->pixel_bits = pixel_bytes / 2;
     add(&list, plan->coordinates, &stages->at[N64_S], work->coordinates, &plan->steps);
-    if (find_first(&list, pixel_bytes == 2 && plan->is_direct ? 0 : texels, pixel_bytes)) {
-        list.next->pass = 0;
-        return;
-    }
-    if (plan->shaded)
+    if (plan->shaded && !is_direct)
         add(&list, n64_shade, &stages->at[N64_RED], work->shades, &plan->shade_steps);
-    if (form->any)
-        combine(&list, texels, colours);
-    else if (plan->yuv.on)
-        convert(&list, colours);
-    else if (form->second == N64_SECOND_MODULATE)
-        modulate(&list, texels, colours);
-    else if (plan->is_intensity)
-        colour(&list, texels, colours);
-    else if (form->second == N64_SECOND_TABLES)
-        add(&list, n64_map, texels, colours, plan->tables);
-    if (pixel_bytes == 2)
-        add(&list, n64_store_16, colours, 0, 0);
-    list.next->pass = 0;
+    stages->by_line = (uint16)(list.next - stages->of);
+    find_first(&list, is_direct ? 0 : texels, pixel_bytes);
+    if (!is_direct) {
+        find_second(&list, texels, colours);
+        if (pixel_bytes == 2)
+            add(&list, n64_store_16, colours, 0, 0);
+    }
+    stages->last_stage = (uint16)(list.next - stages->of - 1);
 }
 
 void n64_plan_draw(struct n64_plan *plan, const struct frame *frame, const struct scanline *lines,
-                   int32 y, int32 rows)
+                   int32 y, int32 rows, int32 width)
 {
     struct n64_stages *stages = &plan->stages;
+    const int32 is_together = stages->joins && width <= N64_TOGETHER && width * rows <= N64_LINE_PIXELS;
 
-    for (int32 i = 0; i < stages->interpolants; i++)
+    for (int32 i = 0; i <= stages->last_interpolant; i++)
         stages->starts[i] = planes_at(&plan->planes->all, i, stages->column, y);
     stages->pixels = frame->pixels + y * frame->pitch;
     stages->pitch = frame->pitch;
-    n64_stages_draw(stages, lines, rows);
+    for (int32 i = 0; i < plan->walked_count; i++)
+        plan->walked[i]->pass = is_together ? n64_tile : n64_tile_walked;
+    if (is_together)
+        n64_stages_together(stages, lines, rows, plan->scratch->line.pixels);
+    else
+        n64_stages_draw(stages, lines, rows);
 }

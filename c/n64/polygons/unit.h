@@ -24,10 +24,13 @@ struct n64_unit {
     uint32 *tables;             /* n64_map's, made at mode_generation tables_made; or null */
     uint32 tables_made;
     uint32 validated;           /* sum of generations of the last state found valid */
+    uint32 used;                /* its n64_tiles_used */
     struct n64_yuv_tables *yuv;  /* made at mode_generation yuv_made; or null */
     uint32 yuv_made;
     struct n64_plan *plan;      /* of the last polygon drawn by passes; or null */
     struct page page;           /* a tile as the plain mappers read it: page.h */
+    struct page_window columns, rows;   /* of it */
+    uint32 paged;               /* sum of generations when a polygon without shades was last drawn from it */
     struct n64_colours colours;
     struct n64_kept tiles[N64_TILES];   /* decoded for the passes */
     struct n64_kept chroma[N64_TILES];  /* the same with quads for YUV's chroma */

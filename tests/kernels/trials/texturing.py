@@ -9,7 +9,7 @@ from tests.helpers.kernel_checker import Memory
 from tests.kernels.trials.math import any_size
 from tests.kernels.trials.polygon import (HEIGHT, WIDTH, box_block, described, seen_polygons,
                                           sides_block, vertex_block, wanted_sides)
-from tmap.base.fixed import ONE
+from tmap.base.fixed import ONE, mul_div
 from tmap.bench.spans import BIAS
 from tmap.bench.trial import Check, Trial, Write, fields, values
 from tmap.build import layout
@@ -159,7 +159,32 @@ def texturing_starts_trials(rng) -> list[Trial]:
     return trials
 
 
+def corners_divide_trials(rng) -> list[Trial]:
+    """Corners before the camera, and some behind it, by both units' scales."""
+    shape, trials = layout.load().struct("vertex"), []
+    for bits, one in [(2, 1 << 30), (5, 0x7FFF0000)] * 60:
+        memory, nearest = Memory(), int(2.0 ** rng.uniform(0, 30))
+        ws = [nearest, *(min(int(nearest * 2.0 ** rng.uniform(0, 22)), 1 << 30) for _ in "ab")]
+        if behind := bool(rng.integers(2)):
+            ws = [-w if rng.integers(2) else w for w in ws]
+        places = [[any_size(rng, 29) for _ in "xy"] for _ in ws]
+        coordinates = [[any_size(rng, 30 - bits) for _ in "st"] for _ in ws]
+        division = {"least": nearest, "nearest": one >> behind, "one": one, "bits": bits}
+
+        def corners(values) -> bytes:
+            return b"".join(shape.pack(x=x, y=y, s=s, t=t, shade=9, w=w)
+                            for (x, y), (s, t, w) in zip(places, values))
+
+        scaled = [mul_div(division["nearest"], nearest, abs(w)) * (1 if w > 0 else -1) for w in ws]
+        at = memory.add(corners([*st, w] for st, w in zip(coordinates, ws)), name="corners", shape=shape)
+        wanted = corners([*(mul_div(c << bits, w, one) for c in st), w] for st, w in zip(coordinates, scaled))
+        trials.append(Trial(Case("corners_divide", memory, pointers={
+            "a0": at, "a1": memory.struct("planes_division", {}, **division)}),
+            f"{coordinates}, w {ws}, " + values(**division), writes=[Write(at, wanted)]))
+    return trials
+
+
 def trials() -> list[Trial]:
-    makers = (texturing_plane_trials, texturing_wrap_trials, texturing_starts_trials)
+    makers = (texturing_plane_trials, texturing_wrap_trials, texturing_starts_trials, corners_divide_trials)
     return [trial for seed, maker in enumerate(makers, 4)
             for trial in maker(np.random.default_rng([4, seed]))]
