@@ -53,10 +53,10 @@ C_OBJECTS := $(C_FILES:c/%.c=$(C_OUT)/%.o)
 SCENE_OBJECT := $(C_OUT)/programs/scene.o
 MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
-QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
+UAE_OBJECT := $(ASM_OUT)/amiga/uae.o
 # Tables and code that a tool of the same name writes.
 WRITTEN := n64_weights glide_weights glide_logarithms cubic_fits
-OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
+OBJECTS := $(filter-out $(UAE_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 OWNERS_TABLE := $(ASM_OUT)/gen/owners_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
@@ -154,7 +154,7 @@ clean:
 programs:
 	@flock Makefile $(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell nproc)) built
 
-built: $(NAMES:%=build/programs/%) build/programs/uaequit $(SCENE_OBJECT) | setup
+built: $(NAMES:%=build/programs/%) build/programs/uae $(SCENE_OBJECT) | setup
 
 # Everything that is built waits for this, and nothing is rebuilt for it.
 setup:
@@ -246,11 +246,11 @@ endef
 
 $(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).o $(OBJECTS) \
   $(if $(filter bench,$(name)),$(KERNEL_TABLE)) $(if $(filter measure,$(name)),$(OWNERS_TABLE)))))
-$(eval $(call PROGRAM,uaequit,$(QUIT_OBJECT)))
+$(eval $(call PROGRAM,uae,$(UAE_OBJECT) $(ASM_OUT)/amiga/exact.o))
 $(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
 
 # Not without the lock: another make may be writing them.
 ifneq ($(filter-out $(OUTER),$(MAKECMDGOALS)),)
--include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(OBJECTS) $(QUIT_OBJECT) $(KERNEL_TABLE) $(OWNERS_TABLE) $(LAYOUT_CHECK) \
+-include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(OBJECTS) $(UAE_OBJECT) $(KERNEL_TABLE) $(OWNERS_TABLE) $(LAYOUT_CHECK) \
   build/gen/headers.o)
 endif
