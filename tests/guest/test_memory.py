@@ -77,7 +77,7 @@ def test_edge(tmp_path: Path, machine: str, layouts: tuple[str, ...]) -> None:
         scene = scene_of(layouts, pages + more * len(FREE[machine]), rest + more * SPARE)
         assert memory.fits(scene, machine) != bool(more)
         done = emulator.run("render", "x COUNT", {"x": scene_file.write(scene)}, machine, tmp_path / name,
-                            patience=emulator.PATIENT_SECONDS)
+                            patience=emulator.PATIENT_SECONDS, timed=False)
         assert ("not enough memory" in done.output) == bool(more), f"{pages} pages, {rest} bytes, {name}: {done.output}"
         assert done.code == (20 if more else 5), done.output
 
