@@ -129,6 +129,9 @@ fuzz: programs
 	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \
 	  $${FAMILY:+--family "$$FAMILY"} $${MACHINE:+--machine "$$MACHINE"}
 
+# Of two hundred processes of Python each would compile the tools again.
+test check: export PYTHONDONTWRITEBYTECODE :=
+
 # A file's tests share what they made, so they stay together; tests/conftest.py has the order.
 # The second processor is compiled while the programs are.
 test:
