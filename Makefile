@@ -55,10 +55,10 @@ SMALL_OBJECTS := $(filter-out %/draw_faces.o %/draw_meshes.o %/time.o,$(filter $
   $(UNIT_STATE:%=$(C_OUT)/%.o),$(C_OBJECTS))) $(SCENE_OBJECT)
 MAIN_OBJECTS := $(NAMES:%=$(C_OUT)/programs/%.o) $(SCENE_OBJECT)
 ASM_OBJECTS := $(ASM_FILES:src68k/%.s=$(ASM_OUT)/%.o)
-QUIT_OBJECT := $(ASM_OUT)/amiga/quit.o
+UAE_OBJECT := $(ASM_OUT)/amiga/uae.o
 # Tables and code that a tool of the same name writes.
 WRITTEN := n64_weights glide_weights glide_logarithms cubic_fits
-OBJECTS := $(filter-out $(QUIT_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
+OBJECTS := $(filter-out $(UAE_OBJECT),$(ASM_OBJECTS)) $(WRITTEN:%=$(ASM_OUT)/gen/%.o) $(C_OBJECTS)
 KERNEL_TABLE := $(ASM_OUT)/gen/kernel_table.o
 OWNERS_TABLE := $(ASM_OUT)/gen/owners_table.o
 LAYOUT_CHECK := $(C_OUT)/gen/layout_check.o
@@ -131,6 +131,9 @@ fuzz: programs
 	@scripts/tmap fuzz $${SEED:+--seed "$$SEED"} $${COUNT:+--count "$$COUNT"} \
 	  $${FAMILY:+--family "$$FAMILY"} $${MACHINE:+--machine "$$MACHINE"}
 
+# Of two hundred processes of Python each would compile the tools again.
+test check: export PYTHONDONTWRITEBYTECODE :=
+
 # A file's tests share what they made, so they stay together; tests/conftest.py has the order.
 # The second processor is compiled while the programs are.
 test:
@@ -156,7 +159,7 @@ clean:
 programs:
 	@flock Makefile $(MAKE) $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell nproc)) built
 
-built: $(NAMES:%=build/programs/%) build/programs/uaequit $(SCENE_OBJECT) | setup
+built: $(NAMES:%=build/programs/%) build/programs/uae $(SCENE_OBJECT) | setup
 
 # Everything that is built waits for this, and nothing is rebuilt for it.
 setup:
@@ -247,11 +250,11 @@ endef
 
 $(foreach name,$(NAMES),$(eval $(call PROGRAM,$(name),$(C_OUT)/programs/$(name).o $(OBJECTS) \
   $(if $(filter bench,$(name)),$(KERNEL_TABLE)) $(if $(filter measure,$(name)),$(OWNERS_TABLE)))))
-$(eval $(call PROGRAM,uaequit,$(QUIT_OBJECT)))
+$(eval $(call PROGRAM,uae,$(UAE_OBJECT) $(ASM_OUT)/amiga/exact.o))
 $(NAMES:%=build/obj/%.elf): $(LAYOUT_CHECK)
 
 # Not without the lock: another make may be writing them.
 ifneq ($(filter-out $(OUTER),$(MAKECMDGOALS)),)
--include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(OBJECTS) $(QUIT_OBJECT) $(KERNEL_TABLE) $(OWNERS_TABLE) $(LAYOUT_CHECK) \
+-include $(patsubst %.o,%.d,$(MAIN_OBJECTS) $(OBJECTS) $(UAE_OBJECT) $(KERNEL_TABLE) $(OWNERS_TABLE) $(LAYOUT_CHECK) \
   build/gen/headers.o)
 endif

@@ -38,9 +38,10 @@ LINE_BITS               equ     9
         rts
 
         section .rodata.exact,data
-; UAE works out the cycle's length anew if cpu_throttle changes, which has no effect of its own here.
+; A processor that is not exact is several times as fast beside the chips. UAE works out the cycle's length anew as that
+; changes.
 exact   dc.b    'cpu_cycle_exact true cpu_compatible true blitter_cycle_exact true '
         dc.b    'waiting_blits true immediate_blits false cpu_throttle 1',0
 rough   dc.b    'cpu_cycle_exact false cpu_compatible false blitter_cycle_exact false '
-        dc.b    'waiting_blits false immediate_blits true cpu_throttle 0',0
+        dc.b    'waiting_blits no immediate_blits true cpu_throttle 5000',0
         even

@@ -184,7 +184,8 @@ def save_to(content: bytes, folder: Path, **options: str) -> emulator.Result:
     path = folder / "floppy.adf"
     disk.save(path, no_boot(content))
     result, = emulator.run_batch(["measure df0:x PLAN plan"], {"plan": small_plan(0)},
-                                "a1200-fast", folder, drives=emulator.floppies(path) | options)
+                                "a1200-fast", folder, drives=emulator.floppies(path) | options,
+                                timed=False)
     return result
 
 

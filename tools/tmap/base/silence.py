@@ -50,13 +50,14 @@ class Silence:
     def heard(self) -> None:
         """Records a sign of life: restarts the count."""
         self.from_, self.last, self.clock = processor_seconds(self.pid), time.monotonic(), 0.0
+        self.soonest = self.last + self.patience / os.cpu_count()  # with all processors
 
     def end(self) -> str:
         """Returns why the process is silent for too long, or "". Must be called repeatedly."""
         now = time.monotonic()
         self.clock += min(now - self.last, LONGEST)
         self.last = now
-        if processor_seconds(self.pid) - self.from_ >= self.patience:
+        if now >= self.soonest and processor_seconds(self.pid) - self.from_ >= self.patience:
             return f"{self.patience:g} s of processor time after its last sign of life"
         if self.clock >= SHARE * self.patience:
             return (f"{SHARE * self.patience:g} s after its last sign of life, stopped or blocked "

@@ -5,16 +5,20 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
-from elftools.elf.constants import SH_FLAGS
-from elftools.elf.elffile import ELFFile
-from elftools.elf.enums import ENUM_ST_SHNDX
 
 from tmap.base.errors import UserError
 
 #: R_68K_32, PC32, PC16, PC8: size in bytes, and true if relative to the field's own address.
 RELOCATIONS = {1: (4, False), 4: (4, True), 5: (2, True), 6: (1, True)}
 
-COMMON = ENUM_ST_SHNDX["SHN_COMMON"]  # a symbol without a section
+COMMON = 0xFFF2  # a symbol without a section
+RELA_TABLE, SYMBOL_TABLE, NOBITS = 4, 2, 8  # types of sections
+ALLOC, EXECUTED, STRINGS = 2, 4, 32  # flags of sections
+#: Read here: of 600,000 symbols, constants of assembly most of them, pyelftools would make objects.
+HEADER = np.dtype([("before", "V32"), ("sections_at", ">u4"), ("flags", ">u4"), ("sizes", ">u2", 4),
+                   ("sections", ">u2"), ("names", ">u2")])
+SECTION = np.dtype([(name, ">u4") for name in ("name", "type", "flags", "address", "at", "size", "link", "info",
+                                               "align", "entry")])
 SYMBOL = np.dtype([("name", ">u4"), ("value", ">u4"), ("size", ">u4"), ("info", "u1"),
                    ("other", "u1"), ("section", ">u2")])
 RELA = np.dtype([("offset", ">u4"), ("info", ">u4"), ("addend", ">i4")])
@@ -77,33 +81,32 @@ def string_at(table: bytes, offset: int) -> str:
 
 def load(path: Path) -> list[Section]:
     """Returns the sections of an object that are loaded into memory."""
-    with path.open("rb") as stream:
-        elf = ELFFile(stream)
-        found: dict[int, Section] = {}
-        tables: dict[int, list] = {}
-        strings: dict[int, dict[int, Section]] = {}
-        for index, part in enumerate(elf.iter_sections()):
-            if part["sh_flags"] & SH_FLAGS.SHF_ALLOC and part["sh_size"]:
-                bss = part["sh_type"] == "SHT_NOBITS"
-                found[index] = Section(
-                    str(path), part.name, b"" if bss else part.data(), part["sh_size"],
-                    max(part["sh_addralign"], 4), bool(part["sh_flags"] & SH_FLAGS.SHF_EXECINSTR),
-                    bss)
-                if part["sh_flags"] & SH_FLAGS.SHF_STRINGS and part["sh_entsize"] == 1:
-                    strings[index] = split_strings(found[index])
-            elif part["sh_type"] == "SHT_RELA":
-                tables[part["sh_info"]] = np.frombuffer(part.data(), RELA).tolist()
-        names = elf.get_section_by_name(".strtab").data()
-        symbols = np.frombuffer(elf.get_section_by_name(".symtab").data(), SYMBOL).tolist()
-    for name, value, _, info, _, index in symbols:
-        text = string_at(names, name)
+    data = path.read_bytes()
+    header = np.frombuffer(data, HEADER, 1)[0]
+    parts = np.frombuffer(data, SECTION, header["sections"], int(header["sections_at"])).tolist()
+    content = [b"" if kind == NOBITS else data[at:at + size] for _, kind, _, _, at, size, *_ in parts]
+    found: dict[int, Section] = {}
+    tables: dict[int, np.ndarray] = {}
+    strings: dict[int, dict[int, Section]] = {}
+    for index, (name, kind, flags, _, _, size, link, info, align, entry) in enumerate(parts):
+        if flags & ALLOC and size:
+            found[index] = Section(str(path), string_at(content[header["names"]], name), content[index], size,
+                                   max(align, 4), bool(flags & EXECUTED), kind == NOBITS)
+            if flags & STRINGS and entry == 1:
+                strings[index] = split_strings(found[index])
+        elif kind == RELA_TABLE:
+            tables[info] = np.frombuffer(content[index], RELA)
+        elif kind == SYMBOL_TABLE:
+            symbols, names = np.frombuffer(content[index], SYMBOL), content[link]
+    home = symbols["section"]
+    for name, value, _, info, _, index in symbols[np.isin(home, [COMMON, *found])].tolist():
         if index == COMMON:
-            raise UserError(f"{path}: {text} is common: give it a section")
-        if info >> 4 and index in found:
-            found[index].symbols[text] = value
+            raise UserError(f"{path}: {string_at(names, name)} is common: give it a section")
+        if info >> 4:
+            found[index].symbols[string_at(names, name)] = value
     for index, section in found.items():
-        for offset, info, addend in tables.get(index, ()):
-            name, value, _, _, _, home = symbols[info >> 8]
+        table = tables.get(index, np.zeros(0, RELA))
+        for (offset, info, addend), (name, value, *_, home) in zip(table.tolist(), symbols[table["info"] >> 8].tolist()):
             if info & 255 not in RELOCATIONS:
                 raise UserError(f"{path}: {section.name}: a relocation of type {info & 255}, which "
                                 "nothing here can make")

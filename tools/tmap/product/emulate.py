@@ -22,7 +22,7 @@ from tmap.guest import emulator
 
 GUARD = "guard"
 #: Files of a run's volume that are not the program's.
-RUN_FILES = {GUARD, "batch", "uaequit", "end", "0.log", "0.code", "s/startup-sequence"}
+RUN_FILES = {GUARD, "batch", "uae", "end", "0.log", "0.code", "s/startup-sequence"}
 NAME_MOST, LINE_MOST = 30, 400  # letters of a name in AmigaDOS; of the shell's line
 HEADER = hunk.longs(hunk.HUNK_HEADER)
 PLACE = re.compile(r"\Aguard: (-?\d+)\n")

@@ -101,7 +101,7 @@ class Layout:
         parts = [p for p in program.parts.values() if not p.section.bss]
         room = 4 * sum(p.section.size + CACHE for p in parts) + CACHE
         self.used, self.near = np.zeros(room, bool), np.zeros(room, bool)
-        self.full = 0  # there is no hole below this address
+        self.full = self.top = 0  # there is no hole below the first address, and nothing from the second on
         entry = program.parts[program.entry]
         self.put([entry], [0], 0, CACHE)
         rest = [p for p in parts if p is not entry]
@@ -122,7 +122,7 @@ class Layout:
         new = [p for p in program.parts.values() if p.section not in self.at and not p.section.bss]
         room = sum(p.section.size + CACHE for p in new)
         more.used = np.concatenate([self.used[:self.size], np.zeros(room, bool)])
-        more.full = self.size
+        more.full = more.top = self.size
         more.put_others(new)
         more.finish()
         return more
@@ -160,13 +160,27 @@ class Layout:
                 self.at[part.section] = self.bss
                 self.bss += part.section.size
 
+    def holes(self, live: np.ndarray, places: range) -> Iterator[range]:
+        """Yields those of the places, in order, where the longest run of ``live`` bytes finds room."""
+        edges = np.flatnonzero(np.diff(live, prepend=False, append=False)).reshape(-1, 2)
+        start, end = edges[np.argmax(edges[:, 1] - edges[:, 0])]
+        used = self.used[self.full:self.top + 1]  # the first is free, and all from the last on
+        changes = self.full + 1 + np.flatnonzero(used[1:] != used[:-1])
+        first = np.maximum(np.r_[self.full, changes[1::2]] - start, places.start)
+        first += (places.start - first) % places.step
+        last = np.minimum(np.r_[changes[::2], len(self.used)] - end, places.stop - 1)
+        some = first <= last
+        for begin, stop in zip(first[some].tolist(), last[some].tolist()):
+            yield range(begin, stop + 1, places.step)
+
     def free(self, live: np.ndarray, places: range) -> Iterator[int]:
         """Yields those of the places, in order, where some of the ``live`` bytes find room."""
         kept = np.flatnonzero(live)
         some = kept[np.linspace(0, len(kept) - 1, min(len(kept), PROBES)).astype(int)]
-        for begin in range(0, len(places), BLOCK):
-            block = np.array(places[begin:begin + BLOCK])
-            yield from block[~self.used[block[:, None] + some].any(axis=1)].tolist()
+        for hole in self.holes(live, places):
+            for begin in range(0, len(hole), BLOCK):
+                block = np.array(hole[begin:begin + BLOCK])
+                yield from block[~self.used[block[:, None] + some].any(axis=1)].tolist()
 
     def put(self, parts: list[Part], offsets: list[int], first: int, step: int,
             apart: bool = False) -> None:
@@ -190,6 +204,7 @@ class Layout:
                     continue
                 self.near[begin:begin + len(near)] |= near
             self.used[at:at + len(live)] |= live
+            self.top = max(self.top, at + len(live))
             self.at |= {p.section: at + offset for p, offset in zip(parts, offsets)}
             self.full += int(np.argmin(self.used[self.full:]))
             return
