@@ -1,0 +1,463 @@
+; A screen of Intuition's: opens it among those of other programs, shows its two bitmaps in turn, takes its keys.
+; Everything goes through the system's own calls; what it cannot tell is counted by a server of the vertical blank.
+
+        include "intuition.i"
+
+        xref    at_end
+
+NT_INTERRUPT            equ     2
+
+; intuition_open - opens the screen with the first of its two bitmaps, and a window for its keys
+;
+; in:      a0  struct intuition*  the pointer is set, the rest is 0
+; out:     d0  int32              1 open, 0 not
+; writes:  what is set while it is open
+; error:   0 if Kickstart is older than 3.0, if the display has no 8 planes in low resolution, or memory is short
+; cost:    several fields
+        routine intuition_open,a0
+        movem.l d2-d3/a2/a6,-(sp)
+        movea.l a0,a2
+        lea     ending,a0
+        jsr     at_end
+        lea     opened,a0
+        move.l  (a0),intuition_next(a2)
+        move.l  a2,(a0)
+        movea.l sys_base,a6
+        lea     intuition_name(pc),a1
+        moveq   #VERSION_39,d0
+        lvo     OpenLibrary
+        move.l  d0,intuition_intuition_base(a2)
+        beq.s   .failed
+        lea     graphics_name(pc),a1
+        moveq   #VERSION_39,d0
+        lvo     OpenLibrary
+        move.l  d0,intuition_graphics_base(a2)
+        beq.s   .failed
+        lvo     CreateMsgPort
+        move.l  d0,intuition_port(a2)
+        beq.s   .failed
+        bsr.s   open_screen
+        tst.l   d0
+        beq.s   .failed
+        bsr     open_buffers
+        tst.l   d0
+        beq.s   .failed
+        bsr     count_fields
+        moveq   #1,d0
+.done   movem.l (sp)+,d2-d3/a2/a6
+        rts
+.failed movea.l a2,a0
+        jsr     intuition_close
+        moveq   #0,d0
+        bra.s   .done
+
+intuition_name  dc.b    'intuition.library',0
+graphics_name   dc.b    'graphics.library',0
+                even
+
+; Opens the screen and the window of a2; d0 = 0 if it cannot.
+open_screen
+        movea.l intuition_intuition_base(a2),a6
+        move.l  sp,d2
+        clr.l   -(sp)
+        clr.l   -(sp)
+        tag     SA_DisplayID,#LORES_KEY
+        tag     SA_Type,#CUSTOMSCREEN
+        tag     SA_Quiet,#1
+        tag     SA_ShowTitle,#0
+        tag     SA_Interleaved,#1       ; planes at equal distances
+        tag     SA_Depth,#INTUITION_PLANES
+        tag     SA_Height,#SCREEN_HEIGHT
+        tag     SA_Width,#SCREEN_WIDTH
+        suba.l  a0,a0
+        movea.l sp,a1
+        lvo     OpenScreenTagList
+        movea.l d2,sp
+        move.l  d0,intuition_screen(a2)
+        beq.s   .done
+        clr.l   -(sp)
+        clr.l   -(sp)
+        tag     WA_IDCMP,#IDCMP_RAWKEY
+        tag     WA_Flags,#WINDOW_FLAGS
+        tag     WA_CustomScreen,d0
+        suba.l  a0,a0
+        movea.l sp,a1
+        lvo     OpenWindowTagList
+        movea.l d2,sp
+        move.l  d0,intuition_window(a2)
+        beq.s   .done
+        movea.l d0,a0
+        movea.l intuition_pointer(a2),a1
+        moveq   #0,d0                   ; rows
+        moveq   #16,d1                  ; dots
+        moveq   #0,d2
+        moveq   #0,d3
+        lvo     SetPointer
+        moveq   #1,d0
+.done   rts
+
+; Gets the screen's bitmap and another one of a2, and buffers of both, whose messages go to its port; d0 = 0 if it cannot.
+open_buffers
+        bsr     probe
+        bne.s   own_buffers
+        moveq   #SB_SCREEN_BITMAP,d0
+        moveq   #0,d2
+        bsr.s   open_buffer
+        beq.s   no_buffer
+        moveq   #0,d0
+        moveq   #4,d2
+; Gets a buffer by the flags d0, for the set d2 / 4; Z and d0 = 0 if it cannot.
+open_buffer
+        movea.l intuition_intuition_base(a2),a6
+        movea.l intuition_screen(a2),a0
+        suba.l  a1,a1
+        lvo     AllocScreenBuffer
+        move.l  d0,intuition_buffer(a2,d2.l)
+        beq.s   no_buffer
+        movea.l d0,a1
+        movea.l sb_BitMap(a1),a0
+        movea.l sb_DBufInfo(a1),a1
+; Notes the bitmap a0, whose messages are in a1, for the set d2 / 4; Z and d0 = 0 if it has no planes.
+note_buffer
+        move.l  a0,intuition_bitmap(a2,d2.l)
+        move.l  intuition_port(a2),d1
+        move.l  d1,dbi_SafeMessage+mn_ReplyPort(a1)
+        move.l  d1,dbi_DispMessage+mn_ReplyPort(a1)
+        moveq   #BMA_FLAGS,d1
+        movea.l intuition_graphics_base(a2),a6
+        lvo     GetBitMapAttr
+        and.l   #BMF_STANDARD,d0        ; not a graphics card's
+no_buffer
+        rts
+
+; The same where AllocDBufInfo is wrong.
+own_buffers
+        movea.l intuition_screen(a2),a0
+        movea.l sc_BitMap(a0),a0
+        lea     intuition_info(a2),a1
+        moveq   #0,d2
+        bsr.s   note_buffer
+        beq.s   no_buffer
+        move.l  #SCREEN_WIDTH,d0
+        move.l  #SCREEN_HEIGHT,d1
+        moveq   #INTUITION_PLANES,d2
+        moveq   #BMF_CLEAR|BMF_DISPLAYABLE,d3
+        movea.l intuition_bitmap(a2),a0
+        lvo     AllocBitMap
+        move.l  d0,intuition_own(a2)
+        beq.s   no_buffer
+        movea.l d0,a0
+        lea     intuition_info+DBI_SIZE(a2),a1
+        moveq   #4,d2
+        bra.s   note_buffer
+
+; Whether AllocDBufInfo of a2's system is wrong: d0, and not Z. AROS of some years exchanges its arguments: it allocates
+; AROS_WRONG bytes, which are not cleared, and frees them as fewer, in CloseScreen too. Buffers of our own are used there.
+probe   movem.l d3/a3,-(sp)
+        movea.l sys_base,a6
+        lvo     Forbid
+        moveq   #0,d1
+        lvo     AvailMem
+        move.l  d0,d3
+        movea.l intuition_graphics_base(a2),a6
+        movea.l intuition_screen(a2),a0
+        lea     sc_ViewPort(a0),a0
+        lvo     AllocDBufInfo
+        movea.l d0,a3
+        movea.l sys_base,a6
+        moveq   #0,d1
+        lvo     AvailMem
+        sub.l   d0,d3
+        lvo     Permit
+        movea.l a3,a1
+        cmp.l   #AROS_WRONG,d3
+        blo.s   .right
+        move.l  #AROS_WRONG,d0
+        lvo     FreeMem
+        st      intuition_is_wrong(a2)
+        bra.s   .done
+.right  movea.l intuition_graphics_base(a2),a6
+        lvo     FreeDBufInfo
+.done   movem.l (sp)+,d3/a3
+        tst.b   intuition_is_wrong(a2)
+        rts
+
+; Adds a2's server.
+count_fields
+        lea     intuition_server(a2),a1
+        move.b  #NT_INTERRUPT,is_Type(a1)
+        move.l  #server_name,is_Name(a1)
+        move.l  a2,is_Data(a1)
+        move.l  #serve,is_Code(a1)
+        movea.l sys_base,a6
+        moveq   #INTB_VERTB,d0
+        jmp     _LVOAddIntServer(a6)
+
+; intuition_close - closes it, and whatever of it is open
+;
+; in:      a0  struct intuition*  from intuition_open
+; writes:  what is set while it is open
+; error:   does nothing if it is not open
+        routine intuition_close,a0
+        movem.l a2-a3/a6,-(sp)
+        movea.l a0,a2
+        lea     opened-intuition_next,a0
+.look   movea.l a0,a1                   ; the one before
+        move.l  intuition_next(a1),d0
+        beq     .done
+        movea.l d0,a0
+        cmpa.l  a0,a2
+        bne.s   .look
+        move.l  intuition_next(a2),intuition_next(a1)
+        tst.l   intuition_bitmap+4(a2)
+        beq.s   .no_buffers
+        movea.l a2,a0
+        moveq   #0,d0
+        jsr     intuition_show          ; AROS reads from the screen's bitmap when it closes it
+        bsr     settle
+.no_buffers
+        movea.l sys_base,a6
+        lea     intuition_server(a2),a1
+        tst.l   is_Code(a1)
+        beq.s   .not_counted
+        clr.l   is_Code(a1)
+        moveq   #INTB_VERTB,d0
+        lvo     RemIntServer
+.not_counted
+        movea.l intuition_intuition_base(a2),a6
+        move.l  intuition_window(a2),d0
+        beq.s   .no_window
+        movea.l d0,a0
+        lvo     CloseWindow
+.no_window
+        lea     intuition_buffer(a2),a3
+        bsr.s   .free
+        bsr.s   .free
+        move.l  intuition_own(a2),d0
+        beq.s   .no_bitmap
+        movea.l d0,a0
+        movea.l intuition_graphics_base(a2),a6
+        lvo     FreeBitMap
+        movea.l intuition_intuition_base(a2),a6
+.no_bitmap
+        move.l  intuition_screen(a2),d0
+        beq.s   .no_screen
+        movea.l d0,a0
+        lvo     CloseScreen
+.no_screen
+        movea.l sys_base,a6
+        move.l  intuition_port(a2),d0
+        beq.s   .no_port
+        movea.l d0,a0
+        lvo     DeleteMsgPort
+.no_port
+        move.l  intuition_graphics_base(a2),d0
+        beq.s   .no_graphics
+        movea.l d0,a1
+        lvo     CloseLibrary
+.no_graphics
+        move.l  intuition_intuition_base(a2),d0
+        beq.s   .done
+        movea.l d0,a1
+        lvo     CloseLibrary
+.done   movem.l (sp)+,a2-a3/a6
+        rts
+.free   move.l  (a3)+,d0
+        beq.s   .none
+        movea.l d0,a1
+        movea.l intuition_screen(a2),a0
+        jmp     _LVOFreeScreenBuffer(a6)
+.none   rts
+
+; Closes all that are open, at the program's end.
+close_all
+        move.l  opened,d0
+        beq.s   .none
+        movea.l d0,a0
+        bsr     intuition_close
+        bra.s   close_all
+.none   rts
+
+; Waits for the messages of a2.
+settle  movea.l sys_base,a6
+.wait   tst.l   intuition_asked(a2)
+        beq.s   .done
+        movea.l intuition_port(a2),a0
+        lvo     WaitPort
+        bsr.s   take_messages
+        bra.s   .wait
+.done   rts
+
+; Takes the messages of a2 that have come; a6 = exec.
+take_messages
+        movea.l intuition_port(a2),a0
+        lvo     GetMsg
+        tst.l   d0
+        beq.s   .done
+        subq.l  #1,intuition_asked(a2)
+        bra.s   take_messages
+.done   rts
+
+; intuition_show - shows a bitmap from the next field on
+;
+; in:      a0  struct intuition*  an open one
+;          d0  int32              which: 0 or 1
+; writes:  what is shown
+; error:   waits while Intuition cannot change it, as when the user drags the screen, and for the bitmap before
+        routine intuition_show,a0,d0
+        movem.l d2/a2/a6,-(sp)
+        movea.l a0,a2
+        move.l  d0,d2
+        jsr     settle
+        bra.s   .ask
+.again  movea.l intuition_graphics_base(a2),a6
+        lvo     WaitTOF
+.ask    move.l  intuition_fields(a2),d0
+        addq.l  #1,d0
+        move.l  d0,intuition_since(a2)
+        bsr.s   change
+        tst.l   d0
+        beq.s   .again
+        moveq   #2,d0
+        move.l  d0,intuition_asked(a2)
+        movem.l (sp)+,d2/a2/a6
+        rts
+
+; Asks for the bitmap d2 of a2; d0 = 0 if that cannot be just now.
+change  movea.l intuition_screen(a2),a0
+        tst.b   intuition_is_wrong(a2)
+        bne.s   .wrong
+        movea.l intuition_intuition_base(a2),a6
+        movea.l intuition_buffer(a2,d2.l*4),a1
+        jmp     _LVOChangeScreenBuffer(a6)
+.wrong  movea.l intuition_graphics_base(a2),a6
+        lea     sc_ViewPort(a0),a0
+        movea.l intuition_bitmap(a2,d2.l*4),a1
+        move.l  a2,-(sp)
+        lea     intuition_info(a2),a2
+        tst.l   d2
+        beq.s   .first
+        lea     DBI_SIZE(a2),a2
+.first  lvo     ChangeVPBitMap
+        movea.l (sp)+,a2
+        moveq   #1,d0
+        rts
+
+; intuition_waits - whether the bitmap that was asked for is still to be shown
+;
+; in:      a0  struct intuition*  an open one
+; out:     d0  int32              1 if so, 0 if it is shown
+; writes:  the messages that have come
+        routine intuition_waits,a0
+        movem.l a2/a6,-(sp)
+        movea.l a0,a2
+        movea.l sys_base,a6
+        jsr     take_messages
+        moveq   #1,d0
+        tst.l   intuition_asked(a2)
+        bne.s   .done
+        move.l  intuition_fields(a2),d1
+        sub.l   intuition_since(a2),d1
+        bmi.s   .done
+        moveq   #0,d0
+.done   movem.l (sp)+,a2/a6
+        rts
+
+; intuition_wait - waits until the bitmap that was asked for is shown, and the one before is free
+;
+; in:      a0  struct intuition*  an open one
+; writes:  the messages that come
+; cost:    a field or two
+
+; A system whose messages come at once, as AROS's do, is waited for by the field.
+        routine intuition_wait,a0
+        movem.l a2/a6,-(sp)
+        movea.l a0,a2
+        jsr     settle
+        movea.l intuition_graphics_base(a2),a6
+.field  move.l  intuition_fields(a2),d0
+        sub.l   intuition_since(a2),d0
+        bpl.s   .done
+        lvo     WaitTOF
+        bra.s   .field
+.done   movem.l (sp)+,a2/a6
+        rts
+
+; intuition_field - waits for the next field
+;
+; in:      a0  struct intuition*  an open one
+; cost:    a field at most
+        routine intuition_field,a0
+        move.l  a6,-(sp)
+        movea.l intuition_graphics_base(a0),a6
+        lvo     WaitTOF
+        movea.l (sp)+,a6
+        rts
+
+; intuition_colours_set - sets colours of the screen
+;
+; in:      a0  struct intuition*  an open one
+;          a1  const struct intuition_colours*  which, and their parts
+; writes:  the screen's palette
+        routine intuition_colours_set,a0,a1
+        move.l  a6,-(sp)
+        movea.l intuition_graphics_base(a0),a6
+        movea.l intuition_screen(a0),a0
+        lea     sc_ViewPort(a0),a0
+        lvo     LoadRGB32
+        movea.l (sp)+,a6
+        rts
+
+; intuition_key - the next key that was pressed in the screen's window
+;
+; in:      a0  struct intuition*  an open one
+; out:     d0  uint32             its raw code, 0 to $7f, or $ffffffff: none
+; writes:  the window's messages; Ctrl-C signals the task
+; error:   none comes while another window is active
+        routine intuition_key,a0
+        movem.l d2-d3/a2/a6,-(sp)
+        movea.l intuition_window(a0),a2
+        movea.l sys_base,a6
+.next   moveq   #-1,d2
+        movea.l wd_UserPort(a2),a0
+        lvo     GetMsg
+        tst.l   d0
+        beq.s   .done
+        movea.l d0,a1
+        moveq   #0,d2
+        move.w  im_Code(a1),d2
+        move.w  im_Qualifier(a1),d3
+        lvo     ReplyMsg
+        btst    #7,d2                   ; released
+        bne.s   .next
+        btst    #IEQUALIFIERB_REPEAT,d3
+        bne.s   .next
+        btst    #IEQUALIFIERB_CONTROL,d3
+        beq.s   .done
+        cmp.b   #C_KEY,d2
+        bne.s   .done
+        suba.l  a1,a1
+        lvo     FindTask
+        movea.l d0,a1
+        move.l  #SIGBREAKF_CTRL_C,d0
+        lvo     Signal
+        bra.s   .next
+.done   move.l  d2,d0
+        movem.l (sp)+,d2-d3/a2/a6
+        rts
+
+; Counts a field of the screen a1.
+        section .text.intuition_server,code
+        cnop    0,4
+serve:  addq.l  #1,intuition_fields(a1)
+        moveq   #0,d0
+        rts
+
+        section .data.intuition,data
+ending  dc.l    0,close_all             ; struct end
+server_name
+        dc.b    'tmap020 fields',0
+        even
+
+        section .bss.intuition,bss
+opened  ds.l    1
