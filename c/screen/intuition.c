@@ -125,7 +125,7 @@ static int32 make(struct screen *screen)
         screen_close(screen);
         return outcome_lack(name, "the planes of Intuition's bitmaps are not at equal distances");
     }
-    screen->hidden = 1;         /* the screen was opened with the other one */
+    screen->hidden = screen->planes[0] != screen->planes[1];    /* the screen was opened with the first */
     return 1;
 }
 

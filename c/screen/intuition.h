@@ -8,8 +8,7 @@
 enum intuition_constants {
     INTUITION_PLANES = 8,
     INTUITION_COLOURS = 32,             /* that are set at once */
-    POINTER_BYTES = 16,                 /* of an image without rows, for the mouse's pointer */
-    DBI_SIZE = 96                       /* of a struct DBufInfo, and some */
+    POINTER_BYTES = 16                  /* of an image without rows, for the mouse's pointer */
 };
 
 /* As graphics.library has it. */
@@ -26,15 +25,11 @@ struct intuition {
     uint32 intuition_base, graphics_base;
     uint32 screen, window, port;
     uint32 buffer[2];
-    const struct bitmap *bitmap[2];
+    const struct bitmap *bitmap[2];     /* may be the same: one */
     int32 asked;                        /* messages of graphics.library that have not come: safe, shown */
     uint32 fields;                      /* since it was opened */
     uint32 since;                       /* the first field of the bitmap that is shown */
     uint8 server[24];                   /* struct Interrupt: counts fields */
-    /* Where AllocDBufInfo is wrong: the second bitmap, and messages of both. */
-    uint32 own;
-    uint8 info[2][DBI_SIZE];
-    uint8 is_wrong, unused[3];
 };
 
 /* LoadRGB32's table. */

@@ -180,7 +180,7 @@ void screen_swap(struct screen *screen)
 void screen_post(struct screen *screen, uint32 field)
 {
     screen->ways->post(screen, field);
-    screen->hidden ^= 1;
+    screen->hidden ^= screen->planes[0] != screen->planes[1];
 }
 
 int32 screen_waits(const struct screen *screen)

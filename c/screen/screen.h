@@ -56,7 +56,8 @@ struct screen {
 int32 screen_open(struct screen *screen, const struct screen_form *form);
 
 /* Opens a screen of Intuition's instead, for chunky frames: 320x256 dots of 8 planes in low resolution, from Kickstart 3.0
-   on. Its two bitmaps, which conversions write, are shown in turn by ChangeScreenBuffer, its keys come from a window
+   on. Its two bitmaps, which conversions write, are shown in turn by ChangeScreenBuffer (one alone, where AROS's is wrong:
+   pictures may then tear), its keys come from a window
    without borders, and the mouse has no pointer there. Interrupts, tasks and other screens go on as they were; several of
    these screens may be open, each with its own struct screen. Rows that are shown twice are converted twice; form.blitter
    is ignored, and there are no status lines. Fields are those of the display, 60 a second on an NTSC machine. On failure

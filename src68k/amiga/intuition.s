@@ -15,7 +15,7 @@ NT_INTERRUPT            equ     2
 ; error:   0 if Kickstart is older than 3.0, if the display has no 8 planes in low resolution, or memory is short
 ; cost:    several fields
         routine intuition_open,a0
-        movem.l d2-d3/a2/a6,-(sp)
+        movem.l d2-d3/a2-a3/a6,-(sp)
         movea.l a0,a2
         lea     ending,a0
         jsr     at_end
@@ -33,6 +33,10 @@ NT_INTERRUPT            equ     2
         lvo     OpenLibrary
         move.l  d0,intuition_graphics_base(a2)
         beq.s   .failed
+        movea.l d0,a6
+        moveq   #SETCHIPREV_BEST,d0     ; as SetPatch does: a disk that boots without it has no 8 planes
+        lvo     SetChipRev
+        movea.l sys_base,a6
         lvo     CreateMsgPort
         move.l  d0,intuition_port(a2)
         beq.s   .failed
@@ -44,7 +48,7 @@ NT_INTERRUPT            equ     2
         beq.s   .failed
         bsr     count_fields
         moveq   #1,d0
-.done   movem.l (sp)+,d2-d3/a2/a6
+.done   movem.l (sp)+,d2-d3/a2-a3/a6
         rts
 .failed movea.l a2,a0
         jsr     intuition_close
@@ -96,63 +100,47 @@ open_screen
         moveq   #1,d0
 .done   rts
 
-; Gets the screen's bitmap and another one of a2, and buffers of both, whose messages go to its port; d0 = 0 if it cannot.
+; Gets the screen's bitmap and another one of a2, in buffers whose messages go to its port; or the screen's alone, for both,
+; where AllocDBufInfo is wrong. d0 = 0 if it cannot.
 open_buffers
-        bsr     probe
-        bne.s   own_buffers
+        movea.l intuition_screen(a2),a0
+        movea.l sc_BitMap(a0),a0
+        move.l  a0,intuition_bitmap(a2)
+        move.l  a0,intuition_bitmap+4(a2)
+        bsr.s   probe
+        bne.s   .check
         moveq   #SB_SCREEN_BITMAP,d0
-        moveq   #0,d2
-        bsr.s   open_buffer
-        beq.s   no_buffer
+        lea     intuition_buffer(a2),a3
+        bsr.s   .buffer
+        beq.s   .none
         moveq   #0,d0
-        moveq   #4,d2
-; Gets a buffer by the flags d0, for the set d2 / 4; Z and d0 = 0 if it cannot.
-open_buffer
-        movea.l intuition_intuition_base(a2),a6
+        bsr.s   .buffer
+        beq.s   .none
+        movea.l d0,a0
+        move.l  sb_BitMap(a0),intuition_bitmap+4(a2)
+.check  movea.l intuition_graphics_base(a2),a6
+        movea.l intuition_bitmap(a2),a0
+        moveq   #BMA_FLAGS,d1
+        lvo     GetBitMapAttr
+        and.l   #BMF_STANDARD,d0        ; not a graphics card's
+.none   rts
+; Gets one by the flags d0, at a3; d0 = 0 and Z if it cannot.
+.buffer movea.l intuition_intuition_base(a2),a6
         movea.l intuition_screen(a2),a0
         suba.l  a1,a1
         lvo     AllocScreenBuffer
-        move.l  d0,intuition_buffer(a2,d2.l)
-        beq.s   no_buffer
-        movea.l d0,a1
-        movea.l sb_BitMap(a1),a0
-        movea.l sb_DBufInfo(a1),a1
-; Notes the bitmap a0, whose messages are in a1, for the set d2 / 4; Z and d0 = 0 if it has no planes.
-note_buffer
-        move.l  a0,intuition_bitmap(a2,d2.l)
+        move.l  d0,(a3)+
+        beq.s   .none
+        movea.l d0,a0
+        movea.l sb_DBufInfo(a0),a0
         move.l  intuition_port(a2),d1
-        move.l  d1,dbi_SafeMessage+mn_ReplyPort(a1)
-        move.l  d1,dbi_DispMessage+mn_ReplyPort(a1)
-        moveq   #BMA_FLAGS,d1
-        movea.l intuition_graphics_base(a2),a6
-        lvo     GetBitMapAttr
-        and.l   #BMF_STANDARD,d0        ; not a graphics card's
-no_buffer
+        move.l  d1,dbi_SafeMessage+mn_ReplyPort(a0)
+        move.l  d1,dbi_DispMessage+mn_ReplyPort(a0)
+        tst.l   d0
         rts
 
-; The same where AllocDBufInfo is wrong.
-own_buffers
-        movea.l intuition_screen(a2),a0
-        movea.l sc_BitMap(a0),a0
-        lea     intuition_info(a2),a1
-        moveq   #0,d2
-        bsr.s   note_buffer
-        beq.s   no_buffer
-        move.l  #SCREEN_WIDTH,d0
-        move.l  #SCREEN_HEIGHT,d1
-        moveq   #INTUITION_PLANES,d2
-        moveq   #BMF_CLEAR|BMF_DISPLAYABLE,d3
-        movea.l intuition_bitmap(a2),a0
-        lvo     AllocBitMap
-        move.l  d0,intuition_own(a2)
-        beq.s   no_buffer
-        movea.l d0,a0
-        lea     intuition_info+DBI_SIZE(a2),a1
-        moveq   #4,d2
-        bra.s   note_buffer
-
-; Whether AllocDBufInfo of a2's system is wrong: d0, and not Z. AROS of some years exchanges its arguments: it allocates
-; AROS_WRONG bytes, which are not cleared, and frees them as fewer, in CloseScreen too. Buffers of our own are used there.
+; Whether AllocDBufInfo of a2's system is wrong: not Z. AROS of 2015 exchanges its arguments: it allocates AROS_WRONG bytes,
+; which are not cleared, and frees them as fewer, when it closes the screen at the latest.
 probe   movem.l d3/a3,-(sp)
         movea.l sys_base,a6
         lvo     Forbid
@@ -171,15 +159,15 @@ probe   movem.l d3/a3,-(sp)
         lvo     Permit
         movea.l a3,a1
         cmp.l   #AROS_WRONG,d3
-        blo.s   .right
-        move.l  #AROS_WRONG,d0
-        lvo     FreeMem
-        st      intuition_is_wrong(a2)
-        bra.s   .done
-.right  movea.l intuition_graphics_base(a2),a6
+        bhs.s   .wrong
+        movea.l intuition_graphics_base(a2),a6
         lvo     FreeDBufInfo
+        moveq   #0,d0
+        bra.s   .done
+.wrong  move.l  #AROS_WRONG,d0
+        lvo     FreeMem
+        moveq   #1,d0
 .done   movem.l (sp)+,d3/a3
-        tst.b   intuition_is_wrong(a2)
         rts
 
 ; Adds a2's server.
@@ -209,13 +197,13 @@ count_fields
         cmpa.l  a0,a2
         bne.s   .look
         move.l  intuition_next(a2),intuition_next(a1)
-        tst.l   intuition_bitmap+4(a2)
-        beq.s   .no_buffers
+        tst.l   intuition_buffer+4(a2)
+        beq.s   .one
         movea.l a2,a0
         moveq   #0,d0
-        jsr     intuition_show          ; AROS reads from the screen's bitmap when it closes it
+        jsr     intuition_show          ; the screen closes with its own bitmap
         bsr     settle
-.no_buffers
+.one
         movea.l sys_base,a6
         lea     intuition_server(a2),a1
         tst.l   is_Code(a1)
@@ -233,13 +221,6 @@ count_fields
         lea     intuition_buffer(a2),a3
         bsr.s   .free
         bsr.s   .free
-        move.l  intuition_own(a2),d0
-        beq.s   .no_bitmap
-        movea.l d0,a0
-        movea.l intuition_graphics_base(a2),a6
-        lvo     FreeBitMap
-        movea.l intuition_intuition_base(a2),a6
-.no_bitmap
         move.l  intuition_screen(a2),d0
         beq.s   .no_screen
         movea.l d0,a0
@@ -315,32 +296,17 @@ take_messages
 .ask    move.l  intuition_fields(a2),d0
         addq.l  #1,d0
         move.l  d0,intuition_since(a2)
-        bsr.s   change
+        tst.l   intuition_buffer+4(a2)
+        beq.s   .done                   ; one bitmap: it is shown
+        movea.l intuition_intuition_base(a2),a6
+        movea.l intuition_screen(a2),a0
+        movea.l intuition_buffer(a2,d2.l*4),a1
+        lvo     ChangeScreenBuffer
         tst.l   d0
         beq.s   .again
         moveq   #2,d0
         move.l  d0,intuition_asked(a2)
-        movem.l (sp)+,d2/a2/a6
-        rts
-
-; Asks for the bitmap d2 of a2; d0 = 0 if that cannot be just now.
-change  movea.l intuition_screen(a2),a0
-        tst.b   intuition_is_wrong(a2)
-        bne.s   .wrong
-        movea.l intuition_intuition_base(a2),a6
-        movea.l intuition_buffer(a2,d2.l*4),a1
-        jmp     _LVOChangeScreenBuffer(a6)
-.wrong  movea.l intuition_graphics_base(a2),a6
-        lea     sc_ViewPort(a0),a0
-        movea.l intuition_bitmap(a2,d2.l*4),a1
-        move.l  a2,-(sp)
-        lea     intuition_info(a2),a2
-        tst.l   d2
-        beq.s   .first
-        lea     DBI_SIZE(a2),a2
-.first  lvo     ChangeVPBitMap
-        movea.l (sp)+,a2
-        moveq   #1,d0
+.done   movem.l (sp)+,d2/a2/a6
         rts
 
 ; intuition_waits - whether the bitmap that was asked for is still to be shown

@@ -16,9 +16,7 @@ _LVOAllocScreenBuffer   equ     -768
 _LVOFreeScreenBuffer    equ     -774
 _LVOChangeScreenBuffer  equ     -780
 _LVOLoadRGB32           equ     -882    ; graphics.library
-_LVOAllocBitMap         equ     -918
-_LVOFreeBitMap          equ     -924
-_LVOChangeVPBitMap      equ     -942
+_LVOSetChipRev          equ     -888
 _LVOGetBitMapAttr       equ     -960
 _LVOAllocDBufInfo       equ     -966
 _LVOFreeDBufInfo        equ     -972
@@ -46,12 +44,11 @@ sc_BitMap               equ     88      ; its RastPort's
 wd_UserPort             equ     86      ; struct Window
 im_Code                 equ     24      ; struct IntuiMessage
 im_Qualifier            equ     26
+SETCHIPREV_BEST         equ     -1
 SB_SCREEN_BITMAP        equ     1
 sb_BitMap               equ     0       ; struct ScreenBuffer
 sb_DBufInfo             equ     4
 BMA_FLAGS               equ     12
-BMF_CLEAR               equ     1
-BMF_DISPLAYABLE         equ     2
 BMF_STANDARD            equ     8
 AROS_WRONG              equ     65536
 dbi_SafeMessage         equ     8       ; struct DBufInfo
