@@ -36,6 +36,8 @@ NT_INTERRUPT            equ     2
         movea.l d0,a6
         moveq   #SETCHIPREV_BEST,d0     ; as SetPatch does: a disk that boots without it has no 8 planes
         lvo     SetChipRev
+        btst    #GFXB_AA_LISA,d0        ; AROS opens such screens without her, too, and shows fewer planes
+        beq.s   .failed
         movea.l sys_base,a6
         lvo     CreateMsgPort
         move.l  d0,intuition_port(a2)

@@ -45,6 +45,7 @@ wd_UserPort             equ     86      ; struct Window
 im_Code                 equ     24      ; struct IntuiMessage
 im_Qualifier            equ     26
 SETCHIPREV_BEST         equ     -1
+GFXB_AA_LISA            equ     3
 SB_SCREEN_BITMAP        equ     1
 sb_BitMap               equ     0       ; struct ScreenBuffer
 sb_DBufInfo             equ     4
