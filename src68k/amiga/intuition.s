@@ -3,7 +3,7 @@
 
         include "intuition.i"
 
-        xref    at_end
+        xref    at_end,intuition_settle,intuition_show
 
 NT_INTERRUPT            equ     2
 
@@ -204,7 +204,7 @@ count_fields
         movea.l a2,a0
         moveq   #0,d0
         jsr     intuition_show          ; the screen closes with its own bitmap
-        bsr     settle
+        jsr     intuition_settle
 .one
         movea.l sys_base,a6
         lea     intuition_server(a2),a1
@@ -260,159 +260,6 @@ close_all
         bsr     intuition_close
         bra.s   close_all
 .none   rts
-
-; Waits for the messages of a2.
-settle  movea.l sys_base,a6
-.wait   tst.l   intuition_asked(a2)
-        beq.s   .done
-        movea.l intuition_port(a2),a0
-        lvo     WaitPort
-        bsr.s   take_messages
-        bra.s   .wait
-.done   rts
-
-; Takes the messages of a2 that have come; a6 = exec.
-take_messages
-        movea.l intuition_port(a2),a0
-        lvo     GetMsg
-        tst.l   d0
-        beq.s   .done
-        subq.l  #1,intuition_asked(a2)
-        bra.s   take_messages
-.done   rts
-
-; intuition_show - shows a bitmap from the next field on
-;
-; in:      a0  struct intuition*  an open one
-;          d0  int32              which: 0 or 1
-; writes:  what is shown
-; error:   waits while Intuition cannot change it, as when the user drags the screen, and for the bitmap before
-        routine intuition_show,a0,d0
-        movem.l d2/a2/a6,-(sp)
-        movea.l a0,a2
-        move.l  d0,d2
-        jsr     settle
-        bra.s   .ask
-.again  movea.l intuition_graphics_base(a2),a6
-        lvo     WaitTOF
-.ask    move.l  intuition_fields(a2),d0
-        addq.l  #1,d0
-        move.l  d0,intuition_since(a2)
-        tst.l   intuition_buffer+4(a2)
-        beq.s   .done                   ; one bitmap: it is shown
-        movea.l intuition_intuition_base(a2),a6
-        movea.l intuition_screen(a2),a0
-        movea.l intuition_buffer(a2,d2.l*4),a1
-        lvo     ChangeScreenBuffer
-        tst.l   d0
-        beq.s   .again
-        moveq   #2,d0
-        move.l  d0,intuition_asked(a2)
-.done   movem.l (sp)+,d2/a2/a6
-        rts
-
-; intuition_waits - whether the bitmap that was asked for is still to be shown
-;
-; in:      a0  struct intuition*  an open one
-; out:     d0  int32              1 if so, 0 if it is shown
-; writes:  the messages that have come
-        routine intuition_waits,a0
-        movem.l a2/a6,-(sp)
-        movea.l a0,a2
-        movea.l sys_base,a6
-        jsr     take_messages
-        moveq   #1,d0
-        tst.l   intuition_asked(a2)
-        bne.s   .done
-        move.l  intuition_fields(a2),d1
-        sub.l   intuition_since(a2),d1
-        bmi.s   .done
-        moveq   #0,d0
-.done   movem.l (sp)+,a2/a6
-        rts
-
-; intuition_wait - waits until the bitmap that was asked for is shown, and the one before is free
-;
-; in:      a0  struct intuition*  an open one
-; writes:  the messages that come
-; cost:    a field or two
-
-; A system whose messages come at once, as AROS's do, is waited for by the field.
-        routine intuition_wait,a0
-        movem.l a2/a6,-(sp)
-        movea.l a0,a2
-        jsr     settle
-        movea.l intuition_graphics_base(a2),a6
-.field  move.l  intuition_fields(a2),d0
-        sub.l   intuition_since(a2),d0
-        bpl.s   .done
-        lvo     WaitTOF
-        bra.s   .field
-.done   movem.l (sp)+,a2/a6
-        rts
-
-; intuition_field - waits for the next field
-;
-; in:      a0  struct intuition*  an open one
-; cost:    a field at most
-        routine intuition_field,a0
-        move.l  a6,-(sp)
-        movea.l intuition_graphics_base(a0),a6
-        lvo     WaitTOF
-        movea.l (sp)+,a6
-        rts
-
-; intuition_colours_set - sets colours of the screen
-;
-; in:      a0  struct intuition*  an open one
-;          a1  const struct intuition_colours*  which, and their parts
-; writes:  the screen's palette
-        routine intuition_colours_set,a0,a1
-        move.l  a6,-(sp)
-        movea.l intuition_graphics_base(a0),a6
-        movea.l intuition_screen(a0),a0
-        lea     sc_ViewPort(a0),a0
-        lvo     LoadRGB32
-        movea.l (sp)+,a6
-        rts
-
-; intuition_key - the next key that was pressed in the screen's window
-;
-; in:      a0  struct intuition*  an open one
-; out:     d0  uint32             its raw code, 0 to $7f, or $ffffffff: none
-; writes:  the window's messages; Ctrl-C signals the task
-; error:   none comes while another window is active
-        routine intuition_key,a0
-        movem.l d2-d3/a2/a6,-(sp)
-        movea.l intuition_window(a0),a2
-        movea.l sys_base,a6
-.next   moveq   #-1,d2
-        movea.l wd_UserPort(a2),a0
-        lvo     GetMsg
-        tst.l   d0
-        beq.s   .done
-        movea.l d0,a1
-        moveq   #0,d2
-        move.w  im_Code(a1),d2
-        move.w  im_Qualifier(a1),d3
-        lvo     ReplyMsg
-        btst    #7,d2                   ; released
-        bne.s   .next
-        btst    #IEQUALIFIERB_REPEAT,d3
-        bne.s   .next
-        btst    #IEQUALIFIERB_CONTROL,d3
-        beq.s   .done
-        cmp.b   #C_KEY,d2
-        bne.s   .done
-        suba.l  a1,a1
-        lvo     FindTask
-        movea.l d0,a1
-        move.l  #SIGBREAKF_CTRL_C,d0
-        lvo     Signal
-        bra.s   .next
-.done   move.l  d2,d0
-        movem.l (sp)+,d2-d3/a2/a6
-        rts
 
 ; Counts a field of the screen a1.
         section .text.intuition_server,code

@@ -11,10 +11,14 @@ enum drawing_part {
     PART_STARTS = PART_16 << 2,         /* GRADIENTS_POLYGON, START_TRUNCATED */
     PART_SCANLINE = PART_16 << 3,       /* GRADIENTS_SCANLINE */
     PART_CLIPPING = PART_16 << 4,       /* CLIP_VERTICES */
-    PART_PERSPECTIVE = PART_16 << 5
+    PART_PERSPECTIVE = PART_16 << 5,
+    PART_CURVES = PART_16 << 6          /* PERSPECTIVE_PIXEL, PERSPECTIVE_FINE */
 };
 
 extern const uint32 drawing_parts;      /* mappers by their bits, and enum drawing_part */
+
+/* How each setting of a material is drawn. */
+extern const uint32 perspective_named[PERSPECTIVE_KINDS];
 
 /* Returns 1 if the program has all that the material needs in a frame of such pixels. polygon_draw does not
    ask: a material is checked when it is made. */

@@ -43,7 +43,7 @@ SCREEN = tuple(Path(name) for name in (
     "system/system.h", "system/memory.h", "system/file.h", "system/text.h", "system/outcome.h"))
 START = "start"  # its program's entry
 #: These define what a program names: one of its C files includes them, and tmap020.h does not.
-PARTS = (Path("drawing/parts/parts.h"), Path("drawing/parts/spans.h"))
+PARTS = tuple(Path(f"drawing/parts/{name}.h") for name in ("parts", "spans", "perspective"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
 LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw", "material_is_named"),
