@@ -127,7 +127,7 @@ static int32 take_machine(struct screen *screen)
 
 static void give_back(struct screen *screen)
 {
-    (void)screen;
+    screen->is_prepared = 0;
     keys_close();
     display_close();
 }
@@ -199,8 +199,7 @@ static uint32 fields(const struct screen *screen)
 
 static uint32 key(const struct screen *screen)
 {
-    (void)screen;
-    return key_take();
+    return screen->is_open ? key_take() : NO_KEY;
 }
 
 static void set_palette(struct screen *screen, const uint8 *palette)

@@ -15,10 +15,10 @@ enum drawing_part {
     PART_CURVES = PART_16 << 6          /* PERSPECTIVE_PIXEL, PERSPECTIVE_FINE */
 };
 
-extern const uint32 drawing_parts;      /* mappers by their bits, and enum drawing_part */
-
 /* How each setting of a material is drawn. */
 extern const uint32 perspective_named[PERSPECTIVE_KINDS];
+
+extern const uint32 drawing_parts;      /* mappers by their bits, and enum drawing_part */
 
 /* Returns 1 if the program has all that the material needs in a frame of such pixels. polygon_draw does not
    ask: a material is checked when it is made. */
