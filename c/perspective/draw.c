@@ -32,17 +32,6 @@ static const struct {
                           PERSPECTIVE_STRAIGHT_FINE}
 };
 
-/* Spans for pixels of 1, 2 and 4 bytes. */
-typedef void line_routine(const struct perspective_span *span);
-
-static line_routine *const pieces[3] = {
-    span_perspective_pieces, span_perspective_pieces_16, span_perspective_pieces_32};
-static line_routine *const curves[3] = {
-    span_perspective_curves, span_perspective_curves_16, span_perspective_curves_32};
-static span_routine *const scanlines[2][3] = {      /* [chained] */
-    {span_affine_scanline, span_affine_16_scanline, span_affine_32_scanline},
-    {span_affine_level, span_affine_16_level, span_affine_32_level}};
-
 /* Tables of lines, and columns, are for texels of one byte. */
 static int32 is_narrow(const struct setup *s)
 {
@@ -96,7 +85,7 @@ static void draw_exactly(const struct setup *s, union made *made, int32 piece)
     lines.pitch = span->pitch;
     lines.map = span->map;
     lines.longest = piece ? piece : ways[s->setting].piece;
-    (plan->bend ? curves : pieces)[s->frame->pixel_bytes >> 1](&lines);
+    (plan->bend ? perspective_curves : perspective_pieces)[s->frame->pixel_bytes >> 1](&lines);
 }
 
 /* Returns 1 unless q is the same everywhere: the picture is the affine one then. */
@@ -147,7 +136,7 @@ static span_routine *plan_level(const struct setup *s, const struct scanline_ste
     lines->map = s->span.map;
     lines->steps = steps;
     if (s->level == LEVEL_LINES)
-        return scanlines[plan->chained][s->frame->pixel_bytes >> 1];
+        return perspective_scanlines[plan->chained][s->frame->pixel_bytes >> 1];
     return plan->chained ? span_affine_level_upright : span_affine_upright;
 }
 

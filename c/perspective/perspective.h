@@ -55,6 +55,11 @@ void corners_find(struct plane_corners *corners, const struct corner_source *sou
 void depth_plane_find(struct screen_plane *q, const struct plane_corners *corners);
 void texel_planes_find(struct texel_planes *planes, const struct plane_corners *corners);
 
+/* Spans for pixels of 1, 2 and 4 bytes: lines of pieces and of curves, and level lines ([chained]). */
+typedef void perspective_routine(const struct perspective_span *span);
+extern perspective_routine *const perspective_pieces[3], *const perspective_curves[3];
+extern span_routine *const perspective_scanlines[2][3];
+
 /* Returns 1 for settings with straight pieces. */
 static inline int32 perspective_has_pieces(enum perspective setting)
 {

@@ -1,6 +1,7 @@
-/* The machine's screen, taken over for frames: two sets of planes in turn, 50 fields a second, and
-   two status lines below the picture. The system keeps running behind it, without keys and mouse,
-   and gets everything back when the program ends, even after a break or a crash. */
+/* A screen for frames: two sets of planes in turn. screen_open takes the machine's display over: 50 fields a second, and
+   two status lines below the picture; the system keeps running behind it, without keys and mouse. screen_open_intuition
+   opens one of Intuition's, among those of other programs. All other calls are the same for both. The system gets
+   everything back when the program ends, even after a break or a crash. */
 #ifndef SCREEN_H
 #define SCREEN_H
 
@@ -8,13 +9,20 @@
 #include "polygon/polygon.h"
 #include "screen/blits.h"
 #include "screen/display.h"
+#include "screen/intuition.h"
 #include "screen/layout.h"
 #include "screen/planar.h"
 
-/* Must be zero before screen_open is first called. */
+struct screen_ways;
+
+/* Must be zero before it is first opened. */
 struct screen {
+    const struct screen_ways *ways;     /* of the kind that was opened last */
     struct screen_layout layout;
     void (*convert)(const struct planar_plan *plan);
+    void (*convert_part)(const struct planar_plan *plan);       /* the processor's part, beside the blitter's */
+    uint32 rows_twice;          /* 1: the conversion writes each row twice, as the display shows it once */
+    struct intuition *intuition;        /* of screen_open_intuition; 0 before */
     /* Memory for the planes and lists below. screen_close keeps it for the next screen_open; a
        larger screen allocates a second piece, so open the largest first. */
     uint8 *chip;
@@ -47,12 +55,22 @@ struct screen {
    reopened for the new frames and is black meanwhile. */
 int32 screen_open(struct screen *screen, const struct screen_form *form);
 
+/* Opens a screen of Intuition's instead, for chunky frames: 320x256 dots of 8 planes in low resolution, from Kickstart 3.0
+   on. Its two bitmaps, which conversions write, are shown in turn by ChangeScreenBuffer (one alone, where AROS's is wrong:
+   pictures may then tear), its keys come from a window
+   without borders, and the mouse has no pointer there. Interrupts, tasks and other screens go on as they were; several of
+   these screens may be open, each with its own struct screen. Rows that are shown twice are converted twice; form.blitter
+   is ignored, and there are no status lines. Fields are those of the display, 60 a second on an NTSC machine. On failure
+   prints the reason, closes the screen and returns 0. Link this or screen_open: what is not called is not linked. */
+int32 screen_open_intuition(struct screen *screen, const struct screen_form *form);
+
 /* Sets the palette: 256 entries of 4 bytes, 0, red, green, blue, as at scene_header.palette_at.
    Does nothing in HAM8. */
 void screen_palette(struct screen *screen, const uint8 *palette);
 
-/* A frame's pixels and pitch are multiples of 8, as mem_alloc's memory is; a static array need not be. screen_convert,
-   screen_convert_box, screen_prepare and screen_show return 0 and do nothing if they are not, otherwise 1. */
+/* A frame's pixels and pitch are multiples of 8, as mem_alloc's memory is; a static array need not be. Its width and
+   height are the form's. screen_convert, screen_convert_box, screen_prepare and screen_show return 0 and do nothing if
+   that is not so, otherwise 1. */
 
 /* Converts a frame into the hidden planes. */
 int32 screen_convert(struct screen *screen, const struct frame *frame);
@@ -67,7 +85,7 @@ int32 screen_convert_box(struct screen *screen, const struct frame *frame, int32
 void screen_swap(struct screen *screen);
 
 /* screen_post shows the hidden planes from a field on, counted as screen_fields does, or from the
-   next field if that one is over; it returns at once. The other set becomes the hidden one, but
+   next field if that one is over; it returns at once (for Intuition's screens, in the field before that one). The other set becomes the hidden one, but
    stays on the screen until screen_wait returns. screen_wait returns when the posted planes are
    shown, with the number of their first field. screen_waits returns 1 if screen_wait would wait. */
 void screen_post(struct screen *screen, uint32 field);
@@ -91,6 +109,10 @@ void screen_text(struct screen *screen, int32 line, const char *text);
 
 /* Returns the fields since the screen was opened. */
 uint32 screen_fields(const struct screen *screen);
+
+/* Returns the raw code of the next key that was pressed, or NO_KEY; of a screen of Intuition's while its window is active.
+   Ctrl-C is a signal: break_asked. */
+uint32 screen_key(const struct screen *screen);
 
 /* Gives the screen back; it can be opened again. Does nothing if it is not open. */
 void screen_close(struct screen *screen);

@@ -6,7 +6,6 @@
 
 PRIORITY                equ     60      ; the system's own is at 50
 RING                    equ     16      ; keys that wait; a power of two
-C_KEY                   equ     $33
 
 ; keys_open - takes keys and mouse from the system, until keys_close or the end
 ;

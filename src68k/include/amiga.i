@@ -142,6 +142,7 @@ IECLASS_RAWMOUSE        equ     2
 IECODE_UP               equ     $80
 IEQUALIFIERB_CONTROL    equ     3
 IEQUALIFIERB_REPEAT     equ     9       ; of the word
+C_KEY                   equ     $33
 
 ; ciab.resource
 _LVOAddICRVector        equ     -6

@@ -189,6 +189,18 @@ def test_light_table_of_a_picture(tmp_path) -> None:
         assert {tuple(palette[index]) for index in table[0].tolist()} == {darkest}
 
 
+@pytest.mark.parametrize("colours, warns", [
+    ([(200, 30, 30), (30, 200, 30), (240, 240, 240)], True),            # with black, one or two shades of each
+    ([(shade, shade, shade) for shade in range(256)], False),
+    ([(250, 0, 0), (188, 0, 0), (125, 0, 0), (63, 0, 0), (0, 0, 0)], False),    # two of the five have fewer than five
+    ([(9, 9, 9), (12, 0, 0), (0, 30, 40)], False)])                     # all are near black
+def test_light_of_few_colours_warns_on_one_line(tmp_path, capsys, colours, warns) -> None:
+    Image.fromarray(np.array([colours], np.uint8)).save(tmp_path / "in.png")
+    assert main(["light", str(tmp_path / "in.png"), "-o", str(tmp_path / "a.light")]) == 0
+    said = capsys.readouterr().err
+    assert said.count("\n") == warns and ("warning" in said) == warns
+
+
 CUBE = """\
 v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
 vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1

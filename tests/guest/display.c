@@ -125,12 +125,12 @@ static int32 show_boxes(struct frame *frame, const char *name)
     return RETURN_OK;
 }
 
-/* Prints what the calls return for frames whose pixels or pitch are not multiples of 8, and which set is hidden then; at
-   last for a frame that is. */
+/* Prints what the calls return for frames whose pixels or pitch are not multiples of 8, for one that lacks a row, and which
+   set is hidden then; at last for a frame that fits. */
 static int32 unaligned(struct frame *frame)
 {
-    static const uint8 off[][2] = {{4, 0}, {1, 0}, {0, 4}, {0, 2}, {0, 0}};
-    const int32 pitch = frame->pitch;
+    static const uint8 off[][3] = {{4, 0, 0}, {1, 0, 0}, {0, 4, 0}, {0, 2, 0}, {0, 0, 1}, {0, 0, 0}};
+    const int32 pitch = frame->pitch, height = frame->height;
     uint8 *pixels;
 
     if (!mem_alloc(&pixels, (pitch + 8) * (frame->height + 1), MEMORY_ANY))
@@ -138,6 +138,7 @@ static int32 unaligned(struct frame *frame)
     for (uint32 i = 0; i < sizeof off / sizeof *off; i++) {
         frame->pixels = pixels + off[i][0];
         frame->pitch = pitch + off[i][1];
+        frame->height = height - off[i][2];
         text_number(screen_convert(&screen, frame));
         text_number(screen_convert_box(&screen, frame, 0, 0, frame->width, 1));
         text_number(screen_show(&screen, frame, 0));

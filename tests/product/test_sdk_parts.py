@@ -23,10 +23,13 @@ COMBINATIONS = {
     "lit": ("LIT_GOURAUD POLYGONS STEEP", "polygon_draw", 15_400),
     "words": ("FLAT AFFINE 16 32 POLYGONS STEEP ROWS", "polygon_draw", 16_400),
     "snapped": ("FLAT AFFINE SNAPPED", "triangles_draw, triangle_tables_make", 28_400),
-    "perspective": ("AFFINE PERSPECTIVE STEEP", "polygon_draw", 53_800),
+    "pieces": ("AFFINE PERSPECTIVE STEEP", "polygon_draw", 34_000),
+    "reciprocals": ("AFFINE RECIPROCALS STEEP", "polygon_draw", 46_000),
+    "curves": ("AFFINE CURVES STEEP", "polygon_draw", 37_800),
+    "perspectives": ("AFFINE RECIPROCALS CURVES 16 32 STEEP", "polygon_draw", 55_800),
     "others": ("ARBITRARY TILED COLUMNS GENERATED DITHERED KEYED STEEP", "polygon_draw", 21_200)}
 EVERY = ("FLAT GOURAUD AFFINE ARBITRARY TILED COLUMNS GENERATED LIT LIT_GOURAUD DITHERED KEYED 16 32 ROWS SHORT STEEP "
-         "STARTS SCANLINE CLIPPING PERSPECTIVE FANS COUNTS FORMS TRIANGLES POLYGONS SNAPPED")
+         "STARTS SCANLINE CLIPPING PERSPECTIVE RECIPROCALS CURVES FANS COUNTS FORMS TRIANGLES POLYGONS SNAPPED")
 FLAGS = ("-std=c99", "-m68020", "-O2", "-msoft-float", "-ffreestanding", "-fno-pic", "-fomit-frame-pointer",
          "-fleading-underscore", "-fno-tree-loop-distribute-patterns")
 #: Triangles by all settings that need no other part, some of them across the frame's sides; then what is not named.
@@ -178,7 +181,7 @@ def test_all_named_is_all_that_is_linked_without_names(kit, tmp_path):
     whole = size(linked(kit, tmp_path / "whole.elf", main))
     named = size(linked(kit, tmp_path / "named.elf", main, parts_file(kit, tmp_path / "parts.o", EVERY)))
     assert named == whole
-    implied = {"AFFINE", "POLYGONS", "LIT"}  # by others, and SNAPPED by the call
+    implied = {"AFFINE", "POLYGONS", "LIT", "PERSPECTIVE"}  # by others, and SNAPPED by the call
     for left in sorted(set(EVERY.split()) - implied - {"SNAPPED"}):
         names = " ".join(each for each in EVERY.split() if each != left)
         less = size(linked(kit, tmp_path / "less.elf", main, parts_file(kit, tmp_path / "less.o", names)))

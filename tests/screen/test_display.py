@@ -346,9 +346,9 @@ def test_lists_and_screens(ended):
 
 
 @pytest.mark.parametrize("rest", UNALIGNED)
-def test_unaligned_frames_are_refused(ended, rest):
-    """The conversions' loops would not end with them. Nothing is shown; the next frame that is aligned is."""
-    assert ended[command("UNALIGNED", rest)].output == "0000 0000 0000 0000 1111 \n"
+def test_frames_that_do_not_fit_are_refused(ended, rest):
+    """The conversions' loops would not end with them, or read beyond them. Nothing is shown; the next frame that is aligned is."""
+    assert ended[command("UNALIGNED", rest)].output == "0000 0000 0000 0000 0000 1111 \n"
 
 
 def test_refusals(ended):

@@ -4,6 +4,7 @@
 #include "drawing/fan.h"
 #include "drawing/lower.h"
 #include "drawing/material.h"
+#include "drawing/parts/named.h"
 
 int32 deep_begin(struct deep *deep, struct renderer *renderer)
 {
@@ -41,7 +42,7 @@ int32 deep_take(struct deep *deep, const struct material *material)
         || !map || map->layout != MAP_PAGE || map->texel_bytes != 1)
         return 0;
     s->material = material;
-    s->setting = (enum perspective)material->perspective;
+    s->setting = (enum perspective)perspective_named[material->perspective];
     s->span.map = map->texels;
     deep->takes = material_takes_vertices(material);
     deep->exact = material->edges == EDGES_EXACT;

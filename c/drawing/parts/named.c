@@ -13,6 +13,8 @@ int32 material_is_named(const struct material *material, int32 pixel_bytes)
             needs |= PART_STARTS;
         if (material->perspective)
             needs |= PART_PERSPECTIVE;
+        if (material->perspective >= PERSPECTIVE_PIXEL)
+            needs |= PART_CURVES;
     }
     if (material->clip == CLIP_VERTICES && !EDGES_ARE_EXACT(material->edges))
         needs |= PART_CLIPPING;

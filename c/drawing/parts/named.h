@@ -11,8 +11,12 @@ enum drawing_part {
     PART_STARTS = PART_16 << 2,         /* GRADIENTS_POLYGON, START_TRUNCATED */
     PART_SCANLINE = PART_16 << 3,       /* GRADIENTS_SCANLINE */
     PART_CLIPPING = PART_16 << 4,       /* CLIP_VERTICES */
-    PART_PERSPECTIVE = PART_16 << 5
+    PART_PERSPECTIVE = PART_16 << 5,
+    PART_CURVES = PART_16 << 6          /* PERSPECTIVE_PIXEL, PERSPECTIVE_FINE */
 };
+
+/* How each setting of a material is drawn. */
+extern const uint32 perspective_named[PERSPECTIVE_KINDS];
 
 extern const uint32 drawing_parts;      /* mappers by their bits, and enum drawing_part */
 

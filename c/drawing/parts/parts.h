@@ -29,7 +29,9 @@
        WITH_STARTS          GRADIENTS_POLYGON, START_TRUNCATED
        WITH_SCANLINE        GRADIENTS_SCANLINE
        WITH_CLIPPING        CLIP_VERTICES
-       WITH_PERSPECTIVE     without: drawn affine
+       WITH_PERSPECTIVE     PERSPECTIVE_EVERY16 and EVERY8; without: drawn affine
+       WITH_RECIPROCALS     their lines by reciprocals; without, reciprocals_make returns 0, and each piece is divided
+       WITH_CURVES          PERSPECTIVE_PIXEL and FINE, and WITH_PERSPECTIVE; without: drawn as EVERY8
        WITH_FANS            polygons whose values are on no plane; without, they are taken as if they were
        WITH_COUNTS          counts of snapped polygons
        WITH_FORMS           FORM_SWAP, FORM_C, to measure them
@@ -48,12 +50,14 @@
 #include "drawing/parts/named.h"
 #include "drawing/three.h"
 #include "drawing/ways.h"
-#include "perspective/tolerance.h"
 #include "polygon/kind.h"
 #include "polygon/shading.h"
 #include "triangle/triangles.h"
 
 /* Parts that others fall back on. */
+#if defined(WITH_CURVES) || defined(WITH_RECIPROCALS)
+#define WITH_PERSPECTIVE
+#endif
 #ifdef WITH_LIT_GOURAUD
 #define WITH_LIT
 #endif
@@ -206,49 +210,7 @@ enum polygon_result polygon_fan(polygon_routine *draw, struct renderer *renderer
 }
 #endif
 
-#ifndef WITH_PERSPECTIVE
-int32 perspective_polygon(struct setup *s)
-{
-    return 0;
-}
-
-enum polygon_result deep_run(struct deep *deep, struct renderer *renderer, const struct polygon *polygons,
-                             const struct polygon *end, const struct material *material)
-{
-    return POLYGON_REFUSED;
-}
-
-enum polygon_result polygon_draw_deep(struct renderer *renderer, const struct polygon *polygon,
-                                      const struct material *material)
-{
-    return polygon_draw_inside(renderer, polygon, material);
-}
-
-int32 deep_begin(struct deep *deep, struct renderer *renderer)
-{
-    return 0;
-}
-
-int32 deep_take(struct deep *deep, const struct material *material)
-{
-    return 0;
-}
-
-int32 deep_draw(struct deep *deep)
-{
-    return DEEP_CONSTANT;
-}
-
-int32 tolerance_is_flat(const struct setup *s)
-{
-    return 0;
-}
-
-int32 tolerance_is_coarser(struct setup *s)
-{
-    return 0;
-}
-#endif
+#include "drawing/parts/perspective.h"
 
 #if !defined(WITH_PERSPECTIVE) && !defined(WITH_GOURAUD) && !defined(WITH_GENERATED) && !defined(WITH_LIT)
 void lower_by_vertices(struct setup *s)

@@ -301,7 +301,22 @@ const struct line_routines line_routines[LINE_FORMS] = {
 #define HAS_PERSPECTIVE 0
 #endif
 
+#ifdef WITH_CURVES
+#define HAS_CURVES PART_CURVES
+#define PART_PIXEL PERSPECTIVE_PIXEL
+#define PART_FINE PERSPECTIVE_FINE
+#else
+#define HAS_CURVES 0
+#define PART_PIXEL PERSPECTIVE_EVERY8
+#define PART_FINE PERSPECTIVE_EVERY8
+#endif
+
+const uint32 perspective_named[PERSPECTIVE_KINDS] = {
+    PERSPECTIVE_NONE, PERSPECTIVE_EVERY16, PERSPECTIVE_EVERY8, PART_PIXEL, PART_FINE
+};
+
 const uint32 drawing_parts = HAS_16 + HAS_32 + HAS_STARTS + HAS_SCANLINE + HAS_CLIPPING + HAS_PERSPECTIVE
+    + HAS_CURVES
 #define MAPPER(kind, name, layout, bytes, is, span, span_16, span_32) \
     + ((uint32)HAS_##kind << MAPPER_##kind)
     MAPPER_LIST(MAPPER)
@@ -310,6 +325,43 @@ const uint32 drawing_parts = HAS_16 + HAS_32 + HAS_STARTS + HAS_SCANLINE + HAS_C
 
 /* The sizes of pixels. */
 #define PART_BYTES (1 + (HAS_16 ? 2 : 0) + (HAS_32 ? 4 : 0))
+
+/* Lines in perspective: frames of pixels that are not named are refused before. */
+#ifdef WITH_PERSPECTIVE
+#ifdef WITH_16
+#define PART_PIECES_16 span_perspective_pieces_16
+#define PART_CURVES_16 span_perspective_curves_16
+#define PART_SCANLINE_16 span_affine_16_scanline
+#define PART_LEVEL_16 span_affine_16_level
+#else
+#define PART_PIECES_16 0
+#define PART_CURVES_16 0
+#define PART_SCANLINE_16 0
+#define PART_LEVEL_16 0
+#endif
+
+#ifdef WITH_32
+#define PART_PIECES_32 span_perspective_pieces_32
+#define PART_CURVES_32 span_perspective_curves_32
+#define PART_SCANLINE_32 span_affine_32_scanline
+#define PART_LEVEL_32 span_affine_32_level
+#else
+#define PART_PIECES_32 0
+#define PART_CURVES_32 0
+#define PART_SCANLINE_32 0
+#define PART_LEVEL_32 0
+#endif
+
+perspective_routine *const perspective_pieces[3] = {span_perspective_pieces, PART_PIECES_16, PART_PIECES_32};
+span_routine *const perspective_scanlines[2][3] = {
+    {span_affine_scanline, PART_SCANLINE_16, PART_SCANLINE_32}, {span_affine_level, PART_LEVEL_16, PART_LEVEL_32}
+};
+#ifdef WITH_CURVES
+perspective_routine *const perspective_curves[3] = {span_perspective_curves, PART_CURVES_16, PART_CURVES_32};
+#else
+perspective_routine *const perspective_curves[3] = {0, 0, 0};
+#endif
+#endif
 
 enum { NO_LAYOUT = 255 };       /* of no map: set_map refuses it */
 

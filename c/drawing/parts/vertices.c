@@ -2,6 +2,7 @@
 #include "drawing/generated.h"
 #include "drawing/lower.h"
 #include "drawing/rule.h"
+#include "drawing/parts/named.h"
 #include "perspective/tolerance.h"
 #include "polygon/counts.h"
 #include "polygon/kind.h"
@@ -70,7 +71,7 @@ void lower_by_vertices(struct setup *s)
 
 void lower_by_planes(struct setup *s)
 {
-    s->setting = (enum perspective)s->material->perspective;
+    s->setting = (enum perspective)perspective_named[s->material->perspective];
     s->level = LEVEL_NOTHING;
     if (RULE_IS_ON(s, COARSER) && s->material->tolerance && tolerance_is_coarser(s))
         RULE_APPLIES(s, COARSER);

@@ -74,6 +74,14 @@ def light(palette: np.ndarray, towards: tuple[int, int, int] = (0, 0, 0)) -> np.
     return table
 
 
+def coarse(texels: np.ndarray, palette: np.ndarray, towards: tuple[int, int, int] = (0, 0, 0)) -> float:
+    """Returns the share of a picture's pixels whose colours have few shades in its palette's light table: fewer than the
+    light that ``build`` counts lit pictures in, and their own. Colours near the darkest one need none."""
+    shades = np.array([len(np.unique(column)) for column in light(palette, towards).T])
+    far = abs(palette.astype(int) - towards).max(axis=1) >= COLOURS // len(DIMMED)
+    return float(((shades < len(DIMMED) + 1) & far)[texels].mean())
+
+
 def build(exact: list[tuple[int, int, int]], pictures: list[np.ndarray], where: str,
           lit: list[tuple[np.ndarray, tuple[int, int, int]]] = (), opaque: dict[int, np.ndarray] = {}) -> tuple[np.ndarray, list[np.ndarray]]:
     """Returns the palette, uint8 (256, 3), and the textures, uint8 (height, width) each.

@@ -39,11 +39,11 @@ C_FILES = (Path("frames/draw_bodies.c"), Path("frames/draw_bodies.h"), Path("fra
            Path("screen/ham8.c"), Path("screen/planar.h"))
 #: Headers of the library of screens, which tmap020.h does not include.
 SCREEN = tuple(Path(name) for name in (
-    "screen/screen.h", "screen/display.h", "screen/layout.h", "screen/copper.h", "screen/blits.h", "system/system.h",
-    "system/memory.h", "system/file.h", "system/text.h", "system/outcome.h"))
+    "screen/screen.h", "screen/display.h", "screen/intuition.h", "screen/layout.h", "screen/copper.h", "screen/blits.h",
+    "system/system.h", "system/memory.h", "system/file.h", "system/text.h", "system/outcome.h"))
 START = "start"  # its program's entry
 #: These define what a program names: one of its C files includes them, and tmap020.h does not.
-PARTS = (Path("drawing/parts/parts.h"), Path("drawing/parts/spans.h"))
+PARTS = tuple(Path(f"drawing/parts/{name}.h") for name in ("parts", "spans", "perspective"))
 ASM_ROOMS = (*contracts.KERNELS, "gen")
 #: Lists of C sources by name: the routines, or the whole room, that a list offers.
 LISTS = {"polygon_draw": ("polygon_draw", "polygons_draw", "material_is_named"),
@@ -257,7 +257,8 @@ def source_lists(tree: Tree) -> str:
 
 def copy_files(out: Path) -> None:
     """Copies headers, sources, example, licence and README."""
-    for folder, files in (("include", headers() + with_included(list(SCREEN))), ("c", [*offered(".c"), *screen_objects()[1]])):
+    screens = screen_objects()[1]
+    for folder, files in (("include", headers() + with_included([*SCREEN, *screens])), ("c", [*offered(".c"), *screens])):
         for path in files:
             (out / folder / path.parent).mkdir(parents=True, exist_ok=True)
             shutil.copyfile(ROOT / "c" / path, out / folder / path)

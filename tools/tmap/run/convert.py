@@ -9,6 +9,7 @@ Several pictures share one palette, exact too if their colours are not too many 
 
 import json
 import re
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -69,7 +70,7 @@ def light_command(source: Path, out: Path, towards: str) -> int:
     """Writes the light table of a picture's palette: ``out`` and ``out``.json."""
     if not re.fullmatch("#[0-9a-fA-F]{6}", towards):
         raise UserError(f"--towards: {towards!r} is not a colour like #204060")
-    _, palette = indices([source])
+    (texels,), palette = indices([source])
     darkest = tuple(bytes.fromhex(towards[1:]))
     table = colours.light(palette, darkest)
     out.write_bytes(table.tobytes())
@@ -77,6 +78,9 @@ def light_command(source: Path, out: Path, towards: str) -> int:
              "palette": palette.tolist()}
     out.with_name(out.name + ".json").write_text(json.dumps(about) + "\n")
     print(f"{out}: {len(table)} levels of {table.shape[1]} bytes")
+    if (share := colours.coarse(texels, palette, darkest)) >= 1 / 2:
+        print(f"{out}: warning: the palette has fewer than {len(colours.DIMMED) + 1} shades of the colours of {share:.0%} of "
+              f"the picture: light will show steps; a palette with darker entries too has more", file=sys.stderr)
     return 0
 
 

@@ -49,7 +49,7 @@ int main(void)
     stage_material.perspective = PERSPECTIVE_EVERY16;
     stage_renderer.reciprocals = reciprocals_make(reciprocals);
     while (field >= 0) {
-        const uint32 key = key_take();
+        const uint32 key = stage_key();
 
         speed += (key == KEY_UP) - (key == KEY_DOWN);
         place = (place + speed * (field - before)) & 255;       /* the map repeats */

@@ -10,6 +10,12 @@ enum { WIDTH = 160, HEIGHT = 128, PAGE = 65536, CORNERS = 8, TRIANGLES = 12, TUR
 #ifndef TURNS
 #define TURNS 5
 #endif
+/* -DINTUITION: on a screen among those of other programs. */
+#ifdef INTUITION
+#define OPEN screen_open_intuition
+#else
+#define OPEN screen_open
+#endif
 
 static uint8 room[2 * PAGE];            /* a map lies at a multiple of 65,536 */
 static uint8 palette[4 * 256];          /* 0, red, green, blue */
@@ -108,11 +114,10 @@ int main(void)
     form.height = HEIGHT;
     form.pixel_width = form.pixel_height = 2;
     form.format = PIXEL_CHUNKY;
-    if (!screen_open(&screen, &form))
+    if (!OPEN(&screen, &form))
         return 20;                      /* it has said why */
-    keys_open();
     screen_palette(&screen, palette);
-    while (angle < TURNS * TURN && key_take() != KEY_ESCAPE) {
+    while (angle < TURNS * TURN && screen_key(&screen) != KEY_ESCAPE) {
         angle = screen_fields(&screen) / 2;
         for (int32 i = 0; i < WIDTH * HEIGHT / 4; i++)
             pixels[i] = 0;
@@ -123,7 +128,11 @@ int main(void)
                 set_corner(&vertices[k], k, 57, 29);    /* the last: 27 degrees */
         }
         triangles_draw(&renderer, &list, &material);
-        screen_show(&screen, &frame, 0);
+        if (!screen_show(&screen, &frame, 0)) {
+            screen_close(&screen);
+            print("the screen refuses the frame\n");
+            return 20;
+        }
     }
     screen_close(&screen);
     return file_save("cube.chunky", pixels, WIDTH * HEIGHT) ? 0 : 10;

@@ -29,7 +29,7 @@ int main(void)
 
     if (!stage_open(WIDTH, HEIGHT, 1))
         return 20;
-    for (; field >= 0; field = stage_show(key_take()))
+    for (; field >= 0; field = stage_show(stage_key()))
         draw(field / 4);
     draw(LAST);
     return stage_close("rotator.chunky");

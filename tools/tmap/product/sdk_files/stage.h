@@ -14,6 +14,13 @@ enum { PAGE = 65536, TURN = 64, ONE_14 = 16384 };
 #define FIELDS 500
 #endif
 
+/* -DINTUITION: on a screen among those of other programs. */
+#ifdef INTUITION
+#define OPEN screen_open_intuition
+#else
+#define OPEN screen_open
+#endif
+
 static uint8 stage_room[2 * PAGE];      /* a map lies at a multiple of 65,536 */
 static uint8 stage_palette[4 * 256];    /* 0, red, green, blue */
 static struct map stage_map;            /* what is not set is 0 */
@@ -22,6 +29,7 @@ static struct frame stage_frame;
 static struct scratch stage_scratch;
 static struct renderer stage_renderer;
 static struct screen stage_screen;
+static int32 stage_refused;             /* 1: the screen has not shown the last frame */
 
 /* Sine of an angle, TURN a turn, in 2.14. */
 static int32 sine(int32 angle)
@@ -70,11 +78,16 @@ static int32 stage_open(int32 width, int32 height, int32 size)
     form.height = height;
     form.pixel_width = form.pixel_height = size;
     form.format = PIXEL_CHUNKY;
-    if (!screen_open(&stage_screen, &form))
+    if (!OPEN(&stage_screen, &form))
         return 0;
-    keys_open();
     screen_palette(&stage_screen, stage_palette);
     return 1;
+}
+
+/* The key that was pressed, or NO_KEY. */
+static uint32 stage_key(void)
+{
+    return screen_key(&stage_screen);
 }
 
 /* Shows the frame. Returns the number of the next one's field, or -1 if it is time to end. */
@@ -82,14 +95,18 @@ static int32 stage_show(uint32 key)
 {
     const int32 now = (int32)screen_fields(&stage_screen);
 
-    screen_show(&stage_screen, &stage_frame, 0);
-    return key == KEY_ESCAPE || now >= FIELDS ? -1 : now;
+    stage_refused = !screen_show(&stage_screen, &stage_frame, 0);
+    return stage_refused || key == KEY_ESCAPE || now >= FIELDS ? -1 : now;
 }
 
 /* Gives the screen back and saves the frame; returns main's result. */
 static int32 stage_close(const char *name)
 {
     screen_close(&stage_screen);
+    if (stage_refused) {
+        print("the screen refuses the frame: another size, or pixels or pitch are not multiples of 8\n");
+        return 20;
+    }
     return file_save(name, stage_frame.pixels, (uint32)(stage_frame.pitch * stage_frame.height)) ? 0 : 10;
 }
 

@@ -93,7 +93,7 @@ int main(void)
     list.cull = 1;
     list.room = snapped;
     while (field >= 0) {
-        const uint32 key = key_take();
+        const uint32 key = stage_key();
 
         speed = key == KEY_SPACE ? 0 : speed + (key == KEY_RIGHT) - (key == KEY_LEFT);
         angle += speed;
