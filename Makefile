@@ -29,7 +29,7 @@ GCC_FLAGS := -std=c99 -pedantic -Wall -Wextra -Werror -m68020 -msoft-float -O2 \
   -ffunction-sections -fdata-sections -fno-tree-loop-distribute-patterns -Ic
 # For what no frame's time depends on, and the walk over objects, which is as fast. Units' files: what is done once a state.
 UNIT_STATE := n64/check n64/levels n64/load $(addprefix n64/polygons/,page plan rectangle stages yuv) \
-  glide/polygons/bands glide/polygons/combining glide/polygons/plan glide/polygons/tile_store
+  $(addprefix glide/polygons/,bands combining lines plan tile_store)
 # Its polygons are as fast: little of this stays in the cache from one to the next.
 UNIT_POLYGONS := glide/polygons/draw
 SMALL_FLAGS := -Os -fno-tree-loop-im -fno-move-loop-invariants

@@ -114,6 +114,22 @@ static const struct glide_sampling *find_sampling(struct glide_runs *runs)
     return from;
 }
 
+int32 glide_part_times(const struct glide_part *part, uint32 band, const uint32 *other, struct glide_times *times)
+{
+    const struct glide_sampling *from = &part->samplings[band];
+
+    if (!(part->bands->of[band].bits & GLIDE_IS_TIMES && part->products && from->sample == glide_bilinear))
+        return 0;
+    times->quads = from->level->quads;
+    times->mask_s = from->level->mask_s;
+    times->mask_t = from->level->mask_t;
+    times->columns_bits = from->level->columns_bits;
+    times->spare = 0;
+    times->other = other;
+    times->products = part->products;
+    return 1;
+}
+
 /* Draws a run by one unit; returns 0 if it has no passes. x: the first pixel. other: the colours
    from upstream, or null if there are none or they are not used. */
 static int32 draw_run(struct glide_runs *runs, const struct glide_row *row, int32 x,

@@ -192,23 +192,8 @@ void glide_lines_add(struct glide_lines *lines, glide_pass *pass, const void *in
 void glide_lines_stage(struct glide_lines *lines, glide_pass *pass, const void *in, void *out,
                        const void *constants);
 
-/* Returns non-zero if a band's texels are multiplied as they are filtered: by *times, then. */
-static inline int32 glide_part_times(const struct glide_part *part, uint32 band, const uint32 *other,
-                                     struct glide_times *times)
-{
-    const struct glide_sampling *from = &part->samplings[band];
-
-    if (!(part->bands->of[band].bits & GLIDE_IS_TIMES && part->products && from->sample == glide_bilinear))
-        return 0;
-    times->quads = from->level->quads;
-    times->mask_s = from->level->mask_s;
-    times->mask_t = from->level->mask_t;
-    times->columns_bits = from->level->columns_bits;
-    times->spare = 0;
-    times->other = other;
-    times->products = part->products;
-    return 1;
-}
+/* line.c. Returns non-zero if a band's texels are multiplied as they are filtered: by *times, then. */
+int32 glide_part_times(const struct glide_part *part, uint32 band, const uint32 *other, struct glide_times *times);
 
 /* combine_line.c. Adds the passes of glide_combine_line. to: null if it is the frame. */
 void glide_combine_add(struct glide_lines *lines, const struct glide_combining *combining,
