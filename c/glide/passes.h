@@ -68,10 +68,10 @@ struct glide_logarithm {
 
 /* A level of a map that wraps, for a pass that finds each pixel's. */
 struct glide_mip {
-    uint32 half;                /* half a texel in coordinates of level 0, in both words; 0 for points */
+    uint32 half;                /* half a texel in the line's coordinates, in both words; 0 for points */
     uint16 mask_s, mask_t;      /* as in glide_decoded */
     int32 texels;               /* bytes from here to the level's texels, R G B A, or its quads */
-    uint16 columns_bits, shift; /* shift: from coordinates of level 0 */
+    uint16 columns_bits, shift; /* shift: from the line's coordinates */
 };
 
 #define GLIDE_MIPS 9

@@ -7,8 +7,7 @@
 ; formats: s:t, both 12.4 modulo 2^16, no axis clamped; LODs 8.8, 0 to 8.0; weights of 1/256, the
 ;          sum cut to 8 bits
 
-; Half a texel of level n is 2^(n + 3) in coordinates of level 0, so (s >> n) - 8 is
-; s - 2^(n + 3) >> n.
+; Half a texel behind a shift by n is 2^(n + 3) before it, so (s >> n) - 8 is s - 2^(n + 3) >> n.
 
         xref    glide_weights_table
 

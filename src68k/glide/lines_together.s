@@ -8,12 +8,14 @@
 ;          a1  uint32*  room for all pixels
 ; reads:   the lines, the passes' input and data
 ; writes:  pixels, the passes' output, the room; the points
-; formats: as glide_lines. glide_walk is done here, pixel by pixel, and glide_divide where it clamps neither
-;          quotients nor coordinates: without their set-up
+; formats: as glide_lines. glide_walk is done here, pixel by pixel, and so is glide_divide of fewer than
+;          MANY pixels, where it clamps neither quotients nor coordinates: without their set-up
 ; cost:    about 150 cycles a line and 45 a pixel to coordinates, 250 if they are divided; 40 a line and 20
 ;          a pixel to the frame; the passes' own
 
 ; A pass changes d0-d1/a0-a1 alone.
+
+MANY    equ     20                      ; pixels: glide_divide takes less time on longer lines
 
 start   equ     glide_points_start
 across  equ     glide_points_across
@@ -170,6 +172,8 @@ room    equ     8
         sub.w   d3,d4
 .divide_line
         line    .divide_next
+        cmpi.w  #MANY-1,d6
+        bge     .many
         iterators d5,d7
         movea.l a4,a1
         movea.w glide_steps_half(a2),a0
@@ -188,7 +192,7 @@ room    equ     8
         bra     .reload
 .odd    movea.l a1,a4                   ; the whole line again
         line    .divide_next
-        iterators d5,d7
+.many   iterators d5,d7
         by_pass
         bra     .divide_next
 .reload movea.l lines(sp),a5

@@ -2,7 +2,7 @@
 
 ; glide_point_mips - texels by point sampling, a level for each pixel
 ;
-; in:      a0  const glide_coordinates*  coordinates of level 0, without half a texel
+; in:      a0  const glide_coordinates*  coordinates of one level, without half a texel
 ;          a1  uint32*  texels, R G B A
 ;          a2  const glide_mips*  the pixels' LODs, the levels
 ; formats: s:t, both 12.4 modulo 2^16, no axis clamped; LODs 8.8, 0 to 8.0

@@ -5,8 +5,8 @@
 ; d0 = the next pixel's s:t, d1 = its level's half, d2 = mask, d5 = columns_bits : shift, a2 = texels;
 ; moves a0 and the LODs \1. In: a4 = levels. Uses d3.
 
-; Coordinates of level 0 have 12 bits in use, as a map has 256 texels at most. A shift by n leaves
-; 12 - n of them. Bits of s that enter t are above its 16 - n, where the mask is clear.
+; Coordinates of level k have 12 - k bits in use, as a map has 256 texels at most. A shift by n leaves
+; 12 - k - n of them. Bits of s that enter t are above its 16 - n, where the mask is clear.
 mip_open macro
         moveq   #0,d3
         move.b  (\1),d3                 ; the LOD's integer

@@ -1,13 +1,13 @@
 /* Lines whose pixels have several levels, without runs.
 
-   Level n's coordinates are those of level 0 shifted right by n, as floors nest: a line is divided
-   once for all levels, and once for units that share points. A unit's LODs are found once a line
+   Level n's coordinates are those of a finer level k shifted right by n - k, as floors nest: a line is
+   divided once for all levels, by the finest one of the polygon, and once for units that share points. A unit's LODs are found once a line
    too, and each pixel's level is found with its texel. All bands are combined as the one whose
    fractions differ: what is known of the others' saves work, but changes no colour. */
 #include "glide/polygons/plan.h"
 
 enum {
-    LEVEL_0 = 14                /* the shift from 14.18 to its coordinates */
+    LEVEL_0 = 14                /* the shift from 14.18 to coordinates of level 0 */
 };
 
 static int32 multiplies(const struct glide_combination *by)
@@ -63,7 +63,7 @@ void glide_mips_open(struct glide_part *part)
         part->mixing = 0;
 }
 
-static void open_passes(struct glide_part *part)
+static void open_passes(struct glide_part *part, uint32 finest)
 {
     const struct plane *of = &part->iterations->planes.of[part->first];
     struct glide_steps *steps = &part->mip_steps;
@@ -71,15 +71,16 @@ static void open_passes(struct glide_part *part)
     steps->s = (int32)of[GLIDE_S].dx;
     steps->t = (int32)of[GLIDE_T].dx;
     steps->w = (int32)of[GLIDE_W].dx;
-    steps->shift = LEVEL_0;
+    steps->shift = (uint16)(LEVEL_0 + finest);
     steps->half = 0;
     steps->last_s = steps->last_t = 0xffff;
     steps->behind = part->glide->modes.clamp_negative_w;
     glide_lods_open(part, &part->mip_lods);
 }
 
-/* Makes the table of levels, at the first line. Returns 0 if a level has no memory for quads. */
-static int32 find_mips(struct glide_part *part)
+/* Makes the table of levels, at the first line. Returns 0 if a level has no memory for quads. finest: the
+   level of the line's coordinates. */
+static int32 find_mips(struct glide_part *part, uint32 finest)
 {
     const int32 linear = part->bands->of[part->band].lod.filter == GLIDE_BILINEAR;
 
@@ -98,16 +99,16 @@ static int32 find_mips(struct glide_part *part)
         for (int32 k = band->lod.value >> 8; k <= end >> 8; k++) {
             struct glide_mip *to = &part->mips[k];
 
-            to->half = ((uint32)from->steps.half << band->lod.level) * 0x10001;
+            to->half = ((uint32)from->steps.half << (band->lod.level - finest)) * 0x10001;
             to->mask_s = from->level->mask_s;
             to->mask_t = from->level->mask_t;
             to->texels = (int32)((linear ? (uint32)from->level->quads : (uint32)from->level->texels)
                                  - (uint32)to);
             to->columns_bits = from->level->columns_bits;
-            to->shift = band->lod.level;
+            to->shift = (uint16)(band->lod.level - finest);
         }
     }
-    open_passes(part);
+    open_passes(part, finest);
     part->mip_sample = linear ? glide_bilinear_mips : glide_point_mips;
     return 1;
 }
@@ -196,14 +197,20 @@ static int32 is_varied(struct glide_part *part, const struct glide_row *row, int
 int32 glide_mips_draw(struct glide_plan *plan, const struct glide_row *row, uint32 *to, int32 count)
 {
     struct glide_part *part = plan->parts;
+    uint32 finest = GLIDE_LEVEL_LAST;
 
     while (!is_varied(part, row, count)) {
         part = part->upstream;
         if (!part)
             return 0;
     }
+    for (part = plan->parts; part; part = part->upstream) {
+        const uint32 level = part->bands->of[part->band].lod.level;
+
+        finest = level < finest ? level : finest;
+    }
     for (part = plan->parts; part; part = part->upstream)
-        if (!find_mips(part)) {
+        if (!find_mips(part, finest)) {
             plan->has_mips = 0;
             return 0;
         }

@@ -59,11 +59,24 @@ def divide(rng, count: int) -> Example:
         slope = int(rng.integers(2, 12)) << 14
         ground = Axes(14, 0, (WRAPPED, WRAPPED))
         return found(*between([0, 0, ONE], [slope * count, -slope * count, ONE >> 2], count), count, ground)
+    if rng.random() < 0.2:
+        return found(*parted(rng, count), count, ground)
     if rng.random() < 0.6:  # w falls to a part: slopes grow by its square
         ends = (ONE >> rng.integers(14)) // np.array([1, rng.choice((4, 30, 100, 250))])
         s, t = (rng.uniform(-1.5, 1.5) * ends + rng.choice((-1, 1)) * rng.uniform(1, 2) * (1 << rng.integers(14, 30)) for _ in range(2))
         return found(*between(*np.stack([s, t, ends], 1).astype(np.int64).tolist(), count), count, ground)
     return found(*iterators(rng, count), count, ground)
+
+
+def parted(rng, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """A line of several parts: w changes its sign, or is so small at one end that s and t are out of reach; s and t are
+    any number of texels there, and up to 2,048 at the other end."""
+    near = int(ONE * power(2, -rng.uniform(0, 8)))
+    texels = rng.uniform(-1, 1, 2) * power(2, rng.uniform(0, 11)) * 2**18 * near / ONE
+    beyond = rng.uniform(-1, 1, 2) * power(2, rng.uniform(10, 30.9))
+    ends = [[*texels.astype(np.int64).tolist(), near],
+            [*beyond.astype(np.int64).tolist(), int(near * rng.uniform(-1, 0.1))]]
+    return between(*ends[::int(rng.choice((1, -1)))], count)
 
 
 def divide_clamp(_, count: int) -> Example:
@@ -75,7 +88,7 @@ def divide_clamp(_, count: int) -> Example:
 def divide_each(_, count: int) -> Example:
     """A line that has to be divided pixel by pixel, for its w."""
     ground = Axes(14, 8, (WRAPPED, WRAPPED))
-    line = between([40 << 18, 50 << 18, ONE + count], [300 << 16, 200 << 16, ONE >> 2], count)
+    line = between([40 << 18, 50 << 18, -ONE], [300 << 16, 200 << 16, -ONE >> 2], count)
     return found(*line, count, ground)
 
 
