@@ -140,10 +140,8 @@ def test_picture_in_the_window(files, tmp_path):
     """What is seen of the last frame, beside its colours; a key ends the program, and the shell is seen again."""
     colours = np.frombuffer(files["palette"], np.uint8).reshape(256, 4)[:, 1:]
     expected = colours[frame(files, "whole", FRAMES - 1)]
-    with window.screen(tmp_path / "screen") as on, window.shell(on, files, tmp_path) as folder:
-        on.settled("the prompt")
-        on.enter(f"{shows('whole', 'WAIT')} >its.output")
-
+    command_line = f"{shows('whole', 'WAIT')} >its.output"
+    with window.screen(tmp_path / "screen") as on, window.shell(on, files, tmp_path, command_line) as folder:
         def is_there(shot: np.ndarray) -> bool:
             return (shot[TOP:TOP + 2 * SEEN:2, LEFT:LEFT + 640:2] == expected[:SEEN]).all(axis=2).mean() > 0.99
 

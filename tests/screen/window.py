@@ -103,11 +103,11 @@ def window(on: Screen) -> Display:
 
 
 @contextlib.contextmanager
-def shell(on: Screen, volume: dict[str, bytes | Path], directory: Path) -> Iterator[Path]:
-    """Starts the machine at its prompt, in a window, with these files; yields their folder."""
+def shell(on: Screen, volume: dict[str, bytes | Path], directory: Path, then: str = "") -> Iterator[Path]:
+    """Starts the machine in a window, with these files, at its prompt or with a command; yields their folder."""
     folder = directory / "volume"
     (folder / "S").mkdir(parents=True)
-    (folder / "S" / "Startup-Sequence").write_text("echo >started\n")
+    (folder / "S" / "Startup-Sequence").write_text(f"echo >started\n{then}\n")
     for name, content in volume.items():
         (folder / name).write_bytes(content if isinstance(content, bytes) else content.read_bytes())
     display = window(on)
