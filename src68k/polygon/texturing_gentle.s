@@ -202,8 +202,9 @@ MARGIN          equ     1<<15
 .handed addq.l  #8,sp
 .far    lea     2*16(sp),sp
         move.l  (sp)+,d1
-        xdef    texturing_far
+        xdef    texturing_far,_texturing_far
 ; As texturing_gentle, by texturing_plane and texturing_starts; keeps d2-d7/a2-a6.
+_texturing_far
 texturing_far
         tst.l   d1
         beq.s   texturing_uncut

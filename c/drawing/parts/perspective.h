@@ -9,6 +9,11 @@
 #include "perspective/perspective.h"
 #include "perspective/tolerance.h"
 
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#endif
+
 #ifndef WITH_PERSPECTIVE
 int32 perspective_polygon(struct setup *s)
 {
@@ -75,6 +80,10 @@ int32 cubic_find(struct cubic_span *span, const struct setup *s, const struct de
 void cubic_draw(const struct setup *s, struct cubic_span *span, const struct far_line *lines)
 {
 }
+#endif
+
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
 #endif
 
 #endif
