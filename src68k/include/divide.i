@@ -60,6 +60,28 @@ judge_falling macro
         bls     .gentle
         endm
 
+; A pixel of divide_steep.
+steep   macro
+        move.l  a3,d0
+        move.l  a4,d1
+        move.l  d0,d4
+        move.l  d1,d5
+        lsr.l   d6,d4
+        lsr.l   d6,d5
+        lsl.l   d7,d0
+        lsl.l   d7,d1
+        divu.l  d2,d4:d0
+        divu.l  d2,d5:d1
+        sub.w   a0,d0
+        sub.w   a0,d1
+        adda.l  a5,a3
+        adda.l  a6,a4
+        swap    d0
+        add.l   d3,d2
+        move.w  d1,d0
+        move.l  d0,(a1)+
+        endm
+
 ; The part from its third pixel on, by division. In: d2 = the second pixel's w.
 divide_steep macro
 .exact  movem.l (a2),d3-d5
@@ -90,24 +112,10 @@ divide_steep macro
         move.l  part(sp),d1
         lea     (a1,d1.l*4),a2
         addq.l  #8,a1
-.third  move.l  a3,d0
-        move.l  a4,d1
-        move.l  d0,d4
-        move.l  d1,d5
-        lsr.l   d6,d4
-        lsr.l   d6,d5
-        lsl.l   d7,d0
-        lsl.l   d7,d1
-        divu.l  d2,d4:d0
-        divu.l  d2,d5:d1
-        sub.w   a0,d0
-        sub.w   a0,d1
-        adda.l  a5,a3
-        adda.l  a6,a4
-        swap    d0
-        add.l   d3,d2
-        move.w  d1,d0
-        move.l  d0,(a1)+
+        lsr.l   #1,d1
+        bcs.s   .second                 ; an odd number is left
+.third  steep
+.second steep
         cmpa.l  a2,a1
         bne.s   .third
         bra     .drawn
