@@ -12,7 +12,7 @@ def build(folder: Path, *sources: Path, main: str = "") -> Path:
     """Compiles, assembles and links sources into ``folder``; returns the program, with its map in
     the same folder. The program is named after the first source, or after ``main``, a program of
     the tree, whose own object is then linked too."""
-    assembler, compiler, *_, linker = (BUILD / "obj" / "flags").read_text().splitlines()
+    assembler, compiler, _, _, linker, *_ = (BUILD / "obj" / "flags").read_text().splitlines()
     compiled, *objects = (BUILD / "obj" / "objects").read_text().split()
     tools = {".s": ["scripts/vasm", *assembler.split()],
              ".c": ["m68k-linux-gnu-gcc", *compiler.split(), "-c"]}

@@ -16,7 +16,7 @@ enum drawing_part {
 };
 
 /* How each setting of a material is drawn. */
-extern const uint32 perspective_named[PERSPECTIVE_KINDS];
+extern const uint8 perspective_named[PERSPECTIVE_KINDS];
 
 extern const uint32 drawing_parts;      /* mappers by their bits, and enum drawing_part */
 

@@ -40,8 +40,7 @@ static enum three_way way_of(const struct three *three, const struct material *m
     if (material->mapper == MAPPER_FLAT)
         return THREE_FLAT;
     return material->mapper == MAPPER_GOURAUD ? THREE_SHADES
-         : three->s.kind == SPAN_AFFINE_ADDX_WRAP ? THREE_TEXELS
-         : three->s.kind == SPAN_AFFINE_16_WRAP || three->s.kind == SPAN_AFFINE_32_WRAP ? THREE_WIDE : THREE_REST;
+         : three->s.frame->pixel_bytes == 1 ? THREE_TEXELS : THREE_WIDE;
 }
 
 static enum three_starts starts_of(const struct material *material)
