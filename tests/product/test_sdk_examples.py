@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -19,25 +20,28 @@ from tmap.product import sdk
 from tmap.run import mesh_header
 from tmap.scene_file.scene_file import IDENTITY, Material, Object, Scene, Texture
 
+#: Sets of tools of the kit's Makefile: those of vbcc where they are installed.
+TOOLS = ["elf", *["vbcc"] * all(map(shutil.which, ("vbccm68k", "vlink")))]
 #: Bytes of each program, built with m68k-linux-gnu-gcc 12.2: some more than the current ones.
 MOST = {"cube": 47_000, "viewer": 83_000, "corridor": 67_000, "rotator": 32_000}
 SIZES = {"cube": (160, 128), "viewer": (320, 200), "corridor": (160, 128), "rotator": (320, 256)}
 TURN = 64
 
 
-@pytest.fixture(scope="module")
-def frames(tmp_path_factory) -> dict[str, np.ndarray]:
+@pytest.fixture(scope="module", params=TOOLS)
+def frames(request, tmp_path_factory) -> dict[str, np.ndarray]:
     """The last frame of each program, built by the Makefile and run on the machine with the least memory."""
-    folder = tmp_path_factory.mktemp("kit")
+    folder, tools = tmp_path_factory.mktemp("kit"), request.param
     sdk.make(folder / "sdk")
     example = folder / "sdk" / "example"
     done = subprocess.run(
-        ["make", "-C", example, "TOOLS=elf", "DEFINES=-DFIELDS=20 -DTURNS=1", f"PYTHON={sys.executable}",
-         f"VASM={ROOT / 'scripts' / 'vasm'}", *(f"elf/{name}" for name in MOST)], capture_output=True, text=True)
+        ["make", "-C", example, f"TOOLS={tools}", "DEFINES=-DFIELDS=20 -DTURNS=1", f"PYTHON={sys.executable}",
+         f"VASM={ROOT / 'scripts' / 'vasm'}", *(f"{tools}/{name}" for name in MOST)], capture_output=True, text=True)
     assert done.returncode == 0, done.stdout + done.stderr
-    for name, most in MOST.items():
-        assert (example / "elf" / name).stat().st_size <= most, name
-    results = emulator.run_batch(list(MOST), {}, "a1200", folder / "run", programs=example / "elf",
+    if tools == "elf":
+        for name, most in MOST.items():
+            assert (example / tools / name).stat().st_size <= most, name
+    results = emulator.run_batch(list(MOST), {}, "a1200", folder / "run", programs=example / tools,
                                  timed=False)
     assert [(result.code, result.output) for result in results] == [(0, "")] * len(MOST)
     return {name: np.fromfile(results[0].directory / f"{name}.chunky", np.uint8).reshape(height, width)
