@@ -16,7 +16,8 @@ enum drawing_part {
 };
 
 /* How each setting of a material is drawn. */
-extern const uint8 perspective_named[PERSPECTIVE_KINDS];
+enum { PERSPECTIVE_ROOM = (PERSPECTIVE_KINDS + 3) & ~3 };   /* of the table: whole longs */
+extern const uint8 perspective_named[PERSPECTIVE_ROOM];
 
 extern const uint32 drawing_parts;      /* mappers by their bits, and enum drawing_part */
 

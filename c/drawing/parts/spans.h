@@ -311,7 +311,7 @@ const struct line_routines line_routines[LINE_FORMS] = {
 #define PART_FINE PERSPECTIVE_EVERY8
 #endif
 
-const uint8 perspective_named[PERSPECTIVE_KINDS] = {
+const uint8 perspective_named[PERSPECTIVE_ROOM] = {
     PERSPECTIVE_NONE, PERSPECTIVE_EVERY16, PERSPECTIVE_EVERY8, PART_PIXEL, PART_FINE
 };
 
