@@ -5,20 +5,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
+from elftools.elf.constants import SH_FLAGS
+from elftools.elf.elffile import ELFFile
+from elftools.elf.enums import ENUM_ST_SHNDX
 
 from tmap.base.errors import UserError
 
 #: R_68K_32, PC32, PC16, PC8: size in bytes, and true if relative to the field's own address.
 RELOCATIONS = {1: (4, False), 4: (4, True), 5: (2, True), 6: (1, True)}
 
-COMMON = 0xFFF2  # a symbol without a section
-RELA_TABLE, SYMBOL_TABLE, NOBITS = 4, 2, 8  # types of sections
-ALLOC, EXECUTED, STRINGS = 2, 4, 32  # flags of sections
-#: Read here: of 600,000 symbols, constants of assembly most of them, pyelftools would make objects.
-HEADER = np.dtype([("before", "V32"), ("sections_at", ">u4"), ("flags", ">u4"), ("sizes", ">u2", 4),
-                   ("sections", ">u2"), ("names", ">u2")])
-SECTION = np.dtype([(name, ">u4") for name in ("name", "type", "flags", "address", "at", "size", "link", "info",
-                                               "align", "entry")])
+COMMON = ENUM_ST_SHNDX["SHN_COMMON"]  # a symbol without a section
 SYMBOL = np.dtype([("name", ">u4"), ("value", ">u4"), ("size", ">u4"), ("info", "u1"),
                    ("other", "u1"), ("section", ">u2")])
 RELA = np.dtype([("offset", ">u4"), ("info", ">u4"), ("addend", ">i4")])
@@ -81,23 +77,24 @@ def string_at(table: bytes, offset: int) -> str:
 
 def load(path: Path) -> list[Section]:
     """Returns the sections of an object that are loaded into memory."""
-    data = path.read_bytes()
-    header = np.frombuffer(data, HEADER, 1)[0]
-    parts = np.frombuffer(data, SECTION, header["sections"], int(header["sections_at"])).tolist()
-    content = [b"" if kind == NOBITS else data[at:at + size] for _, kind, _, _, at, size, *_ in parts]
-    found: dict[int, Section] = {}
-    tables: dict[int, np.ndarray] = {}
-    strings: dict[int, dict[int, Section]] = {}
-    for index, (name, kind, flags, _, _, size, link, info, align, entry) in enumerate(parts):
-        if flags & ALLOC and size:
-            found[index] = Section(str(path), string_at(content[header["names"]], name), content[index], size,
-                                   max(align, 4), bool(flags & EXECUTED), kind == NOBITS)
-            if flags & STRINGS and entry == 1:
-                strings[index] = split_strings(found[index])
-        elif kind == RELA_TABLE:
-            tables[info] = np.frombuffer(content[index], RELA)
-        elif kind == SYMBOL_TABLE:
-            symbols, names = np.frombuffer(content[index], SYMBOL), content[link]
+    with path.open("rb") as stream:
+        elf = ELFFile(stream)
+        found: dict[int, Section] = {}
+        tables: dict[int, np.ndarray] = {}
+        strings: dict[int, dict[int, Section]] = {}
+        for index, part in enumerate(elf.iter_sections()):
+            if part["sh_flags"] & SH_FLAGS.SHF_ALLOC and part["sh_size"]:
+                bss = part["sh_type"] == "SHT_NOBITS"
+                found[index] = Section(
+                    str(path), part.name, b"" if bss else part.data(), part["sh_size"],
+                    max(part["sh_addralign"], 4), bool(part["sh_flags"] & SH_FLAGS.SHF_EXECINSTR),
+                    bss)
+                if part["sh_flags"] & SH_FLAGS.SHF_STRINGS and part["sh_entsize"] == 1:
+                    strings[index] = split_strings(found[index])
+            elif part["sh_type"] == "SHT_RELA":
+                tables[part["sh_info"]] = np.frombuffer(part.data(), RELA)
+            elif part["sh_type"] == "SHT_SYMTAB":
+                symbols, names = np.frombuffer(part.data(), SYMBOL), elf.get_section(part["sh_link"]).data()
     home = symbols["section"]
     for name, value, _, info, _, index in symbols[np.isin(home, [COMMON, *found])].tolist():
         if index == COMMON:
